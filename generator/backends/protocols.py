@@ -1,0 +1,140 @@
+"""The typed questions that stages ask. A backend is any object that answers some of them.
+
+A backend sees what these signatures pass, and nothing else. Each backend is a frozen dataclass
+whose fields are its identity (model id, revision, seed); keys come from the environment and are
+never stored, logged or put into an exception.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
+
+import numpy as np
+from jaxtyping import UInt8
+
+from ..scene import (
+    Detection,
+    Instance,
+    Mesh,
+    Model,
+    Reference,
+    Rotation,
+    ScenePlan,
+    SizePrior,
+    Stacking,
+    TopView,
+    View,
+)
+
+if TYPE_CHECKING:
+    import torch
+
+
+@runtime_checkable
+class Reasoner(Protocol):
+    """The multimodal language model of the paper: six questions."""
+
+    def plan_scene(self, prompt: str, seed: int) -> ScenePlan:
+        """Expand a text into a scene plan (Sec. 3, Fig. 20)."""
+        ...
+
+    def list_objects(self, reference: Reference) -> tuple[str, ...]:
+        """Name the categories to look for in the image, "table" among them (Sec. 3.1)."""
+        ...
+
+    def estimate_view(self, reference: Reference, table: Instance) -> View:
+        """Estimate azimuth, elevation and field of view from the image (Sec. 3.3)."""
+        ...
+
+    def estimate_sizes(
+        self, reference: Reference, instances: tuple[Instance, ...], view: View
+    ) -> Mapping[str, SizePrior]:
+        """Give each instance's commonsense size and axes, the table's too (Fig. 22)."""
+        ...
+
+    def review_orientation(
+        self, mesh: Mesh, instance: Instance, size: SizePrior
+    ) -> tuple[tuple[str, int], ...]:
+        """Say how to turn a mesh upright: ("x"|"y"|"z", multiple of 90 degrees) steps (Fig. 23)."""
+        ...
+
+    def stacking_order(
+        self, reference: Reference, instances: tuple[Instance, ...], view: View
+    ) -> Mapping[str, Stacking]:
+        """Say what each instance stands on or in (Fig. 25)."""
+        ...
+
+
+@runtime_checkable
+class Imager(Protocol):
+    """The image model of the paper: draws, completes, and shows the table from above."""
+
+    def draw(self, plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
+        """Draw the reference image of a plan: whole table on white, 50-60 degrees elevation."""
+        ...
+
+    def complete(
+        self, reference: Reference, detection: Detection, others: tuple[Detection, ...]
+    ) -> Instance:
+        """Redraw one object clean and whole (Sec. 3.1, Fig. 21). ``others`` may hide it.
+
+        The returned instance keeps the detection's label, box and mask; its name is its label
+        (the stage makes names unique).
+        """
+        ...
+
+    def top_view(
+        self,
+        reference: Reference,
+        instances: tuple[Instance, ...],
+        models: Mapping[str, Model],
+        rotations: Mapping[str, Rotation],
+        view: View,
+    ) -> TopView:
+        """Show the table from straight above (Sec. 3.3, TSA, Fig. 24).
+
+        ``instances`` includes the table. A backend that only draws may leave ``boxes`` empty; the
+        stage then has the segmenter find them. Models and rotations are what is known so far;
+        generative backends may ignore them.
+        """
+        ...
+
+
+@runtime_checkable
+class Segmenter(Protocol):
+    """Open-vocabulary detection and segmentation (Sec. 3.1)."""
+
+    def segment(
+        self, image: UInt8[np.ndarray, "h w 3"], labels: tuple[str, ...]
+    ) -> tuple[Detection, ...]:
+        """Find every instance of ``labels``; exactly one detection has the label "table".
+
+        A label "object" asks for anything that stands on the table; a backend that can name what
+        it found answers with a better word.
+        """
+        ...
+
+
+@runtime_checkable
+class Modeler(Protocol):
+    """Image to 3D (Sec. 3.2)."""
+
+    def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
+        """Make a textured model of one instance (the table too), in any orientation by 90 degrees.
+
+        ``view`` is the view of this very instance (along its own ray). ``size`` is the prior.
+        """
+        ...
+
+
+@runtime_checkable
+class Encoder(Protocol):
+    """Differentiable appearance features Phi of Eq. 4."""
+
+    def features(self, images: torch.Tensor) -> tuple[torch.Tensor, ...]:
+        """Map (b, 3, h, w) images in [0, 1] to spatial feature maps (b, c, h', w').
+
+        Differentiable in ``images``.
+        """
+        ...

@@ -1,0 +1,235 @@
+"""Yaw, boxes, the pinhole camera, rays, and pixels to metres. Frames: see ``scene``."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from .errors import InputError
+from .scene import ConvexPart, Mesh, View, frozen_array
+
+# ------------------------------------------------------------------------------------ rotations
+
+
+def rotation_z(yaw: float) -> Float[np.ndarray, "3 3"]:
+    """Return the rotation matrix of ``yaw`` radians about +z."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def wrap(angle: float) -> float:
+    """Return ``angle`` (radians) wrapped to [-pi, pi)."""
+    return float((angle + np.pi) % (2 * np.pi) - np.pi)
+
+
+def yaw_quaternion(yaw: float) -> Float[np.ndarray, "4"]:
+    """Return the wxyz quaternion of ``yaw`` radians about +z."""
+    return np.array([np.cos(yaw / 2), 0.0, 0.0, np.sin(yaw / 2)])
+
+
+def quaternion_matrix(quaternion: Float[np.ndarray, "4"]) -> Float[np.ndarray, "3 3"]:
+    """Return the rotation matrix of a unit wxyz quaternion."""
+    w, x, y, z = np.asarray(quaternion, float) / np.linalg.norm(quaternion)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def quaternion_yaw(quaternion: Float[np.ndarray, "4"]) -> float:
+    """Return the yaw of a wxyz quaternion: the turn of the body's x axis about +z, radians."""
+    w, x, y, z = quaternion
+    return float(np.arctan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
+
+
+def rotated_extent(extent: Float[np.ndarray, "3"], yaw: float) -> Float[np.ndarray, "2"]:
+    """Return the world x, y extent of a box of ``extent`` turned by ``yaw``."""
+    c, s = abs(np.cos(yaw)), abs(np.sin(yaw))
+    return np.array([c * extent[0] + s * extent[1], s * extent[0] + c * extent[1]])
+
+
+# ----------------------------------------------------------------------------- canonical frame
+
+
+def to_unit_box(mesh: Mesh) -> tuple[Mesh, Float[np.ndarray, "3"], Float[np.ndarray, "3"]]:
+    """Normalise ``mesh`` to the canonical unit box.
+
+    Returns the mesh, and the ``center`` and ``extent`` it had: ``v_unit = (v - center) / extent``.
+    A flat mesh gets an extent of at least 1e-4 along its flat axis before dividing.
+    """
+    low, high = mesh.bounds
+    center, extent = (low + high) / 2, np.maximum(high - low, 1e-4)
+    vertices = np.clip((mesh.vertices - center) / extent, -0.5, 0.5)
+    return Mesh(vertices, mesh.faces, mesh.uv, mesh.texture, mesh.opacity), center, extent
+
+
+def parts_to_unit_box(
+    parts: tuple[ConvexPart, ...], center: Float[np.ndarray, "3"], extent: Float[np.ndarray, "3"]
+) -> tuple[ConvexPart, ...]:
+    """Carry convex parts into the canonical frame of ``to_unit_box``."""
+    return tuple(ConvexPart((p.vertices - center) / extent, p.kind, p.axis) for p in parts)
+
+
+# ------------------------------------------------------------------------------------- pixels
+
+
+def mask_box(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "4"]:
+    """Return the tight box (x0, y0, x1, y1) of a mask, right and bottom exclusive.
+
+    Raises:
+        InputError: the mask is empty.
+    """
+    ys, xs = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
+    if not len(ys):
+        raise InputError("An empty mask has no box.")
+    return np.array([xs[0], ys[0], xs[-1] + 1, ys[-1] + 1], float)
+
+
+def box_iou(a: Float[np.ndarray, "4"], b: Float[np.ndarray, "4"]) -> float:
+    """Return the intersection over union of two pixel boxes."""
+    low, high = np.maximum(a[:2], b[:2]), np.minimum(a[2:], b[2:])
+    inner = float(np.prod(np.clip(high - low, 0, None)))
+    union = float(np.prod(a[2:] - a[:2]) + np.prod(b[2:] - b[:2])) - inner
+    return inner / union if union > 0 else 0.0
+
+
+# ------------------------------------------------------------------------------------- camera
+
+
+@dataclass(frozen=True, eq=False)
+class Camera:
+    """A pinhole camera with square pixels and its principal point at the image centre.
+
+    ``rotation`` takes world directions to camera axes (x right, y *down*, z forward); ``fov`` is
+    vertical, radians. Pixel (0, 0) is the top-left corner, so pixel centres are at halves.
+    """
+
+    position: Float[np.ndarray, "3"]
+    rotation: Float[np.ndarray, "3 3"]
+    fov: float
+    width: int
+    height: int
+
+    def __post_init__(self) -> None:
+        object.__setattr__(
+            self, "position", frozen_array(self.position, np.float64, (3,), "Camera.position")
+        )
+        object.__setattr__(
+            self, "rotation", frozen_array(self.rotation, np.float64, (3, 3), "Camera.rotation")
+        )
+        if self.width < 1 or self.height < 1 or not 0 < self.fov < np.pi:
+            raise InputError(f"Camera needs a size of at least 1 and fov in (0, pi): {self}.")
+
+    @property
+    def focal(self) -> float:
+        """Focal length in pixels."""
+        return self.height / 2 / np.tan(self.fov / 2)
+
+    @classmethod
+    def looking_at(
+        cls, target: Float[np.ndarray, "3"], view: View, distance: float, width: int, height: int
+    ) -> Camera:
+        """Return the camera ``distance`` metres from ``target`` in the direction of ``view``."""
+        back = view_direction(view)
+        return cls(
+            np.asarray(target, float) + distance * back,
+            view_rotation(view),
+            view.fov,
+            width,
+            height,
+        )
+
+    def to_camera(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+        """Return world points in camera axes; z is the depth in metres."""
+        return (np.asarray(points, float) - self.position) @ self.rotation.T
+
+    def project(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 2"]:
+        """Return the pixels of world points. Points behind the camera give meaningless pixels."""
+        p = self.to_camera(points)
+        center = np.array([self.width / 2, self.height / 2])
+        return p[:, :2] / p[:, 2:] * self.focal + center
+
+    def rays(self, pixels: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 3"]:
+        """Return unit world directions of the rays through ``pixels``."""
+        uv = np.atleast_2d(np.asarray(pixels, float))
+        center = np.array([self.width / 2, self.height / 2])
+        p = np.column_stack([(uv - center) / self.focal, np.ones(len(uv))])
+        d = p @ self.rotation
+        return d / np.linalg.norm(d, axis=1, keepdims=True)
+
+    def on_plane(self, pixels: Float[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "n 3"]:
+        """Return where the rays through ``pixels`` meet the horizontal plane at height ``z``.
+
+        Rays at or above the horizon give NaN.
+        """
+        rays = self.rays(pixels)
+        steps = (z - self.position[2]) / np.where(rays[:, 2] < -1e-9, rays[:, 2], np.nan)
+        return self.position + rays * steps[:, None]
+
+
+def view_direction(view: View) -> Float[np.ndarray, "3"]:
+    """Return the unit vector from what is looked at towards the camera of ``view``."""
+    c = np.cos(view.elevation)
+    return np.array(
+        [c * np.sin(view.azimuth), -c * np.cos(view.azimuth), np.sin(view.elevation)]
+    )
+
+
+def view_rotation(view: View) -> Float[np.ndarray, "3 3"]:
+    """Return the world-to-camera rotation (rows: right, down, forward) of a level camera."""
+    forward = -view_direction(view)
+    right = np.array([np.cos(view.azimuth), np.sin(view.azimuth), 0.0])
+    down = np.cross(forward, right)
+    return np.stack([right, down, forward])
+
+
+def ray_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: int) -> View:
+    """Return the view under which the camera sees what lies at ``pixel``.
+
+    An object away from the image centre is seen along its own ray, so its azimuth and elevation
+    differ from the camera's. ``fov`` is kept.
+    """
+    camera = Camera(np.zeros(3), view_rotation(view), view.fov, width, height)
+    x, y, z = camera.rays(np.asarray(pixel, float)[None])[0]
+    elevation = float(np.clip(np.arcsin(np.clip(-z, -1, 1)), 1e-3, np.pi / 2))
+    return View(float(np.arctan2(-x, y)), elevation, view.fov)
+
+
+# ------------------------------------------------------------------------------------ outlines
+
+
+def convex_outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
+    """Return the convex hull of 2D points, counter-clockwise (Andrew's monotone chain)."""
+    unique = np.unique(np.round(np.asarray(points, float), 9), axis=0)
+    if len(unique) < 3:
+        raise InputError("An outline needs at least three distinct points.")
+
+    def half(ordered: np.ndarray) -> list[np.ndarray]:
+        chain: list[np.ndarray] = []
+        for p in ordered:
+            while len(chain) > 1:
+                a, b = chain[-1] - chain[-2], p - chain[-2]
+                if a[0] * b[1] - a[1] * b[0] > 1e-12:
+                    break
+                chain.pop()
+            chain.append(p)
+        return chain[:-1]
+
+    return np.array(half(unique) + half(unique[::-1]))
+
+
+def inside_margin(
+    points: Float[np.ndarray, "n 2"], outline: Float[np.ndarray, "k 2"]
+) -> Float[np.ndarray, "n"]:
+    """Return each point's distance inside a convex counter-clockwise outline (negative outside)."""
+    ends = np.roll(outline, -1, axis=0)
+    edges = ends - outline
+    normals = np.column_stack([-edges[:, 1], edges[:, 0]])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    points = np.atleast_2d(np.asarray(points, float))
+    return ((points[:, None] - outline[None]) * normals[None]).sum(-1).min(1)

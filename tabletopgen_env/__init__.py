@@ -1,0 +1,1 @@
+"""Gymnasium environments: a Franka Panda at generated tables."""
