@@ -1,0 +1,110 @@
+"""Which class answers which question: one literal, lazy table.
+
+``Backends.select("embedded", modeler=MyModeler())`` mixes. There is no silent fallback: an
+unknown name lists the choices, a missing extra names the pip line.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ..errors import BackendError, choices
+from .protocols import Encoder, Imager, Modeler, Reasoner, Segmenter
+
+PROTOCOLS: Mapping[str, type] = {
+    "reasoner": Reasoner,
+    "imager": Imager,
+    "segmenter": Segmenter,
+    "modeler": Modeler,
+    "encoder": Encoder,
+}
+
+_EMBEDDED = "generator.backends.embedded"
+
+TABLE: Mapping[str, Mapping[str, str]] = {
+    "embedded": {
+        "reasoner": f"{_EMBEDDED}.reasoner:Reasoner",
+        "imager": f"{_EMBEDDED}.imager:Imager",
+        "segmenter": f"{_EMBEDDED}.segmenter:Segmenter",
+        "modeler": f"{_EMBEDDED}.modeler:Modeler",
+        "encoder": f"{_EMBEDDED}.encoder:Encoder",
+    },
+}
+"""Backend name, then question set, to the class that answers; loaded when selected."""
+
+
+def _load(name: str, role: str) -> Any:
+    if name not in TABLE:
+        raise BackendError(f"Unknown backend {name!r}.{choices(name, TABLE)}")
+    if role not in TABLE[name]:
+        able = [backend for backend, roles in TABLE.items() if role in roles]
+        raise BackendError(f"Backend {name!r} has no {role}.{choices(name, able)}")
+    module, _, attribute = TABLE[name][role].partition(":")
+    return getattr(importlib.import_module(module), attribute)()
+
+
+def _check(role: str, backend: Any) -> Any:
+    if not isinstance(backend, PROTOCOLS[role]):
+        wanted = [m for m in vars(PROTOCOLS[role]) if not m.startswith("_")]
+        missing = [m for m in wanted if not callable(getattr(backend, m, None))]
+        raise BackendError(
+            f"{type(backend).__name__} cannot be the {role}: it lacks {', '.join(missing)}. "
+            f"See generator.backends.protocols.{PROTOCOLS[role].__name__}."
+        )
+    return backend
+
+
+@dataclass(frozen=True)
+class Backends:
+    """The five sets of answers a generation needs."""
+
+    reasoner: Reasoner
+    imager: Imager
+    segmenter: Segmenter
+    modeler: Modeler
+    encoder: Encoder
+
+    @classmethod
+    def select(cls, default: str = "embedded", **roles: Any) -> Backends:
+        """Return backends by name, with single roles replaced by a name or by your own object.
+
+        Args:
+            default: the backend that answers whatever ``roles`` leaves open.
+            roles: ``reasoner``, ``imager``, ``segmenter``, ``modeler``, ``encoder``.
+
+        Raises:
+            BackendError: unknown backend or role, a missing extra, or an object that lacks a
+                method of its protocol.
+        """
+        for role in roles:
+            if role not in PROTOCOLS:
+                raise BackendError(f"Unknown role {role!r}.{choices(role, PROTOCOLS)}")
+        chosen = {role: roles.get(role, default) for role in PROTOCOLS}
+        return cls(
+            **{
+                role: _check(role, _load(pick, role) if isinstance(pick, str) else pick)
+                for role, pick in chosen.items()
+            }
+        )
+
+    def identity(self) -> dict[str, dict[str, Any]]:
+        """Return each role's class and fields: what provenance records. Holds no secret."""
+        return {
+            field.name: _identity(getattr(self, field.name)) for field in dataclasses.fields(self)
+        }
+
+
+def _identity(backend: Any) -> dict[str, Any]:
+    kind = f"{type(backend).__module__}.{type(backend).__qualname__}"
+    settings = {}
+    if dataclasses.is_dataclass(backend) and not isinstance(backend, type):
+        settings = {f.name: getattr(backend, f.name) for f in dataclasses.fields(backend) if f.repr}
+    return {"class": kind, **{k: v for k, v in settings.items() if _plain(v)}}
+
+
+def _plain(value: Any) -> bool:
+    return isinstance(value, str | int | float | bool | type(None))

@@ -1,0 +1,67 @@
+"""Pictures of a scene: its meshes as render items, a camera that frames them, previews."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+
+from ..geometry import Camera
+from ..scene import Scene, View
+from .raster import Item, Rendered, place, render
+from .shading import Light
+
+_UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
+
+TOP_DOWN = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(20.0))
+"""A view from straight above, nearly without perspective."""
+
+
+def scene_items(scene: Scene) -> list[Item]:
+    """Return the table (id 0) and the objects (ids 1..n, in order) at their settled poses."""
+    table = scene.table
+    items = [place(table.model.mesh, table.scale, [0, 0, table.height / 2], _UPRIGHT, 0)]
+    for index, thing in enumerate(scene.objects, start=1):
+        pose = thing.pose
+        items.append(place(thing.model.mesh, thing.scale, pose.position, pose.quaternion, index))
+    return items
+
+
+def framing_camera(
+    points: Float[np.ndarray, "n 3"], view: View, width: int, height: int, margin: float = 0.06
+) -> Camera:
+    """Return the nearest camera along ``view`` that shows all ``points`` with a margin.
+
+    ``margin`` is the free share of the picture on each side. The points are centred.
+    """
+    target = (points.min(0) + points.max(0)) / 2
+    distance = 2.0 * float(np.linalg.norm(np.ptp(points, axis=0))) / np.tan(view.fov / 2)
+    frame = np.array([width, height]) * (1 - 2 * margin)
+    for _ in range(12):  # alternate centring and approaching; converges geometrically
+        camera = Camera.looking_at(target, view, distance, width, height)
+        pixels = camera.project(points)
+        low, high = pixels.min(0), pixels.max(0)
+        shift = ((low + high) / 2 - [width / 2, height / 2]) * distance / camera.focal
+        target = target + shift[0] * camera.rotation[0] + shift[1] * camera.rotation[1]
+        distance *= float(((high - low) / frame).max())
+    return Camera.looking_at(target, view, distance, width, height)
+
+
+def render_scene(
+    scene: Scene,
+    view: View | None = None,
+    width: int = 960,
+    height: int = 720,
+    *,
+    camera: Camera | None = None,
+    light: Light | None = None,
+    supersample: int = 2,
+) -> Rendered:
+    """Draw a whole scene on white; ``view`` defaults to the scene's own, framed to fit.
+
+    Ids: 0 the table, ``k`` the object ``scene.objects[k - 1]``, -1 nothing.
+    """
+    items = scene_items(scene)
+    if camera is None:
+        points = np.concatenate([item.vertices for item in items])
+        camera = framing_camera(points, view or scene.view, width, height)
+    return render(items, camera, light=light, supersample=supersample, ground_shadow=0.1)

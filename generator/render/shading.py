@@ -1,0 +1,107 @@
+"""Normals, texture look-up and lighting of the software renderer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from jaxtyping import Float, Int, UInt8
+
+from ..scene import frozen_array
+
+_CREASE = np.cos(np.deg2rad(40.0))
+
+
+def _unit(v: np.ndarray) -> np.ndarray:
+    return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), 1e-12)
+
+
+@dataclass(frozen=True, eq=False)
+class Light:
+    """One sun and a sky. ``direction`` points towards the sun (normalised on construction).
+
+    ``sun``, ``sky`` and ``gloss`` are intensities; ``softness`` is the shadow edge in metres;
+    ``tint`` multiplies the light's colour.
+    """
+
+    direction: Float[np.ndarray, "3"] = field(
+        default_factory=lambda: np.array([-0.35, -0.45, 0.82])
+    )
+    sun: float = 0.42
+    sky: float = 0.66
+    gloss: float = 0.06
+    softness: float = 0.018
+    tint: tuple[float, float, float] = (1.0, 1.0, 1.0)
+
+    def __post_init__(self) -> None:
+        direction = frozen_array(_unit(np.asarray(self.direction, float)), np.float64, (3,), "Light")
+        object.__setattr__(self, "direction", direction)
+
+
+def corner_normals(
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> Float[np.ndarray, "m 3 3"]:
+    """Return a unit normal per face corner, smooth across edges flatter than 40 degrees.
+
+    Vertices that share a position (seams of the texture) are smoothed together.
+    """
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    scaled = np.cross(b - a, c - a)
+    flat = _unit(scaled)
+    span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
+    keys = np.round(vertices / span * 1e5).astype(np.int64)
+    _, merged = np.unique(keys, axis=0, return_inverse=True)
+    corner = merged.reshape(-1)[faces.reshape(-1)]
+    order = np.argsort(corner, kind="stable")
+    counts = np.bincount(corner)
+    starts = np.cumsum(counts) - counts
+    repeats = counts[corner]
+    left = np.repeat(np.arange(len(corner)), repeats)
+    offset = np.arange(repeats.sum()) - np.repeat(np.cumsum(repeats) - repeats, repeats)
+    right = order[starts[corner[left]] + offset]
+    alike = (flat[left // 3] * flat[right // 3]).sum(1) > _CREASE
+    total = np.stack(
+        [
+            np.bincount(left[alike], scaled[right[alike] // 3, k], minlength=len(corner))
+            for k in range(3)
+        ],
+        1,
+    )
+    return _unit(total).reshape(-1, 3, 3)
+
+
+def sample_texture(
+    texture: UInt8[np.ndarray, "th tw 3"], uv: Float[np.ndarray, "p 2"]
+) -> Float[np.ndarray, "p 3"]:
+    """Sample a texture bilinearly at ``uv`` (v upwards, clamped to [0, 1]); values in [0, 1]."""
+    height, width = texture.shape[:2]
+    x = np.clip(uv[:, 0], 0, 1) * width - 0.5
+    y = (1 - np.clip(uv[:, 1], 0, 1)) * height - 0.5
+    x0, y0 = np.floor(x).astype(int), np.floor(y).astype(int)
+    fx, fy = (x - x0)[:, None], (y - y0)[:, None]
+    left, right = np.clip(x0, 0, width - 1), np.clip(x0 + 1, 0, width - 1)
+    top, bottom = np.clip(y0, 0, height - 1), np.clip(y0 + 1, 0, height - 1)
+    upper = texture[top, left] * (1 - fx) + texture[top, right] * fx
+    lower = texture[bottom, left] * (1 - fx) + texture[bottom, right] * fx
+    return (upper * (1 - fy) + lower * fy) / 255.0
+
+
+def shade(
+    albedo: Float[np.ndarray, "p 3"],
+    normal: Float[np.ndarray, "p 3"],
+    to_camera: Float[np.ndarray, "p 3"],
+    lit: Float[np.ndarray, "p"],
+    light: Light,
+) -> Float[np.ndarray, "p 3"]:
+    """Return Lambert light with a sky and a small highlight; ``lit`` is the sun's visible share."""
+    n, view = _unit(normal), _unit(to_camera)
+    n = np.where((n * view).sum(1, keepdims=True) < 0, -n, n)
+    facing = np.clip(n @ light.direction, 0, 1) * lit
+    sky = light.sky * (0.84 + 0.16 * n[:, 2]) * (0.9 + 0.1 * lit)
+    half = _unit(view + light.direction)
+    gloss = light.gloss * np.clip((n * half).sum(1), 0, 1) ** 40 * lit
+    return np.clip(
+        albedo * (sky + light.sun * facing)[:, None] * np.asarray(light.tint) + gloss[:, None],
+        0,
+        1,
+    )
