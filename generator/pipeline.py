@@ -1,0 +1,201 @@
+"""The method as one page (Sec. 3, Fig. 2): each line of :func:`generate` is a stage."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+from .backends import Backends
+from .errors import InputError
+from .scene import (
+    TABLE,
+    Instance,
+    Model,
+    Provenance,
+    Reference,
+    Rotation,
+    Scene,
+    SizePrior,
+    View,
+)
+from .stages.alignment import Alignment, AlignmentConfig, align
+from .stages.assembly import AssemblyConfig, assemble
+from .stages.extraction import extract
+from .stages.modeling import make_models
+from .stages.reference import ReferenceConfig, Source, refer, source_digest
+from .stages.rotation import RotationConfig, estimate_rotations
+
+Progress = Callable[[str, int, int], None]
+"""Called with the name of the stage that starts, its number, and how many there are."""
+
+STAGES = ("reference", "extraction", "view and sizes", "modeling", "rotation", "alignment",
+          "assembly")  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Config:
+    """Settings of every stage; the defaults are the paper's unless a stage says otherwise."""
+
+    reference: ReferenceConfig = field(default_factory=ReferenceConfig)
+    rotation: RotationConfig = field(default_factory=RotationConfig)
+    alignment: AlignmentConfig = field(default_factory=AlignmentConfig)
+    assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
+
+
+@dataclass(frozen=True, eq=False)
+class Generation:
+    """A scene and everything that led to it, in the order it came about (Sec. 6.1)."""
+
+    reference: Reference
+    instances: tuple[Instance, ...]
+    view: View
+    sizes: Mapping[str, SizePrior]
+    models: Mapping[str, Model]
+    rotations: Mapping[str, Rotation]
+    alignment: Alignment
+    scene: Scene
+
+    def save(self, folder: str | Path, *, allow_failed: bool = False) -> Path:
+        """Publish the scene as a bundle under ``folder``; return the bundle's path."""
+        from .bundle import save
+        from .figures import bundle_images
+
+        return save(self.scene, folder, images=bundle_images(self), allow_failed=allow_failed)
+
+    def save_figures(self, folder: str | Path) -> tuple[Path, ...]:
+        """Write the pictures and JSON of the paper's Sec. 6.1 (Figs. 8-14) into ``folder``."""
+        from .figures import save_figures
+
+        return save_figures(self, Path(folder))
+
+
+def generate(
+    source: Source,
+    backends: Backends | None = None,
+    config: Config | None = None,
+    seed: int = 0,
+    *,
+    name: str | None = None,
+    progress: Progress | None = None,
+) -> Generation:
+    """Turn a text or one picture of a tabletop into a simulated table.
+
+    Args:
+        source: a text, a plan, or a picture (path, encoded bytes, or uint8 array).
+        backends: who answers the stages' questions; None for the embedded ones.
+        config: settings of the stages.
+        seed: the same source, backends, config and seed give the same scene.
+        name: name of the scene; None makes one from the text, or "picture".
+        progress: called as each stage starts.
+
+    Raises:
+        InputError: the source cannot be used.
+        BackendError: a backend could not answer.
+        SceneError: the scene cannot be built.
+    """
+    b = backends or Backends.select("embedded")
+    config = config or Config()
+    step = _stepper(progress)
+
+    step()  # Sec. 3: text to plan to reference image; a picture passes through
+    reference = refer(source, b.reasoner, b.imager, seed, config.reference)
+
+    step()  # Sec. 3.1: list, detect, segment, complete
+    instances = extract(reference, b.reasoner, b.segmenter, b.imager)
+
+    step()  # Sec. 3.3: the camera's azimuth and elevation; Fig. 22: commonsense sizes
+    view = b.reasoner.estimate_view(reference, _table(instances))
+    sizes = b.reasoner.estimate_sizes(reference, instances, view)
+
+    step()  # Sec. 3.2: image to 3D, canonical alignment
+    models = make_models(reference, instances, sizes, view, b.modeler, b.reasoner)
+
+    step()  # Sec. 3.3, DRO: Eqs. 1-4
+    rotations = estimate_rotations(
+        reference, instances, models, view, b.encoder, config.rotation, seed
+    )
+
+    step()  # Sec. 3.3, TSA: Eqs. 5-6
+    alignment = align(
+        reference, instances, models, sizes, rotations, view,
+        b.imager, b.segmenter, b.reasoner, config.alignment,
+    )  # fmt: skip
+
+    step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
+    scene = assemble(
+        {key: model for key, model in models.items() if key != TABLE},
+        alignment.placements,
+        models[TABLE],
+        alignment.table_scale,
+        provenance=_provenance(source, reference, b, config, seed, alignment.warnings),
+        name=name or scene_name(reference.prompt),
+        config=config.assembly,
+        view=view,
+        plan=reference.plan,
+    )
+    return Generation(reference, instances, view, sizes, models, rotations, alignment, scene)
+
+
+def scene_name(prompt: str | None) -> str:
+    """Return a short file-safe name for a prompt: its first letters and digits."""
+    words = "".join(c if c.isascii() and c.isalnum() else " " for c in (prompt or "picture"))
+    return "-".join(words.lower().split())[:40].strip("-") or "scene"
+
+
+def versions() -> dict[str, str]:
+    """Return the versions that decide a scene's bytes, for its provenance."""
+    return {package: metadata.version(package) for package in ("tabletopgen", "mujoco", "numpy")}
+
+
+def plain(value: Any) -> Any:
+    """Return dataclasses, tuples and mappings as JSON-ready dicts and lists."""
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {f.name: plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
+    if isinstance(value, Mapping):
+        return {str(k): plain(v) for k, v in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(v) for v in value]
+    return value
+
+
+def _table(instances: tuple[Instance, ...]) -> Instance:
+    for instance in instances:
+        if instance.name == TABLE:
+            return instance
+    raise InputError("No table was found in the picture. Show the whole tabletop.")
+
+
+def _stepper(progress: Progress | None) -> Callable[[], None]:
+    names = iter(enumerate(STAGES, start=1))
+
+    def step() -> None:
+        number, stage = next(names)
+        if progress is not None:
+            progress(stage, number, len(STAGES))
+
+    return step
+
+
+def _provenance(
+    source: Source,
+    reference: Reference,
+    backends: Backends,
+    config: Config,
+    seed: int,
+    warnings: tuple[str, ...],
+) -> Provenance:
+    planned = reference.plan.warnings if reference.plan else ()
+    return Provenance(
+        kind="image" if reference.plan is None else "text",
+        seed=seed,
+        prompt=reference.prompt,
+        source_sha256=source_digest(source),
+        backends=backends.identity(),
+        config=plain(config),
+        versions=versions(),
+        warnings=planned + warnings,
+    )
