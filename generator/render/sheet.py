@@ -1,0 +1,57 @@
+"""Contact sheets: a grid of pictures with captions, and boxes drawn on a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from jaxtyping import Float, UInt8
+from PIL import Image, ImageDraw, ImageFont
+
+_INK = (40, 44, 52)
+_BOX_COLORS = ((214, 69, 65), (31, 119, 180), (44, 140, 60), (148, 90, 180), (220, 130, 20))
+
+
+def grid(
+    images: Sequence[UInt8[np.ndarray, "h w c"]],
+    captions: Sequence[str] = (),
+    columns: int = 4,
+    cell: int = 256,
+) -> UInt8[np.ndarray, "gh gw 3"]:
+    """Lay pictures (RGB or RGBA, any sizes) out in a grid of square cells on white.
+
+    Args:
+        images: the pictures; each is shrunk or grown to fit its cell, aspect kept.
+        captions: one line under each picture, or none at all.
+        columns: cells a row.
+        cell: side of a cell in pixels.
+    """
+    columns = max(1, min(columns, len(images)))
+    rows = -(-len(images) // columns)
+    line = 22 if captions else 0
+    sheet = Image.new("RGB", (columns * cell, rows * (cell + line)), "white")
+    draw, font = ImageDraw.Draw(sheet), ImageFont.load_default(14)
+    for index, image in enumerate(images):
+        x, y = index % columns * cell, index // columns * (cell + line)
+        picture = Image.fromarray(np.ascontiguousarray(image)).convert("RGBA")
+        factor = (cell - 8) / max(picture.size)
+        size = [max(1, round(side * factor)) for side in picture.size]
+        picture = picture.resize((size[0], size[1]), Image.Resampling.LANCZOS)
+        sheet.paste(picture, (x + (cell - size[0]) // 2, y + (cell - size[1]) // 2), picture)
+        if index < len(captions):
+            draw.text((x + cell / 2, y + cell + 4), captions[index], _INK, font, anchor="mt")
+    return np.asarray(sheet, np.uint8)
+
+
+def draw_boxes(
+    image: UInt8[np.ndarray, "h w 3"], boxes: Mapping[str, Float[np.ndarray, "4"]]
+) -> UInt8[np.ndarray, "h w 3"]:
+    """Return ``image`` with named pixel boxes (x0, y0, x1, y1) drawn on it."""
+    picture = Image.fromarray(np.ascontiguousarray(image)).convert("RGB")
+    draw, font = ImageDraw.Draw(picture), ImageFont.load_default(max(12, picture.width // 70))
+    for index, (name, box) in enumerate(boxes.items()):
+        color = _BOX_COLORS[index % len(_BOX_COLORS)]
+        x0, y0, x1, y1 = (float(v) for v in box)
+        draw.rectangle((x0, y0, max(x0, x1 - 1), max(y0, y1 - 1)), outline=color, width=2)
+        draw.text((x0 + 3, y0 - 2), name, color, font, anchor="ls")
+    return np.asarray(picture, np.uint8)

@@ -1,0 +1,108 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import trimesh
+
+from generator.geometry import Camera
+from generator.render.picture import framing_camera
+from generator.render.raster import BACKGROUND, Item, rasterise, render
+from generator.render.shading import Light, corner_normals, sample_texture
+from generator.scene import View
+
+VIEW = View(0.3, 0.9, 0.6)
+
+
+def item(mesh: trimesh.Trimesh, id: int, color=(200, 40, 40), opacity: float = 1.0) -> Item:
+    uv = np.zeros((len(mesh.vertices), 2))
+    texture = np.array([[color]], np.uint8)
+    return Item(mesh.vertices.copy(), mesh.faces.copy(), uv, texture, id, opacity)
+
+
+def camera(size: int = 120) -> Camera:
+    return Camera.looking_at([0, 0, 0], VIEW, 2.0, size, size)
+
+
+def test_depth_of_a_sphere_is_exact_at_its_centre() -> None:
+    result = render([item(trimesh.creation.icosphere(4, 0.3), 5)], camera(121), supersample=1)
+    assert result.ids[60, 60] == 5
+    assert result.depth[60, 60] == pytest.approx(2.0 - 0.3, abs=1e-3)
+    assert result.ids[0, 0] == BACKGROUND
+    assert np.isinf(result.depth[0, 0])
+
+
+def test_silhouette_area_matches_the_projected_disc() -> None:
+    cam = camera(400)
+    result = render([item(trimesh.creation.icosphere(4, 0.3), 0)], cam, supersample=1)
+    radius = np.tan(np.arcsin(0.3 / 2.0)) * cam.focal
+    assert (result.ids == 0).sum() == pytest.approx(np.pi * radius**2, rel=0.01)
+
+
+def test_nearer_things_hide_farther_ones() -> None:
+    near = trimesh.creation.box((0.2, 0.2, 0.2))
+    near.apply_translation(0.5 * (camera().position / 2.0))
+    far = trimesh.creation.box((0.9, 0.9, 0.9))
+    for order in ([item(far, 1), item(near, 2)], [item(near, 2), item(far, 1)]):
+        assert render(order, camera()).ids[60, 60] == 2
+
+
+def test_glass_shows_what_is_behind_it() -> None:
+    ball = item(trimesh.creation.icosphere(2, 0.1), 1, (255, 0, 0))
+    pane = item(trimesh.creation.icosphere(2, 0.4), 2, (0, 0, 255), opacity=0.3)
+    through = render([ball, pane], camera()).image[60, 60].astype(int)
+    assert through[0] > through[2] > 0
+
+
+def test_a_shadow_falls_away_from_the_sun() -> None:
+    floor = trimesh.creation.box((2, 2, 0.02))
+    ball = trimesh.creation.icosphere(2, 0.15)
+    ball.apply_translation([0, 0, 0.16])
+    things = [item(floor, 0, (255, 255, 255)), item(ball, 1)]
+    cam = Camera.looking_at([0, 0, 0], View(0.0, 1.5, 0.8), 3.0, 200, 200)
+    image = render(things, cam, light=Light(np.array([-1.0, 0.0, 1.0]))).image.astype(int)
+    right, left = cam.project(np.array([[0.25, 0, 0.01], [-0.25, 0, 0.01]])).astype(int)
+    assert image[right[1], right[0]].sum() < image[left[1], left[0]].sum() - 60
+
+
+def test_same_input_gives_the_same_bytes() -> None:
+    things = [item(trimesh.creation.capsule(0.3, 0.1), 3)]
+    first, second = render(things, camera()), render(things, camera())
+    assert first.image.tobytes() == second.image.tobytes()
+    assert first.depth.tobytes() == second.depth.tobytes()
+
+
+def test_nothing_to_draw_is_background() -> None:
+    assert (render([], camera()).image == 255).all()
+
+
+def test_texture_is_upright() -> None:
+    texture = np.array([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [0, 0, 0]]], np.uint8)
+    corners = np.array([[0.0, 1.0], [1.0, 1.0], [0.0, 0.0], [1.0, 0.0]])
+    assert np.allclose(sample_texture(texture, corners) * 255, texture.reshape(4, 3))
+
+
+def test_normals_are_smooth_on_a_ball_and_sharp_on_a_box() -> None:
+    ball = trimesh.creation.icosphere(3)
+    normals = corner_normals(ball.vertices, ball.faces)
+    assert np.allclose(normals, ball.vertices[ball.faces], atol=0.02)
+    box = trimesh.creation.box((1, 1, 1))
+    normals = corner_normals(box.vertices, box.faces)
+    assert np.allclose(normals, box.face_normals[:, None], atol=1e-6)
+
+
+def test_interpolation_is_linear_over_a_triangle() -> None:
+    corners = np.array([[[0, 0, 1.0], [20, 0, 2.0], [0, 20, 3.0]]])
+    owner, weights, near = rasterise(corners, 20, 20)
+    pixel = 4 * 20 + 6
+    assert owner[pixel] == 0
+    assert weights[pixel].sum() == pytest.approx(1)
+    assert near[pixel] == pytest.approx(1 + 6.5 / 20 + 2 * 4.5 / 20)
+
+
+def test_framing_shows_everything_with_its_margin() -> None:
+    points = np.random.default_rng(0).uniform(-1, 1, (50, 3)) * [0.8, 0.4, 0.3]
+    pixels = framing_camera(points, VIEW, 320, 240, margin=0.1).project(points)
+    low, high = pixels.min(0), pixels.max(0)
+    assert (low >= [31, 23]).all()
+    assert (high <= [289, 217]).all()
+    assert ((high - low) / [256, 192]).max() == pytest.approx(1, abs=0.02)

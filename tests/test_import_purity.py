@@ -1,0 +1,45 @@
+"""Importing the packages is cheap and silent: no torch, no MuJoCo, no socket."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import textwrap
+
+import pytest
+
+PROBE = """
+import socket, sys
+
+def refuse(*args, **kwargs):
+    raise RuntimeError("a socket was opened on import")
+
+socket.socket.connect = refuse
+socket.create_connection = refuse
+socket.getaddrinfo = refuse
+{statement}
+print(" ".join(m for m in ("torch", "stable_baselines3", "mujoco", "cv2") if m in sys.modules))
+"""
+
+
+def loaded_by(statement: str) -> list[str]:
+    code = textwrap.dedent(PROBE).format(statement=statement)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return done.stdout.split()
+
+
+@pytest.mark.parametrize("package", ["generator", "tabletopgen_env", "assets_cache"])
+def test_import_is_light(package: str) -> None:
+    assert "torch" not in loaded_by(f"import {package}")
+
+
+def test_registration_needs_no_simulator() -> None:
+    loaded = loaded_by("import gymnasium, tabletopgen_env; gymnasium.spec('TabletopGen/PickPlace-v0')")
+    assert "torch" not in loaded
+    assert "mujoco" not in loaded
+
+
+def test_the_probe_can_fail() -> None:
+    assert "torch" in loaded_by("import torch")
+    with pytest.raises(subprocess.CalledProcessError):
+        loaded_by("socket.create_connection(('127.0.0.1', 9))")

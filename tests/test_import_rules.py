@@ -1,0 +1,145 @@
+"""Who may import whom: the rules in CONTRIBUTING.md, checked on the source itself."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
+
+VALUES = ("generator.scene", "generator.geometry", "generator.errors")
+# The first rule whose prefix fits a module decides what of this project it may import.
+RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
+    ("generator.errors", ()),
+    ("generator.scene", ("generator.errors",)),
+    ("generator.geometry", VALUES),
+    ("generator.paper_json", VALUES),
+    ("generator.render", (*VALUES, "generator.render")),
+    ("generator.backends.protocols", VALUES),
+    ("generator.backends.select", (*VALUES, "generator.backends.protocols")),
+    (
+        "generator.backends.embedded",
+        (
+            *VALUES,
+            "generator.backends.protocols",
+            "generator.backends.embedded",
+            "generator.catalogue",
+            "generator.layout",
+            "generator.render",
+        ),
+    ),
+    ("generator.backends", ("generator.backends.select",)),
+    ("generator.catalogue.sheet", (*VALUES, "generator.catalogue", "generator.render")),
+    ("generator.catalogue", (*VALUES, "generator.catalogue")),
+    ("generator.layout", (*VALUES, "generator.catalogue")),
+    ("generator.physics", (*VALUES, "generator.physics", "generator.mjcf")),
+    (
+        "generator.stages",
+        (
+            *VALUES,
+            "generator.backends.protocols",
+            "generator.render",
+            "generator.physics",
+            "generator.mjcf",
+        ),
+    ),
+    ("generator.mjcf", VALUES),
+    ("generator.bundle", (*VALUES, "generator.mjcf", "generator.bundle")),
+    (
+        "generator.compose",
+        (
+            *VALUES,
+            "generator.backends",
+            "generator.catalogue",
+            "generator.layout",
+            "generator.stages.assembly",
+            "generator.pipeline",
+        ),
+    ),
+    ("generator.cli", ("generator", "assets_cache")),
+    ("generator", ("generator",)),
+    ("assets_cache.make_starter", ("generator", "assets_cache")),
+    ("assets_cache", (*VALUES, "generator.bundle", "assets_cache")),
+    (
+        "tabletopgen_env",
+        (
+            *VALUES,
+            "generator.bundle",
+            "generator.mjcf",
+            "generator.render",
+            "generator.compose",
+            "generator.pipeline",
+            "assets_cache",
+            "tabletopgen_env",
+        ),
+    ),
+)
+
+
+def modules() -> list[tuple[str, Path]]:
+    found = []
+    for package in PACKAGES:
+        for path in sorted((ROOT / package).rglob("*.py")):
+            parts = path.relative_to(ROOT).with_suffix("").parts
+            found.append((".".join(p for p in parts if p != "__init__"), path))
+    return found
+
+
+def imports(name: str, path: Path) -> set[str]:
+    """Every module of this project that ``path`` imports, anywhere in the file."""
+    package = name.split(".") if path.name == "__init__.py" else name.split(".")[:-1]
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            base = package[: len(package) - node.level + 1] if node.level else []
+            stem = ".".join([*base, *([node.module] if node.module else [])])
+            found |= {stem if is_module(stem) else "", *children(stem, node)}
+    return {m for m in found if m.split(".")[0] in PACKAGES}
+
+
+def is_module(name: str) -> bool:
+    path = ROOT.joinpath(*name.split("."))
+    return path.with_suffix(".py").is_file()
+
+
+def children(stem: str, node: ast.ImportFrom) -> set[str]:
+    """Modules named by ``from package import module``, else the package itself."""
+    if is_module(stem):
+        return set()
+    names = {f"{stem}.{alias.name}" for alias in node.names}
+    return {n if is_module(n) or ROOT.joinpath(*n.split(".")).is_dir() else stem for n in names}
+
+
+def within(module: str, prefix: str) -> bool:
+    return module == prefix or module.startswith(prefix + ".")
+
+
+def violations(name: str, used: set[str]) -> list[str]:
+    allowed = next(allow for prefix, allow in RULES if within(name, prefix))
+    return sorted(
+        u for u in used if u not in ("generator", name) and not any(within(u, a) for a in allowed)
+    )
+
+
+@pytest.mark.parametrize(("name", "path"), modules(), ids=lambda v: str(v))
+def test_module_keeps_the_import_rules(name: str, path: Path) -> None:
+    assert violations(name, imports(name, path)) == []
+
+
+def test_no_stage_imports_another_stage() -> None:
+    stages = [(n, p) for n, p in modules() if within(n, "generator.stages")]
+    assert len(stages) > 3
+    for name, path in stages:
+        crossing = {u for u in imports(name, path) if within(u, "generator.stages")} - {name}
+        assert crossing <= {"generator.stages"}, name
+
+
+def test_the_rules_can_fail() -> None:
+    assert violations("generator.stages.rotation", {"generator.backends.embedded.encoder"})
+    assert violations("generator.mjcf", {"tabletopgen_env.env"})
+    assert violations("tabletopgen_env.env", {"generator.catalogue"})
