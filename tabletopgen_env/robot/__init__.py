@@ -1,0 +1,1 @@
+"""The robot: a Franka Panda, its kinematics, and where its base goes."""

@@ -1,0 +1,346 @@
+"""The Franka Panda with its hand, as a MuJoCo specification built in code.
+
+Joints, actuators and their order, limits, gains, home pose and the gripper's 0-255 command agree
+with the MuJoCo Menagerie model, so a policy carries over between ``visuals="primitive"`` (light:
+a few capsules and boxes collide, low-poly shells are drawn) and ``visuals="menagerie"`` (the
+scanned covers). One thing differs on purpose: this gripper squeezes with a force like the real
+hand's (up to 30 N a finger), while Menagerie's servo holds a 4 cm object with 1 N.
+
+Frames: ``link0`` is the base, x forward, z up. ``tcp`` is the tool centre point between the
+fingertips, z along the fingers (out of the hand), y along the opening direction.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+
+from generator.errors import BackendError, InputError
+
+from . import franka
+from .shells import COLORS, arm_shells
+
+if TYPE_CHECKING:
+    import mujoco
+
+ARM_JOINTS: tuple[str, ...] = tuple(f"joint{i}" for i in range(1, 8))
+"""Names of the arm's joints, base to wrist."""
+
+FINGER_JOINTS: tuple[str, ...] = ("finger_joint1", "finger_joint2")
+"""Names of the fingers' slides."""
+
+ACTUATORS: tuple[str, ...] = tuple(f"actuator{i}" for i in range(1, 9))
+"""Names of the actuators: seven position servos (radians) and the gripper (0-255)."""
+
+TCP_SITE = "tcp"
+"""Name of the tool centre point's site."""
+
+WRIST_CAMERA = "wrist"
+"""Name of the camera on the hand."""
+
+HOME_QPOS: tuple[float, ...] = (*franka.HOME, franka.FINGER_STROKE, franka.FINGER_STROKE)
+"""Joint positions at home: seven angles (rad), two fingers (m)."""
+
+HOME_CTRL: tuple[float, ...] = (*franka.HOME, franka.GRIPPER_CTRL)
+"""Commands that hold the home pose."""
+
+_LINKS = tuple(f"link{i}" for i in range(8))
+_FINGERS = ("left_finger", "right_finger")
+_MENAGERIE_FOLDER = "franka_emika_panda"
+
+
+@dataclass(frozen=True)
+class Panda:
+    """A Franka Panda.
+
+    Args:
+        visuals: "primitive" for the light model built here, "menagerie" for the official meshes,
+            read from ``$MENAGERIE_ROOT`` or the ``mujoco-menagerie`` package's cache.
+    """
+
+    visuals: Literal["primitive", "menagerie"] = "primitive"
+
+    def __post_init__(self) -> None:
+        if self.visuals not in ("primitive", "menagerie"):
+            raise InputError(
+                f"Panda.visuals must be 'primitive' or 'menagerie', got {self.visuals!r}."
+            )
+
+    def spec(self) -> mujoco.MjSpec:
+        """Return a fresh specification, to be attached to a scene.
+
+        ``scene.attach(Panda().spec(), prefix="panda/", frame=frame)`` puts the base at ``frame``;
+        then set the home pose by joint name (``HOME_QPOS``, ``HOME_CTRL``).
+
+        Raises:
+            BackendError: the Menagerie meshes were asked for and are not on this machine.
+        """
+        return _menagerie() if self.visuals == "menagerie" else _primitive()
+
+
+# -------------------------------------------------------------------------------- our own model
+
+
+def _primitive() -> mujoco.MjSpec:
+    import mujoco
+
+    spec = mujoco.MjSpec()
+    spec.modelname = "panda"
+    spec.compiler.degree = False
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    for name, rgba in COLORS.items():
+        spec.add_material(name=name, rgba=rgba, specular=0.4, shininess=0.5)
+    body = spec.worldbody.add_body(name="link0")
+    _dress(spec, body)
+    for i, joint in enumerate(franka.JOINTS, start=1):
+        body = _add_link(spec, body, i, joint)
+    _add_hand(spec, body)
+    _add_actuators(spec)
+    _exclude_neighbours(spec)
+    return spec
+
+
+def _add_link(
+    spec: mujoco.MjSpec, parent: mujoco.MjsBody, number: int, joint: franka.Joint
+) -> mujoco.MjsBody:
+    """Add link ``number`` at its modified-DH frame, with its joint."""
+    c, s = np.cos(joint.alpha / 2), np.sin(joint.alpha / 2)
+    body = parent.add_body(
+        name=f"link{number}",
+        pos=[joint.a, -joint.d * np.sin(joint.alpha), joint.d * np.cos(joint.alpha)],
+        quat=[c, s, 0, 0],
+        gravcomp=1,
+    )
+    body.add_joint(
+        name=f"joint{number}",
+        axis=[0, 0, 1],
+        range=[joint.low, joint.high],
+        limited=True,
+        armature=0.1,
+        damping=[1, 0, 0],
+    )
+    _dress(spec, body)
+    return body
+
+
+def _add_hand(spec: mujoco.MjSpec, link7: mujoco.MjsBody) -> None:
+    """Add hand, fingers, tool centre point and wrist camera."""
+    import mujoco
+
+    half = franka.HAND_YAW / 2
+    hand = link7.add_body(
+        name="hand",
+        pos=[0, 0, franka.FLANGE],
+        quat=[np.cos(half), 0, 0, np.sin(half)],
+        gravcomp=1,
+    )
+    _dress(spec, hand)
+    box = mujoco.mjtGeom.mjGEOM_BOX
+    _collide(hand, "hand_collision", type=box, size=[0.0315, 0.102, 0.033], pos=[0, 0, 0.033])
+    hand.add_site(name=TCP_SITE, pos=[0, 0, franka.TCP], size=[0.005] * 3, group=4)
+    _add_camera(hand)
+    for name, joint, quat in zip(
+        _FINGERS, FINGER_JOINTS, ([1, 0, 0, 0], [0, 0, 0, 1]), strict=True
+    ):
+        finger = hand.add_body(name=name, pos=[0, 0, franka.FINGER_MOUNT], quat=quat, gravcomp=1)
+        finger.add_joint(
+            name=joint,
+            type=mujoco.mjtJoint.mjJNT_SLIDE,
+            axis=[0, 1, 0],
+            range=[0, franka.FINGER_STROKE],
+            limited=True,
+            armature=0.1,
+            damping=[1, 0, 0],
+        )
+        _dress(spec, finger)
+        _collide(
+            finger, f"{name}_shaft", type=box, size=[0.0105, 0.0095, 0.017], pos=[0, 0.0165, 0.018]
+        )
+        _collide(
+            finger,
+            f"{name}_pad",
+            type=box,
+            size=[0.0095, 0.006, 0.0093],
+            pos=[0, 0.006, 0.0445],
+            condim=4,
+            friction=[1.3, 0.02, 1e-4],
+            priority=1,
+            solref=[0.01, 1],
+            solimp=[0.95, 0.99, 0.001, 0.5, 2],
+        )
+
+
+def _add_camera(hand: mujoco.MjsBody) -> None:
+    """A camera on the hand's side that looks along the fingers at the tool centre point."""
+    position, target = np.array([0.09, 0.0, 0.03]), np.array([0.0, 0.0, franka.TCP + 0.04])
+    back = (position - target) / np.linalg.norm(position - target)
+    right = np.array([0.0, 1.0, 0.0])
+    hand.add_camera(
+        name=WRIST_CAMERA,
+        pos=position,
+        xyaxes=[*right, *np.cross(back, right)],
+        fovy=70,
+    )
+
+
+def _dress(spec: mujoco.MjSpec, body: mujoco.MjsBody) -> None:
+    """Give ``body`` its inertia, capsules and shells."""
+    import mujoco
+
+    inertial = franka.INERTIALS[body.name]
+    body.explicitinertial = True
+    body.mass = inertial.mass
+    body.ipos = inertial.com
+    body.fullinertia = inertial.inertia
+    for i, capsule in enumerate(franka.CAPSULES.get(body.name, ())):
+        _collide(
+            body,
+            f"{body.name}_collision_{i}",
+            type=mujoco.mjtGeom.mjGEOM_CAPSULE,
+            fromto=[*capsule.start, *capsule.end],
+            size=[capsule.radius, 0, 0],
+        )
+    for i, shell in enumerate(arm_shells()[body.name]):
+        name = f"{body.name}_shell_{i}"
+        spec.add_mesh(
+            name=name,
+            uservert=np.asarray(shell.vertices, np.float32).ravel(),
+            userface=np.asarray(shell.faces, np.int32).ravel(),
+            inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL,
+        )
+        body.add_geom(
+            name=name,
+            type=mujoco.mjtGeom.mjGEOM_MESH,
+            meshname=name,
+            material=shell.color,
+            contype=0,
+            conaffinity=0,
+            group=2,
+            mass=0,
+        )
+
+
+def _collide(body: mujoco.MjsBody, name: str, **geom: Any) -> None:
+    """Add an invisible colliding geom (group 3, as Menagerie)."""
+    body.add_geom(name=name, group=3, mass=0, rgba=[0.9, 0.4, 0.2, 0.4], **geom)
+
+
+def _add_actuators(spec: mujoco.MjSpec) -> None:
+    """Seven position servos and the gripper, which drives both fingers through a tendon."""
+    import mujoco
+
+    affine = {"gaintype": mujoco.mjtGain.mjGAIN_FIXED, "biastype": mujoco.mjtBias.mjBIAS_AFFINE}
+    for name, target, joint in zip(ACTUATORS, ARM_JOINTS, franka.JOINTS, strict=False):
+        spec.add_actuator(
+            name=name,
+            target=target,
+            trntype=mujoco.mjtTrn.mjTRN_JOINT,
+            gainprm=[joint.stiffness, *[0] * 9],
+            biasprm=[0, -joint.stiffness, -joint.damping, *[0] * 7],
+            ctrlrange=[joint.low, joint.high],
+            ctrllimited=True,
+            forcerange=[-joint.torque, joint.torque],
+            forcelimited=True,
+            **affine,
+        )
+    tendon = spec.add_tendon(name="split")
+    for joint in FINGER_JOINTS:
+        tendon.wrap_joint(joint, 0.5)
+    equality = spec.add_equality(
+        type=mujoco.mjtEq.mjEQ_JOINT,
+        objtype=mujoco.mjtObj.mjOBJ_JOINT,
+        name1=FINGER_JOINTS[0],
+        name2=FINGER_JOINTS[1],
+        solref=[0.005, 1],
+        solimp=[0.95, 0.99, 0.001, 0.5, 2],
+    )
+    equality.data[:5] = [0, 1, 0, 0, 0]
+    # Closed (0) aims 5 mm beyond contact, so that even a sheet is held; the force is limited to
+    # 60 N over both fingers, below the 70 N that Franka gives for the hand.
+    stiffness, rate, beyond = 4000.0, 0.1, 0.005
+    span = franka.FINGER_STROKE + beyond
+    spec.add_actuator(
+        name=ACTUATORS[-1],
+        target="split",
+        trntype=mujoco.mjtTrn.mjTRN_TENDON,
+        gainprm=[stiffness * span / franka.GRIPPER_CTRL, *[0] * 9],
+        biasprm=[-stiffness * beyond, -stiffness, -stiffness * rate, *[0] * 7],
+        ctrlrange=[0, franka.GRIPPER_CTRL],
+        ctrllimited=True,
+        forcerange=[-60, 60],
+        forcelimited=True,
+        **affine,
+    )
+
+
+def _exclude_neighbours(spec: mujoco.MjSpec) -> None:
+    """Let no two bodies collide that are within three joints of one another, nor the fingers."""
+    chain = [*_LINKS, "hand"]
+    pairs = [(a, b) for i, a in enumerate(chain) for b in chain[i + 1 : i + 4]]
+    pairs += [(link, finger) for link in chain[-4:] for finger in _FINGERS]
+    for a, b in pairs:
+        spec.add_exclude(bodyname1=a, bodyname2=b)
+
+
+# ------------------------------------------------------------------------------ Menagerie's model
+
+
+def _menagerie() -> mujoco.MjSpec:
+    """Load the official model and give it our site, camera and gravity compensation."""
+    import mujoco
+
+    spec = mujoco.MjSpec.from_file(str(_menagerie_folder() / "panda.xml"))
+    for key in list(spec.keys):
+        spec.delete(key)
+    for light in list(spec.worldbody.lights):
+        spec.delete(light)
+    for body in spec.bodies[1:]:
+        if body.name != "link0":
+            body.gravcomp = 1
+    hand = spec.body("hand")
+    hand.add_site(name=TCP_SITE, pos=[0, 0, franka.TCP], size=[0.005] * 3, group=4)
+    _add_camera(hand)
+    return spec
+
+
+def _menagerie_folder() -> Path:
+    """Return the folder that holds Menagerie's ``panda.xml``.
+
+    Raises:
+        BackendError: neither ``$MENAGERIE_ROOT`` nor the package's cache has it.
+    """
+    places = []
+    if root := os.environ.get("MENAGERIE_ROOT"):
+        places.append(Path(root) / _MENAGERIE_FOLDER)
+    models = _menagerie_cache() / "models"
+    if models.is_dir():
+        places += sorted(
+            p for p in models.glob(f"{_MENAGERIE_FOLDER}-*") if (p / ".complete").is_file()
+        )
+    for place in places:
+        if (place / "panda.xml").is_file():
+            return place
+    raise BackendError(
+        "Panda(visuals='menagerie') needs the Menagerie model, and neither MENAGERIE_ROOT nor "
+        "the mujoco-menagerie cache has it. Either clone "
+        "https://github.com/google-deepmind/mujoco_menagerie and set MENAGERIE_ROOT to it, or "
+        'run: pip install mujoco-menagerie && python -c "import mujoco_menagerie as m; '
+        "m.prefetch(['franka_emika_panda'])\". Panda() needs nothing."
+    )
+
+
+def _menagerie_cache() -> Path:
+    """Where the mujoco-menagerie package keeps its models on this platform."""
+    if folder := os.environ.get("MENAGERIE_CACHE_DIR"):
+        return Path(folder)
+    if sys.platform == "win32":
+        local = os.environ.get("LOCALAPPDATA") or Path.home() / "AppData/Local"
+        return Path(local) / "mujoco_menagerie" / "cache"
+    if sys.platform == "darwin":
+        return Path.home() / "Library/Caches/mujoco_menagerie"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "mujoco_menagerie"
