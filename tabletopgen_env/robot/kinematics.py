@@ -1,0 +1,211 @@
+"""Forward and inverse kinematics of the Panda, in the frame of its base.
+
+Plain numpy on the published geometry: no simulator, no state, about 0.1 ms a Jacobian, so that
+controllers, planners and samplers can all afford it. The tool centre point is the ``tcp`` site:
+z along the fingers, y along their opening direction.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from . import franka
+
+LOWER: Float[np.ndarray, "7"] = np.array([joint.low for joint in franka.JOINTS])
+"""Lower joint limits, radians."""
+
+UPPER: Float[np.ndarray, "7"] = np.array([joint.high for joint in franka.JOINTS])
+"""Upper joint limits, radians."""
+
+HOME: Float[np.ndarray, "7"] = np.array(franka.HOME)
+"""Home pose, radians."""
+
+_A, _D, _ALPHA = (
+    np.array([getattr(joint, name) for joint in franka.JOINTS]) for name in ("a", "d", "alpha")
+)
+_CA, _SA = np.cos(_ALPHA), np.sin(_ALPHA)
+_HAND = np.eye(4)
+_HAND[:2, :2] = [
+    [np.cos(franka.HAND_YAW), -np.sin(franka.HAND_YAW)],
+    [np.sin(franka.HAND_YAW), np.cos(franka.HAND_YAW)],
+]
+_HAND[2, 3] = franka.FLANGE + franka.TCP
+for _constant in (LOWER, UPPER, HOME, _A, _D, _CA, _SA, _HAND):
+    _constant.setflags(write=False)
+
+_MAX_STEP = 0.2
+_MARGIN = 0.02
+
+
+@dataclass(frozen=True, eq=False)
+class IkSolution:
+    """Joints found by ``solve_ik``, and what is left: metres and radians."""
+
+    joints: Float[np.ndarray, "7"]
+    position_error: float
+    rotation_error: float
+
+    @property
+    def solved(self) -> bool:
+        """Whether the target was met to 1 mm and 0.01 rad."""
+        return self.position_error < 1e-3 and self.rotation_error < 1e-2
+
+
+def link_frames(joints: Float[np.ndarray, "7"]) -> Float[np.ndarray, "8 4 4"]:
+    """Return the frames of links 1 to 7 and of the tool centre point, in the base frame.
+
+    Each is the product of the modified Denavit-Hartenberg transforms
+    ``Rot_x(alpha) Trans_x(a) Rot_z(q) Trans_z(d)`` (Craig's convention) before it.
+    """
+    c, s = np.cos(joints), np.sin(joints)
+    local = np.zeros((7, 4, 4))
+    local[:, 0, 0], local[:, 0, 1], local[:, 0, 3] = c, -s, _A
+    local[:, 1, 0], local[:, 1, 1], local[:, 1, 2] = s * _CA, c * _CA, -_SA
+    local[:, 2, 0], local[:, 2, 1], local[:, 2, 2] = s * _SA, c * _SA, _CA
+    local[:, 1, 3], local[:, 2, 3], local[:, 3, 3] = -_D * _SA, _D * _CA, 1.0
+    frames = np.empty((8, 4, 4))
+    frames[0] = local[0]
+    for i in range(1, 7):
+        frames[i] = frames[i - 1] @ local[i]
+    frames[7] = frames[6] @ _HAND
+    return frames
+
+
+def forward(
+    joints: Float[np.ndarray, "7"],
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"]]:
+    """Return position (m) and rotation of the tool centre point in the base frame."""
+    tcp = link_frames(joints)[7]
+    return tcp[:3, 3].copy(), tcp[:3, :3].copy()
+
+
+def _jacobian(frames: Float[np.ndarray, "8 4 4"]) -> Float[np.ndarray, "6 7"]:
+    axes = frames[:7, :3, 2]
+    arms = frames[7, :3, 3] - frames[:7, :3, 3]
+    linear = axes[:, [1, 2, 0]] * arms[:, [2, 0, 1]] - axes[:, [2, 0, 1]] * arms[:, [1, 2, 0]]
+    return np.vstack([linear.T, axes.T])
+
+
+def jacobian(joints: Float[np.ndarray, "7"]) -> Float[np.ndarray, "6 7"]:
+    """Return the geometric Jacobian of the tool centre point: linear rows, then angular."""
+    return _jacobian(link_frames(joints))
+
+
+def rotation_vector(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3"]:
+    """Return the axis of a rotation matrix times its angle (radians, in [0, pi])."""
+    skew = np.array(
+        [
+            rotation[2, 1] - rotation[1, 2],
+            rotation[0, 2] - rotation[2, 0],
+            rotation[1, 0] - rotation[0, 1],
+        ]
+    )
+    sine, cosine = np.linalg.norm(skew) / 2, (np.trace(rotation) - 1) / 2
+    angle = float(np.arctan2(sine, cosine))
+    if sine > 1e-7:
+        return skew * (angle / (2 * sine))
+    if cosine > 0:
+        return skew / 2
+    axis = np.sqrt(np.maximum((np.diag(rotation) + 1) / 2, 0))
+    largest = int(np.argmax(axis))
+    signs = np.sign(rotation[largest])
+    signs[largest] = 1.0
+    return angle * axis * np.where(signs == 0, 1.0, signs)
+
+
+def ik_step(
+    joints: Float[np.ndarray, "7"],
+    position: Float[np.ndarray, "3"],
+    rotation: Float[np.ndarray, "3 3"],
+    posture: Float[np.ndarray, "7"] = HOME,
+    pull: float = 0.05,
+) -> tuple[Float[np.ndarray, "7"], float, float]:
+    """Take one damped-least-squares step towards a tool pose given in the base frame.
+
+    ``dq = J^T (J J^T + lambda^2 I)^-1 e + pull N (posture - q)`` with N the projector on J's
+    null space and lambda shrinking with the error; joints that would leave their range are
+    held and the step is taken with the others.
+
+    Returns:
+        The new joints, and the errors (m, rad) *before* the step.
+    """
+    frames = link_frames(joints)
+    error = np.concatenate(
+        [position - frames[7, :3, 3], rotation_vector(rotation @ frames[7, :3, :3].T)]
+    )
+    lengths = float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
+    full = _jacobian(frames)
+    damping = 1e-5 + 1e-2 * min(1.0, float(error @ error))
+    free = np.ones(7, bool)
+    for _ in range(3):
+        jac = full * free
+        inverse = np.linalg.solve(jac @ jac.T + damping * np.eye(6), jac).T
+        rest = pull * (posture - joints) * free
+        step = inverse @ error + rest - inverse @ (jac @ rest)
+        step *= min(1.0, _MAX_STEP / max(float(np.abs(step).max()), 1e-9))
+        new = joints + step
+        out = free & ((new < LOWER + _MARGIN) & (step < 0) | (new > UPPER - _MARGIN) & (step > 0))
+        if not out.any():
+            break
+        free &= ~out
+    return np.clip(new, LOWER + _MARGIN, UPPER - _MARGIN), *lengths
+
+
+def solve_ik(
+    position: Float[np.ndarray, "3"],
+    rotation: Float[np.ndarray, "3 3"],
+    start: Float[np.ndarray, "7"] = HOME,
+    iterations: int = 60,
+) -> IkSolution:
+    """Find joints that bring the tool centre point to a pose in the base frame.
+
+    Starts from ``start``; if that fails, from home turned towards the target and from a few bent
+    variants of it. Of the attempts the best is returned, so look at ``solved``.
+
+    Args:
+        position: target in metres.
+        rotation: target orientation.
+        start: joints to begin from; the solution stays on their branch where it can.
+        iterations: steps per attempt.
+    """
+    bearing = float(np.arctan2(position[1], position[0]))
+    seeds = [np.asarray(start, float)]
+    for shoulder, elbow, wrist in ((0.0, -1.57, 1.57), (0.4, -2.2, 2.6), (-0.4, -2.4, 2.2)):
+        for roll in (-0.785, 1.5, -2.3):
+            seeds.append(np.array([bearing, shoulder, 0.0, elbow, 0.0, wrist, roll]))
+    best: IkSolution | None = None
+    for seed in seeds:
+        found = _descend(position, rotation, seed, iterations)
+        if found.solved:
+            return found
+        if best is None or _badness(found) < _badness(best):
+            best = found
+    assert best is not None
+    return best
+
+
+def _badness(solution: IkSolution) -> float:
+    return solution.position_error + 0.1 * solution.rotation_error
+
+
+def _descend(
+    position: Float[np.ndarray, "3"],
+    rotation: Float[np.ndarray, "3 3"],
+    seed: Float[np.ndarray, "7"],
+    iterations: int,
+) -> IkSolution:
+    joints = np.clip(seed, LOWER + _MARGIN, UPPER - _MARGIN)
+    best = IkSolution(joints, np.inf, np.inf)
+    for k in range(iterations):
+        pull = 0.05 * (1 - k / iterations)
+        new, far, turned = ik_step(joints, position, rotation, pull=pull)
+        found = IkSolution(joints, far, turned)
+        if _badness(found) < _badness(best):
+            best = found
+        if far < 2e-4 and turned < 2e-3:
+            break
+        joints = new
+    return best

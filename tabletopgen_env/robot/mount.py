@@ -1,0 +1,177 @@
+"""Where the robot's base stands: on a pedestal at the table's side, looking at its middle.
+
+The base is level with the table top, so that the hand, pointing straight down, covers a ring of
+0.30 to 0.74 m about the base: from just behind the edge nearly to the far side of a usual table.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from generator.errors import InputError
+from generator.geometry import quaternion_matrix, wrap
+from generator.scene import Object, Scene, frozen_array
+
+from . import franka
+
+if TYPE_CHECKING:
+    import mujoco
+
+PEDESTAL_RADIUS = 0.09
+"""Radius of the round pedestal, metres."""
+
+GAP = 0.012
+"""Air between pedestal and table edge, metres."""
+
+LIFT = 0.01
+"""How far the base stands above the table top, metres: its foot reaches over the edge."""
+
+NEAREST = 0.30
+"""Nearest horizontal distance from the base at which the hand still points straight down, m."""
+
+STRETCH = 0.70
+"""Longest used distance from the shoulder to the wrist joint, metres (0.72 is a straight arm)."""
+
+CLEARANCE = 0.13
+"""Radius about the base's axis that objects must leave free, metres."""
+
+SWING = np.deg2rad(110.0)
+"""Largest bearing of a target away from straight ahead, radians."""
+
+_WRIST = franka.FLANGE + franka.TCP
+_WRIST_OFFSET = franka.JOINTS[6].a
+_SHOULDER = franka.JOINTS[0].d
+_TALL = 0.25
+_PERIMETER_STEP = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class Mount:
+    """Where a robot's base stands: ``position`` (m, world frame) and ``yaw`` of its x axis (rad)."""
+
+    position: Float[np.ndarray, "3"]
+    yaw: float
+
+    def __post_init__(self) -> None:
+        position = frozen_array(self.position, np.float64, (3,), "Mount.position")
+        object.__setattr__(self, "position", position)
+        if not np.isfinite(self.yaw):
+            raise InputError("Mount.yaw must be finite radians.")
+
+    @classmethod
+    def beside(cls, scene: Scene) -> Mount:
+        """Return the best place at the table of ``scene``.
+
+        Places all around the outline are scored by the share of objects (and of the bare table)
+        that can be reached; a place near an object loses, and of equal places the one on the
+        viewer's side (-y) nearest the middle wins.
+        """
+        candidates = _candidates(scene)
+        scores = [_score(mount, scene) for mount in candidates]
+        return candidates[int(np.argmax(scores))]
+
+    def reaches(self, points: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
+        """Return which world points the tool centre point reaches with the hand pointing down.
+
+        An estimate from the arm's geometry (the wrist must lie within ``STRETCH`` of the shoulder,
+        ``NEAREST`` from the base's axis and within ``SWING`` of straight ahead); it knows no
+        obstacles.
+        """
+        offset = np.atleast_2d(np.asarray(points, float)) - self.position
+        radius = np.hypot(offset[:, 0], offset[:, 1])
+        bearing = np.arctan2(offset[:, 1], offset[:, 0]) - self.yaw
+        bearing = np.abs((bearing + np.pi) % (2 * np.pi) - np.pi)
+        stretch = np.hypot(radius - _WRIST_OFFSET, offset[:, 2] + _WRIST - _SHOULDER)
+        return (radius >= NEAREST) & (stretch <= STRETCH) & (bearing <= SWING)
+
+
+def reachable(mount: Mount, point: Float[np.ndarray, "3"]) -> bool:
+    """Return whether the hand, pointing down, reaches one world point; see ``Mount.reaches``."""
+    return bool(mount.reaches(np.asarray(point, float)[None])[0])
+
+
+def add_pedestal(spec: mujoco.MjSpec, mount: Mount) -> None:
+    """Add the pedestal, a column from the floor to the base with a foot and a top plate."""
+    import mujoco
+
+    x, y, height = mount.position
+    body = spec.worldbody.add_body(name="pedestal", pos=[x, y, 0])
+    pieces = (
+        ("foot", PEDESTAL_RADIUS * 1.7, 0.0, 0.02),
+        ("column", PEDESTAL_RADIUS * 0.72, 0.02, height - 0.02),
+        ("plate", PEDESTAL_RADIUS, height - 0.02, height),
+    )
+    for name, radius, low, high in pieces:
+        body.add_geom(
+            name=f"pedestal_{name}",
+            type=mujoco.mjtGeom.mjGEOM_CYLINDER,
+            size=[radius, (high - low) / 2, 0],
+            pos=[0, 0, (low + high) / 2],
+            rgba=[0.28, 0.29, 0.31, 1.0],
+        )
+
+
+# ------------------------------------------------------------------------------------- choosing
+
+
+def _candidates(scene: Scene) -> list[Mount]:
+    """Return mounts all around the outline, each facing the table's centre."""
+    outline = np.asarray(scene.table.outline, float)
+    center = (outline.min(0) + outline.max(0)) / 2
+    ends = np.roll(outline, -1, axis=0)
+    mounts = []
+    for a, b in zip(outline, ends, strict=True):
+        edge = b - a
+        length = float(np.linalg.norm(edge))
+        if length < 1e-6:
+            continue
+        outward = np.array([edge[1], -edge[0]]) / length
+        steps = max(1, int(round(length / _PERIMETER_STEP)))
+        for t in (np.arange(steps) + 0.5) / steps:
+            base = a + t * edge + outward * (PEDESTAL_RADIUS + GAP)
+            ahead = center - base
+            position = np.array([*base, scene.table.height + LIFT])
+            mounts.append(Mount(position, wrap(np.arctan2(ahead[1], ahead[0]))))
+    return mounts
+
+
+def _score(mount: Mount, scene: Scene) -> float:
+    """Rate a mount: objects reached, table reached, room around the base, the viewer's side."""
+    height = scene.table.height
+    spots = _spots(scene)
+    covered = float(mount.reaches(spots).mean())
+    objects = np.array([o.pose.position for o in scene.objects]).reshape(-1, 3)
+    reached = float(mount.reaches(objects).mean()) if len(objects) else 0.0
+    gaps = [_gap(mount, o) for o in scene.objects]
+    crowded = sum(gap < CLEARANCE for gap in gaps)
+    obstructed = sum(
+        gap < 0.3 and o.pose.position[2] + o.scale[2] / 2 > height + _TALL
+        for gap, o in zip(gaps, scene.objects, strict=True)
+    )
+    aside = abs(float(mount.position[0]))
+    front = 0.25 * (float(mount.position[1]) < 0) - 0.1 * aside
+    return 2.0 * reached + covered + front - crowded - 0.5 * obstructed
+
+
+def _spots(scene: Scene) -> Float[np.ndarray, "n 3"]:
+    """Return a grid of points on the table top, 6 cm apart."""
+    outline = np.asarray(scene.table.outline, float)
+    low, high = outline.min(0), outline.max(0)
+    axes = [np.arange(low[k] + 0.03, high[k], 0.06) for k in (0, 1)]
+    grid = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 2)
+    ends = np.roll(outline, -1, axis=0) - outline
+    normals = np.column_stack([-ends[:, 1], ends[:, 0]])
+    inside = (((grid[:, None] - outline) * normals).sum(-1) >= 0).all(1)
+    return np.column_stack([grid[inside], np.full(inside.sum(), scene.table.height + 0.05)])
+
+
+def _gap(mount: Mount, obj: Object) -> float:
+    """Return the horizontal distance from the base's axis to an object's turned box, metres."""
+    axes = quaternion_matrix(obj.pose.quaternion)
+    offset = (mount.position - obj.pose.position) @ axes
+    offset[2] = 0.0
+    return float(np.linalg.norm(np.maximum(np.abs(offset) - obj.scale / 2, 0)[:2]))
