@@ -173,9 +173,11 @@ def solve_ik(
     """
     bearing = float(np.arctan2(position[1], position[0]))
     seeds = [np.asarray(start, float)]
-    for shoulder, elbow, wrist in ((0.0, -1.57, 1.57), (0.4, -2.2, 2.6), (-0.4, -2.4, 2.2)):
-        for roll in (-0.785, 1.5, -2.3):
-            seeds.append(np.array([bearing, shoulder, 0.0, elbow, 0.0, wrist, roll]))
+    seeds += [
+        np.array([bearing, shoulder, 0.0, elbow, 0.0, wrist, roll])
+        for shoulder, elbow, wrist in ((0.0, -1.57, 1.57), (0.4, -2.2, 2.6), (-0.4, -2.4, 2.2))
+        for roll in (-0.785, 1.5, -2.3)
+    ]
     best: IkSolution | None = None
     for seed in seeds:
         found = _descend(position, rotation, seed, iterations)

@@ -1,7 +1,7 @@
 """Where the robot's base stands: on a pedestal at the table's side, looking at its middle.
 
 The base is level with the table top, so that the hand, pointing straight down, covers a ring of
-0.30 to 0.74 m about the base: from just behind the edge nearly to the far side of a usual table.
+0.30 to 0.77 m about the base: from just behind the edge nearly to the far side of a usual table.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ _PERIMETER_STEP = 0.05
 
 @dataclass(frozen=True, eq=False)
 class Mount:
-    """Where a robot's base stands: ``position`` (m, world frame) and ``yaw`` of its x axis (rad)."""
+    """Where a robot's base stands: ``position`` (m, world) and ``yaw`` of its x axis (rad)."""
 
     position: Float[np.ndarray, "3"]
     yaw: float
@@ -130,7 +130,7 @@ def _candidates(scene: Scene) -> list[Mount]:
         if length < 1e-6:
             continue
         outward = np.array([edge[1], -edge[0]]) / length
-        steps = max(1, int(round(length / _PERIMETER_STEP)))
+        steps = max(1, round(length / _PERIMETER_STEP))
         for t in (np.arange(steps) + 0.5) / steps:
             base = a + t * edge + outward * (PEDESTAL_RADIUS + GAP)
             ahead = center - base

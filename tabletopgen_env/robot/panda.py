@@ -170,8 +170,8 @@ def _add_hand(spec: mujoco.MjSpec, link7: mujoco.MjsBody) -> None:
             condim=4,
             friction=[1.3, 0.02, 1e-4],
             priority=1,
-            solref=[0.01, 1],
-            solimp=[0.95, 0.99, 0.001, 0.5, 2],
+            solref=[0.004, 1],
+            solimp=[0.99, 0.999, 0.001, 0.5, 2],
         )
 
 
@@ -279,10 +279,14 @@ def _add_actuators(spec: mujoco.MjSpec) -> None:
 
 
 def _exclude_neighbours(spec: mujoco.MjSpec) -> None:
-    """Let no two bodies collide that are within three joints of one another, nor the fingers."""
+    """Let no two bodies collide that are within three joints of one another, nor the fingers.
+
+    The slides' limits stop the closing fingers; contact between the pads would add nothing.
+    """
     chain = [*_LINKS, "hand"]
     pairs = [(a, b) for i, a in enumerate(chain) for b in chain[i + 1 : i + 4]]
     pairs += [(link, finger) for link in chain[-4:] for finger in _FINGERS]
+    pairs.append(_FINGERS)
     for a, b in pairs:
         spec.add_exclude(bodyname1=a, bodyname2=b)
 
