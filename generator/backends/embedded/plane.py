@@ -238,10 +238,12 @@ def _shapes(plan: PlannedTable | None) -> tuple[tuple[OutlineShape, bool], ...]:
 
 
 def _best_fit(candidate: Candidate, frame: tuple[int, int], plan: PlannedTable | None) -> _Fit:
-    fits = []
-    for shape, flipped in _shapes(plan):
-        for start in _starts(candidate.hull, frame)[:: 1 if shape == "rectangle" else 3]:
-            fits.append(_fit(candidate, shape, flipped, start, frame, plan))
+    starts = _starts(candidate.hull, frame)
+    fits = [
+        _fit(candidate, shape, flipped, start, frame, plan)
+        for shape, flipped in _shapes(plan)
+        for start in starts[:: 1 if shape == "rectangle" else 3]
+    ]
     return min(fits, key=lambda fit: fit.cost)
 
 

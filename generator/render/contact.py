@@ -1,0 +1,75 @@
+"""Where an object comes to rest when it is lowered straight down onto another's real mesh."""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from ..geometry import rotation_z
+from ..scene import Mesh
+from .raster import rasterise
+
+_CELLS = 96  # across the lowered object
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A canonical mesh at a scale (extent, metres), a yaw (radians) and a box centre (metres)."""
+
+    mesh: Mesh
+    scale: Float[np.ndarray, "3"]
+    yaw: float
+    position: Float[np.ndarray, "3"]
+
+    @property
+    def vertices(self) -> Float[np.ndarray, "n 3"]:
+        """World vertices, metres."""
+        return (self.mesh.vertices * self.scale) @ rotation_z(self.yaw).T + self.position
+
+    def at_height(self, z: float) -> Body:
+        """Return the body with its box centre at height ``z``."""
+        return dataclasses.replace(self, position=np.array([*self.position[:2], z]))
+
+
+def height_field(
+    body: Body, low: Float[np.ndarray, "2"], cell: float, shape: tuple[int, int], top: bool
+) -> Float[np.ndarray, "rows columns"]:
+    """Return the body's upper (``top``) or lower surface over a grid; NaN where it is not.
+
+    Cell (r, c) is the column of air over x = low_x + (c + 1/2) cell, y = low_y + (r + 1/2) cell.
+    """
+    vertices = body.vertices
+    sign = 1.0 if top else -1.0
+    base = float((sign * vertices[:, 2]).min()) - 1.0
+    corners = np.column_stack([(vertices[:, :2] - low) / cell, sign * vertices[:, 2] - base])
+    owner, _, near = rasterise(corners[body.mesh.faces], shape[1], shape[0])
+    return np.where(owner >= 0, sign * (near + base), np.nan).reshape(shape)
+
+
+def resting_height(body: Body, support: Body | None, table_height: float) -> float:
+    """Return the height of the box centre at which ``body`` first touches what is below it.
+
+    Args:
+        body: the object; its own height is ignored.
+        support: what it stands on or in, or None for the table alone.
+        table_height: height of the tabletop, metres.
+
+    Lowered straight down, the body meets its support where the gap between its lower surface and
+    the support's upper surface closes first: an apple on the inner wall of a bowl, not at the
+    height of its rim. It never sinks into the tabletop.
+    """
+    lying = body.at_height(0.0)
+    vertices = lying.vertices
+    lowest = table_height - float(vertices[:, 2].min())
+    if support is None:
+        return lowest
+    low, high = vertices[:, :2].min(0), vertices[:, :2].max(0)
+    cell = float((high - low).max()) / _CELLS
+    rows, columns = np.maximum(np.ceil((high - low)[::-1] / cell).astype(int), 1)
+    under = height_field(lying, low, cell, (int(rows), int(columns)), top=False)
+    over = height_field(support, low, cell, (int(rows), int(columns)), top=True)
+    gap = over - under
+    return max(lowest, float(np.nanmax(gap))) if np.isfinite(gap).any() else lowest
