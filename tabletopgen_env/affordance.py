@@ -1,0 +1,164 @@
+"""What a parallel gripper can do with an object of a scene, from its collision shape alone.
+
+Pure functions of ``generator.scene.Object``; poses are world poses, openings are in the object's
+body frame (metres). They say what is worth asking a robot to do; where to put the fingers is the
+expert's affair.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from generator.geometry import quaternion_matrix
+from generator.scene import ConvexPart, Object
+
+GRIPPER_OPENING = 0.08
+"""How far the fingers of a Franka hand open, metres."""
+
+FINGER_CLEARANCE = 0.006
+"""Opening that must be left over on both sides together, metres."""
+
+MAX_MASS = 1.5
+"""Heaviest object worth grasping by friction, kg (the arm's payload is 3 kg)."""
+
+MIN_HEIGHT = 0.012
+"""Flattest thing the fingers can take from a table top, metres."""
+
+WALL_DEPTH = 0.015
+"""Least depth of a hollow for it to count as an opening, metres."""
+
+THICKEST_WALL = 0.03
+"""Thickest wall that is taken by its rim, metres."""
+
+_GRID = 48
+_UPRIGHT = np.cos(np.deg2rad(20.0))
+
+
+@dataclass(frozen=True, eq=False)
+class Opening:
+    """The hollow of a container in its body frame: an upright elliptic cylinder.
+
+    ``center`` (x, y) and ``semi`` (semi-axes along the body's x and y, metres) describe the clear
+    cross-section; ``floor`` (of the hollow) and ``rim`` are heights z; ``wall`` is the thickness of
+    the wall at the rim and ``thickness`` that of the floor.
+    """
+
+    center: Float[np.ndarray, "2"]
+    semi: Float[np.ndarray, "2"]
+    floor: float
+    rim: float
+    wall: float
+    thickness: float
+
+    @property
+    def depth(self) -> float:
+        """Height of the rim above the floor of the hollow, metres."""
+        return self.rim - self.floor
+
+
+def collision_points(obj: Object) -> Float[np.ndarray, "n 3"]:
+    """Return all vertices of the collision parts in the body frame."""
+    return np.concatenate([part.vertices for part in obj.parts])
+
+
+def grasp_width(obj: Object) -> float:
+    """Return the smallest horizontal width of the object as it rests, over all yaw angles."""
+    points = (collision_points(obj) @ quaternion_matrix(obj.pose.quaternion).T)[:, :2]
+    angles = np.linspace(0, np.pi, 36, endpoint=False)
+    across = points @ np.stack([np.cos(angles), np.sin(angles)])
+    return float(np.ptp(across, axis=0).min())
+
+
+def resting_height(obj: Object) -> float:
+    """Return the object's height as it rests, metres."""
+    return float(np.ptp(collision_points(obj) @ quaternion_matrix(obj.pose.quaternion)[2]))
+
+
+def why_not_graspable(obj: Object) -> str | None:
+    """Return why a parallel gripper cannot take the object as it rests, or None if it can."""
+    if obj.mass > MAX_MASS:
+        return f"{obj.mass:.2f} kg is heavier than {MAX_MASS} kg"
+    height = resting_height(obj)
+    if height < MIN_HEIGHT:
+        return f"{1000 * height:.0f} mm is flatter than {1000 * MIN_HEIGHT:.0f} mm"
+    limit, width = GRIPPER_OPENING - FINGER_CLEARANCE, grasp_width(obj)
+    if width <= limit:
+        return None
+    hollow = opening(obj)
+    if hollow is not None and hollow.wall <= THICKEST_WALL and hollow.depth >= 2 * WALL_DEPTH:
+        return None
+    return f"{100 * width:.1f} cm is wider than the gripper's {100 * limit:.1f} cm"
+
+
+def is_upright(obj: Object) -> bool:
+    """Return whether the object rests within 20 degrees of its canonical up direction."""
+    return bool(quaternion_matrix(obj.pose.quaternion)[2, 2] >= _UPRIGHT)
+
+
+def opening(obj: Object) -> Opening | None:
+    """Return the hollow of an object that can hold things, or None if it has none.
+
+    The collision parts are scanned from above on a grid: the hollow is the region around the
+    centre that lies at least ``WALL_DEPTH`` below the rim, the highest surface around it.
+    """
+    low, high = (f(collision_points(obj), axis=0) for f in (np.min, np.max))
+    xs, ys = (np.linspace(low[k], high[k], _GRID + 1)[:-1] + (high - low)[k] / _GRID / 2 for k in (0, 1))
+    x, y = np.meshgrid(xs, ys, indexing="ij")
+    top = top_surface(obj.parts, np.column_stack([x.ravel(), y.ravel()])).reshape(x.shape)
+    rim = float(np.quantile(top[np.isfinite(top)], 0.98))
+    inner = _hollow(np.isfinite(top) & (top < rim - WALL_DEPTH), np.isfinite(top))
+    if not inner.any():
+        return None
+    floor = float(np.quantile(top[inner], 0.05))
+    if rim - floor < WALL_DEPTH:
+        return None
+    center = np.array([x[inner].mean(), y[inner].mean()])
+    cell = (high - low)[:2] / _GRID
+    spans = np.array([np.ptp(x[inner]), np.ptp(y[inner])]) + cell
+    wall = float(((high - low)[:2] - spans).min() / 2)
+    return Opening(center, spans / 2, floor, rim, wall, floor - float(low[2]))
+
+
+def _hollow(below: Bool[np.ndarray, "g g"], solid: Bool[np.ndarray, "g g"]) -> Bool[np.ndarray, "g g"]:
+    """Return the largest connected region of ``below`` that never reaches the solid's border."""
+    from scipy import ndimage
+
+    labels, count = ndimage.label(below)
+    padded = np.pad(~solid, 1, constant_values=True)
+    outside = ndimage.binary_dilation(padded)[1:-1, 1:-1]
+    best = np.zeros_like(below)
+    for k in range(1, count + 1):
+        region = labels == k
+        if not (region & outside).any() and region.sum() > max(best.sum(), 8):
+            best = region
+    return best
+
+
+def top_surface(
+    parts: tuple[ConvexPart, ...], points: Float[np.ndarray, "n 2"]
+) -> Float[np.ndarray, "n"]:
+    """Return the height of the highest surface over each (x, y), -inf where there is none.
+
+    Each part is the intersection of its hull's half-spaces; over a point the part spans from the
+    highest downward-facing plane to the lowest upward-facing one.
+    """
+    from scipy.spatial import ConvexHull
+
+    best = np.full(len(points), -np.inf)
+    for part in parts:
+        low, high = part.bounds[:, :2]
+        near = np.flatnonzero(((points >= low) & (points <= high)).all(1))
+        if not len(near):
+            continue
+        planes = ConvexHull(part.vertices, qhull_options="QJ").equations
+        side = points[near] @ planes[:, :2].T + planes[:, 3]
+        nz = planes[:, 2]
+        upper, lower, wall = nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9
+        ceiling = (-side[:, upper] / nz[upper]).min(1, initial=np.inf)
+        ground = (-side[:, lower] / nz[lower]).max(1, initial=-np.inf)
+        hit = (ceiling >= ground) & (side[:, wall] <= 0).all(1)
+        best[near[hit]] = np.maximum(best[near[hit]], ceiling[hit])
+    return best

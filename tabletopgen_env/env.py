@@ -1,0 +1,283 @@
+"""The environment: a scene source × a robot × a task × an action × an observation × a reward."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar, Literal
+
+import gymnasium as gym
+import numpy as np
+
+from generator.errors import InputError, SceneError, choices
+
+from .actions import SUBSTEPS, ActionMode, checked, controller
+from .observations import (
+    ObservationMode,
+    flat_state,
+    observation_space,
+    pictures,
+    slot_order,
+)
+from .rendering import Drawer, RendererChoice, drawer
+from .robot.panda import Panda
+from .scenes import STARTER, SceneChoice, SceneRef, resolve
+from .tasks.pick_place import GOAL_WEIGHTS, WEIGHTS, Episode, PickPlace
+from .world import FRONT_CAMERA, World, WorldCache
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+RewardMode = Literal["dense", "sparse"]
+
+DRAWS = 25
+"""How many scenes a reset draws before it gives up finding one with something to do."""
+
+
+class TabletopEnv(gym.Env[Any, np.ndarray]):
+    """A Panda at generated tables.
+
+    Args:
+        scenes: where tables come from; see ``scenes.resolve``.
+        task: the task; None for ``PickPlace()``.
+        observation: "state", "pixels" or "pixels+state"; see ``observations``. ("goal" is
+            ``GoalTabletopEnv``; ``make_env`` chooses.)
+        action: "ee_delta" or "joint_delta"; see ``actions``.
+        reward: "dense" (named terms, in [0, 1], 1 exactly on success) or "sparse" (0 on success,
+            -1 otherwise).
+        render_mode: None, "rgb_array", "depth_array" or "human".
+        image_size: height and width of the pixel observations.
+        render_size: (height, width) of what ``render`` returns.
+        renderer: "auto", "gl" or "software"; see ``rendering``.
+        robot: the robot; None for ``Panda()``.
+        cache: how many compiled worlds are kept.
+
+    ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
+    and "goal" (a container's name, "spot", or a point (x, y) of the table in the world frame).
+
+    ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
+    "instruction", "scene", "target" and "goal". An episode never terminates by itself, since
+    the dense reward stays highest where the task stays done; the time limit truncates it.
+    """
+
+    metadata: ClassVar[dict[str, Any]] = {
+        "render_modes": ["rgb_array", "depth_array", "human"],
+        "render_fps": 20,
+    }
+
+    def __init__(
+        self,
+        scenes: SceneChoice = STARTER,
+        *,
+        task: PickPlace | None = None,
+        observation: ObservationMode = "state",
+        action: ActionMode = "ee_delta",
+        reward: RewardMode = "dense",
+        render_mode: str | None = None,
+        image_size: int = 128,
+        render_size: tuple[int, int] = (480, 640),
+        renderer: RendererChoice = "auto",
+        robot: Panda | None = None,
+        cache: int = 16,
+    ) -> None:
+        if reward not in ("dense", "sparse"):
+            raise InputError(
+                f"Unknown reward {reward!r}." + choices(str(reward), ["dense", "sparse"])
+            )
+        modes = self.metadata["render_modes"]
+        if render_mode is not None and render_mode not in modes:
+            raise InputError(
+                f"Unknown render mode {render_mode!r}." + choices(str(render_mode), modes)
+            )
+        self.source = resolve(scenes)
+        self.task = task or PickPlace()
+        self.observation_space = observation_space(observation, image_size)
+        self.controller = controller(action)
+        self.action_space = self.controller.space
+        self.reward = reward
+        self.render_mode = render_mode
+        self._observation: ObservationMode = observation
+        self._image_size = image_size
+        self._render_size = render_size
+        self._renderer = renderer
+        self._worlds = WorldCache(robot or Panda(), cache)
+        self._drawers: dict[str, Drawer] = {}
+        self._world: World | None = None
+        self._episode: Episode | None = None
+        self._order: list[str] = []
+
+    # ---------------------------------------------------------------------------------- gymnasium
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Any, dict[str, Any]]:
+        """Draw a scene, a target and a goal, and start an episode.
+
+        Raises:
+            InputError: an unknown option, or one that names nothing in the scene.
+            SceneError: none of the scenes drawn offers anything to do.
+        """
+        super().reset(seed=seed)
+        options = dict(options or {})
+        known = {"scene", "target", "goal"}
+        for key in options:
+            if key not in known:
+                raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
+        self._world, self._episode = self._draw(options)
+        self._order = slot_order(self._world, self._episode.target, self._episode.container)
+        self._world.show_marker(self._episode.spot, self.task.marker_radius)
+        self.controller.reset(self._world)
+        desired = self.task.desired(self.world, self.episode)
+        achieved = self.task.achieved(self.world, self.episode, desired)
+        terms = self._terms(achieved, desired)
+        if self.render_mode == "human":
+            self.render()
+        return self._observe(achieved, desired), self._info(terms)
+
+    def step(self, action: ArrayLike) -> tuple[Any, float, bool, bool, dict[str, Any]]:
+        """Act for 50 ms.
+
+        Raises:
+            InputError: an action of wrong shape or with NaN, or no ``reset`` before.
+        """
+        world = self.world
+        self.controller.apply(world, checked(action, self.action_space))
+        world.step(SUBSTEPS)
+        desired = self.task.desired(world, self.episode)
+        achieved = self.task.achieved(world, self.episode, desired)
+        terms = self._terms(achieved, desired)
+        if self.render_mode == "human":
+            self.render()
+        reward = self._reward(terms)
+        return self._observe(achieved, desired), reward, False, False, self._info(terms)
+
+    def render(self) -> Any:
+        """Return the picture of ``render_mode``, or show it ("human")."""
+        if self.render_mode is None:
+            return None
+        if self.render_mode == "human":
+            return self._show()
+        picture = self._drawer("render")
+        draw = picture.rgb if self.render_mode == "rgb_array" else picture.depth
+        return draw(self.world, FRONT_CAMERA)
+
+    def close(self) -> None:
+        """Free renderers and windows. May be called twice."""
+        for held in self._drawers.values():
+            held.close()
+        self._drawers.clear()
+
+    # ------------------------------------------------------------------------------------- parts
+
+    @property
+    def world(self) -> World:
+        """The world of the current episode.
+
+        Raises:
+            InputError: there is no episode yet.
+        """
+        if self._world is None:
+            raise InputError("Call reset() before stepping, rendering or looking at the world.")
+        return self._world
+
+    @property
+    def episode(self) -> Episode:
+        """What the current episode asks for."""
+        if self._episode is None:
+            raise InputError("Call reset() before asking for the episode.")
+        return self._episode
+
+    def _draw(self, options: dict[str, Any]) -> tuple[World, Episode]:
+        """Draw scenes until one offers something to do."""
+        source = resolve(options["scene"]) if "scene" in options else self.source
+        tried: set[str] = set()
+        for _ in range(DRAWS):
+            ref = source.draw(self.np_random)
+            world = self._world_of(ref)
+            world.reset()
+            try:
+                episode = self.task.sample(
+                    world, self.np_random, options.get("target"), options.get("goal")
+                )
+                return world, episode
+            except SceneError as error:
+                tried.add(str(error))
+        raise SceneError(f"Nothing to do in {DRAWS} drawn scenes. " + " ".join(sorted(tried)[:3]))
+
+    def _world_of(self, ref: SceneRef) -> World:
+        def drop(world: World) -> None:
+            for held in self._drawers.values():
+                held.forget(world)
+
+        return self._worlds.get(ref, drop)
+
+    def _terms(self, achieved: np.ndarray, desired: np.ndarray) -> dict[str, float]:
+        return self.task.terms(self.world, self.episode, achieved, desired)
+
+    def _reward(self, terms: dict[str, float]) -> float:
+        if self.reward == "sparse":
+            return terms["success"] - 1.0
+        return float(sum(weight * terms[name] for name, weight in WEIGHTS.items()))
+
+    def _observe(self, achieved: np.ndarray, desired: np.ndarray) -> Any:
+        world, into = self.world, self.episode.container is not None
+        if self._observation == "goal":
+            state = flat_state(world, self._order, desired, into, bare=True)
+            return {"observation": state, "achieved_goal": achieved, "desired_goal": desired}
+        if self._observation == "state":
+            return flat_state(world, self._order, desired, into)
+        picture = self._drawer("pixels")
+        seen: dict[str, np.ndarray] = pictures(lambda camera: picture.rgb(world, camera))
+        if self._observation == "pixels+state":
+            seen["state"] = flat_state(world, self._order, desired, into)
+        return seen
+
+    def _info(self, terms: dict[str, float]) -> dict[str, Any]:
+        success = bool(terms["success"])
+        return {
+            "reward_terms": terms,
+            "success": success,
+            "is_success": success,
+            "instruction": self.episode.instruction,
+            "scene": self.world.scene.name,
+            "target": self.episode.target,
+            "goal": self.episode.goal,
+        }
+
+    def _drawer(self, purpose: str) -> Drawer:
+        """Return the drawer for "pixels" or "render", made on first use."""
+        if purpose not in self._drawers:
+            pixels = purpose == "pixels"
+            size = (self._image_size, self._image_size) if pixels else self._render_size
+            profile = "fast" if pixels else "full"
+            self._drawers[purpose] = drawer(self._renderer, *size, profile)
+        return self._drawers[purpose]
+
+
+class GoalTabletopEnv(TabletopEnv):
+    """The same with goal-dict observations, whose reward follows from the two goals alone.
+
+    Hindsight replay (SB3's ``HerReplayBuffer``) calls ``compute_reward`` with goals of its own.
+    """
+
+    def _reward(self, terms: dict[str, float]) -> float:
+        return float(self._weigh(terms))
+
+    def _weigh(self, terms: dict[str, Any]) -> Any:
+        if self.reward == "sparse":
+            return terms["success"] - 1.0
+        return sum(weight * terms[name] for name, weight in GOAL_WEIGHTS.items())
+
+    def compute_reward(self, achieved_goal: np.ndarray, desired_goal: np.ndarray, info: Any) -> Any:
+        """Return the reward of reaching ``achieved_goal`` when ``desired_goal`` was wanted.
+
+        Vectorised: goals of shape (8,) or (n, 8) give a float or (n,). ``info`` is not used.
+        """
+        reward = self._weigh(self.task.goal_terms(achieved_goal, desired_goal))
+        return float(reward) if np.ndim(reward) == 0 else reward
+
+
+def make_env(
+    scenes: SceneChoice = STARTER, *, observation: ObservationMode = "state", **settings: Any
+) -> TabletopEnv:
+    """Make the environment that fits ``observation``; the entry point of the registered ids."""
+    kind = GoalTabletopEnv if observation == "goal" else TabletopEnv
+    return kind(scenes, observation=observation, **settings)

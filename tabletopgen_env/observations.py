@@ -1,0 +1,192 @@
+"""What a policy sees. Every space is the same for every scene.
+
+All positions are metres in the *base frame* (see ``world``); rotations are the first two columns
+of the rotation matrix (x axis, then y axis).
+
+The flat state
+--------------
+======  =============================================================  ==========  ========
+index   meaning                                                        range       unit
+======  =============================================================  ==========  ========
+0-6     arm joint positions                                            [-4, 4]     rad
+7-13    arm joint velocities                                           [-10, 10]   rad/s
+14      opening of the gripper                                         [0, 0.1]    m
+15-17   tool centre point                                              [-3, 3]     m
+18-23   rotation of the hand                                           [-1, 1]
+24-30   commanded minus real arm joints                                [-4, 4]     rad
+31      commanded opening: -1 closed, 1 open                           [-1, 1]
+32-33   left, right finger touches the target                          {0, 1}
+34-36   target minus tool centre point                                 [-3, 3]     m
+37-39   table top: height, half length and half width of its outline   [-3, 3]     m
+40-267  twelve object slots of 19 entries, see below; slot 0 is the target, slot 1 the goal
+        container if there is one, the others by their distance from the target at the start
+268     the goal is a container                                        {0, 1}
+269-271 centre of the goal region                                      [-3, 3]     m
+272-275 its semi-axes x', y', its yaw, its semi-axis z                 [-4, 4]     m, rad
+276-278 centre of the goal region minus target                         [-3, 3]     m
+======  =============================================================  ==========  ========
+
+An object slot: 0-2 centre of its box [m], 3-8 rotation, 9-11 half its extent [m], 12-14 linear
+velocity [m/s, within 10], 15-17 angular velocity [rad/s, within 50], 18 mask (1 filled, 0 empty;
+an empty slot is all zeros). Values beyond the range are clipped. Objects beyond the twelfth are
+not shown.
+
+The modes
+---------
+``state``         the flat state (279 entries).
+``goal``          a dict for hindsight replay: ``observation`` is the flat state without the goal
+                  (entries 0-267), ``achieved_goal`` and ``desired_goal`` are the task's goal
+                  vectors.
+``pixels``        a dict of ``uint8`` pictures: ``front`` and ``wrist``.
+``pixels+state``  the same with ``state``.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from gymnasium import spaces
+from jaxtyping import Float
+
+from generator.errors import InputError, choices
+
+from .robot.panda import HOME_CTRL
+from .world import FRONT_CAMERA, WRIST_CAMERA, World
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from jaxtyping import UInt8
+
+ObservationMode = Literal["state", "goal", "pixels", "pixels+state"]
+MODES: tuple[ObservationMode, ...] = ("state", "goal", "pixels", "pixels+state")
+
+SLOTS = 12
+"""Objects that the state has room for."""
+
+CAMERAS = {"front": FRONT_CAMERA, "wrist": WRIST_CAMERA}
+"""Cameras of the pixel modes, by their key in the observation."""
+
+ROBOT_BOUNDS = np.array(
+    [4.0] * 7 + [10.0] * 7 + [0.1] + [3.0] * 3 + [1.0] * 6 + [4.0] * 7 + [1.0] * 3 + [3.0] * 6
+)
+SLOT_BOUNDS = np.array([3.0] * 3 + [1.0] * 6 + [3.0] * 3 + [10.0] * 3 + [50.0] * 3 + [1.0])
+GOAL_BOUNDS = np.array([1.0] + [3.0] * 3 + [4.0] * 4 + [3.0] * 3)
+GOAL_VECTOR_BOUNDS = np.array([3.0] * 3 + [4.0] * 4 + [1.0])
+
+_BARE_BOUNDS = np.concatenate([ROBOT_BOUNDS, np.tile(SLOT_BOUNDS, SLOTS)])
+_FULL_BOUNDS = np.concatenate([_BARE_BOUNDS, GOAL_BOUNDS])
+for _constant in (ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, _BARE_BOUNDS, _FULL_BOUNDS):
+    _constant.setflags(write=False)
+
+
+def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
+    high = bounds.astype(np.float32)
+    return spaces.Box(-high, high, dtype=np.float32)
+
+
+def observation_space(mode: str, image_size: int) -> spaces.Space[Any]:
+    """Return the space of an observation mode, with pictures of ``image_size`` squared.
+
+    Raises:
+        InputError: no such mode, or a picture smaller than 8 or larger than 2048 pixels.
+    """
+    if mode not in MODES:
+        raise InputError(f"Unknown observation mode {mode!r}." + choices(str(mode), MODES))
+    if mode == "state":
+        return _box(_FULL_BOUNDS)
+    if mode == "goal":
+        return spaces.Dict(
+            {
+                "observation": _box(_BARE_BOUNDS),
+                "achieved_goal": _box(GOAL_VECTOR_BOUNDS),
+                "desired_goal": _box(GOAL_VECTOR_BOUNDS),
+            }
+        )
+    if not 8 <= image_size <= 2048:
+        raise InputError(f"image_size must be between 8 and 2048 pixels, got {image_size}.")
+    picture = spaces.Box(0, 255, (image_size, image_size, 3), np.uint8)
+    entries: dict[str, spaces.Space[Any]] = dict.fromkeys(CAMERAS, picture)
+    if mode == "pixels+state":
+        entries["state"] = _box(_FULL_BOUNDS)
+    return spaces.Dict(entries)
+
+
+def slot_order(world: World, target: str, container: str | None) -> list[str]:
+    """Return the objects in slot order: target, goal container, then the nearest, at most 12."""
+    center = world.position(target)
+    first = [target] if container is None else [target, container]
+    rest = [name for name in world.names if name not in first]
+    rest.sort(key=lambda name: (float(np.linalg.norm(world.position(name) - center)), name))
+    return (first + rest)[:SLOTS]
+
+
+def robot_state(world: World, target: str) -> Float[np.ndarray, "40"]:
+    """Return entries 0-39 of the flat state."""
+    data = world.data
+    joints = data.qpos[world.arm_qpos]
+    tcp = world.to_base(data.site_xpos[world.tcp])
+    hand = world.base_rotation.T @ data.site_xmat[world.tcp].reshape(3, 3)
+    command = data.ctrl[world.actuators]
+    left, right, _ = world.touched(target)
+    half = np.ptp(world.scene.table.outline, axis=0) / 2
+    top = world.scene.table.height - world.base_position[2]
+    return np.concatenate(
+        [
+            joints,
+            data.qvel[world.arm_dof],
+            [data.qpos[world.finger_qpos].sum()],
+            tcp,
+            hand[:, :2].T.ravel(),
+            command[:7] - joints,
+            [2 * command[7] / HOME_CTRL[7] - 1, left, right],
+            world.to_base(world.position(target)) - tcp,
+            [top, half.max(), half.min()],
+        ]
+    )
+
+
+def object_slots(world: World, order: list[str]) -> Float[np.ndarray, "slots 19"]:
+    """Return the object slots of the flat state for objects in ``order``."""
+    rows = [world.index(name) for name in order]
+    bodies = world.bodies[rows]
+    rotation = world.base_rotation.T @ world.data.xmat[bodies].reshape(-1, 3, 3)
+    speed = world.velocities()[rows]
+    spin = np.einsum("kij,kj->ki", rotation, speed[:, 3:])
+    slots = np.zeros((SLOTS, 19))
+    filled = slots[: len(rows)]
+    filled[:, 0:3] = world.to_base(world.data.xpos[bodies])
+    filled[:, 3:9] = rotation[:, :, :2].transpose(0, 2, 1).reshape(-1, 6)
+    filled[:, 9:12] = world.half_extent[rows]
+    filled[:, 12:15] = speed[:, :3] @ world.base_rotation
+    filled[:, 15:18] = spin
+    filled[:, 18] = 1.0
+    return slots
+
+
+def flat_state(
+    world: World, order: list[str], desired: Float[np.ndarray, "8"], into: bool, bare: bool = False
+) -> Float[np.ndarray, "n"]:
+    """Return the flat state; ``bare`` leaves the goal's entries out.
+
+    Args:
+        world: the world.
+        order: the objects in slot order, the target first.
+        desired: the task's goal vector.
+        into: whether the goal is a container.
+        bare: return entries 0-267 alone.
+    """
+    slots = object_slots(world, order)
+    parts = [robot_state(world, order[0]), slots.ravel()]
+    if not bare:
+        parts.append(np.array([float(into), *desired[:7], *(desired[:3] - slots[0, :3])]))
+    bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
+    return np.clip(np.concatenate(parts), -bounds, bounds).astype(np.float32)
+
+
+def pictures(
+    draw: Callable[[str], UInt8[np.ndarray, "h w 3"]],
+) -> dict[str, UInt8[np.ndarray, "h w 3"]]:
+    """Return the pictures of the pixel modes; ``draw`` renders one camera."""
+    return {key: draw(camera) for key, camera in CAMERAS.items()}

@@ -1,0 +1,198 @@
+"""Pictures of a world: through OpenGL where there is any, in software everywhere.
+
+MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. ``Drawer`` looks for one of
+them, once; without any, ``renderer="auto"`` draws with the project's own software renderer
+(slower, plainer, the same cameras), while ``renderer="gl"`` says what to install.
+
+Two profiles: "fast" leaves out shadows, reflections, sky and antialiasing and is meant for
+learning; "full" is for people.
+"""
+
+from __future__ import annotations
+
+import importlib
+import os
+import sys
+from collections import OrderedDict
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+import numpy as np
+from jaxtyping import Float, UInt8
+
+from generator.errors import BackendError, InputError, choices
+
+if TYPE_CHECKING:
+    import mujoco
+
+    from .world import World
+
+RendererChoice = Literal["auto", "gl", "software"]
+Profile = Literal["fast", "full"]
+
+_KEPT = 4  # worlds whose meshes and textures stay on the graphics side
+_NO_GL = (
+    "No OpenGL could be had for rendering ({reason}). On Debian or Ubuntu install "
+    "'libegl1 libgl1 libgl1-mesa-dri' (EGL) or 'libosmesa6' (MUJOCO_GL=osmesa), "
+    "or pass renderer='software'."
+)
+
+
+class Drawer(Protocol):
+    """Draws worlds at one picture size."""
+
+    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
+        """Return what ``camera`` sees."""
+        ...
+
+    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
+        """Return the distance along the optical axis in metres (inf where nothing is)."""
+        ...
+
+    def forget(self, world: World) -> None:
+        """Free what is held for ``world``."""
+        ...
+
+    def close(self) -> None:
+        """Free everything."""
+        ...
+
+
+def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> Drawer:
+    """Return a drawer for pictures of ``height`` x ``width``.
+
+    Args:
+        choice: "gl", "software", or "auto": GL if it can be had, else software.
+        height: rows.
+        width: columns.
+        profile: "fast" or "full"; the software renderer draws shadows in "full".
+
+    Raises:
+        InputError: unknown choice.
+        BackendError: "gl" was asked for and there is none.
+    """
+    if choice not in ("auto", "gl", "software"):
+        raise InputError(
+            f"Unknown renderer {choice!r}." + choices(str(choice), ["auto", "gl", "software"])
+        )
+    if choice != "software":
+        try:
+            return GlDrawer(height, width, profile)
+        except BackendError:
+            if choice == "gl":
+                raise
+    from .software import SoftwareDrawer
+
+    return SoftwareDrawer(height, width, profile)
+
+
+class GlDrawer:
+    """Draws with MuJoCo's OpenGL renderer: one GL context, a few worlds' worth of meshes."""
+
+    def __init__(self, height: int, width: int, profile: Profile) -> None:
+        self._size, self._profile = (height, width), profile
+        self._gl = _gl_context(width, height)
+        self._held: OrderedDict[int, tuple[World, mujoco.MjrContext, mujoco.MjvScene]] = (
+            OrderedDict()
+        )
+
+    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
+        """Return what ``camera`` sees."""
+        import mujoco
+
+        context, scene, rect = self._prepare(world, camera)
+        picture = np.empty((*self._size, 3), np.uint8)
+        mujoco.mjr_render(rect, scene, context)
+        mujoco.mjr_readPixels(picture, None, rect, context)
+        return np.flipud(picture).copy()
+
+    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
+        """Return the distance along the optical axis in metres (inf where nothing is)."""
+        import mujoco
+
+        context, scene, rect = self._prepare(world, camera)
+        buffer = np.empty(self._size, np.float32)
+        mujoco.mjr_render(rect, scene, context)
+        mujoco.mjr_readPixels(None, buffer, rect, context)
+        extent, planes = world.model.stat.extent, world.model.vis.map
+        near, far = planes.znear * extent, planes.zfar * extent
+        z = np.flipud(buffer).astype(np.float64)
+        distance = near * far / (near + z * (far - near))  # reversed depth: 1 is near, 0 is far
+        return np.where(z <= 0, np.inf, distance).astype(np.float32)
+
+    def forget(self, world: World) -> None:
+        """Free the meshes and textures of ``world``."""
+        held = self._held.pop(id(world), None)
+        if held is not None and self._gl is not None:
+            self._gl.make_current()
+            held[1].free()
+
+    def close(self) -> None:
+        """Free meshes, textures and the GL context."""
+        for world, _, _ in list(self._held.values()):
+            self.forget(world)
+        if self._gl is not None:
+            self._gl.free()
+            self._gl = None
+
+    def _prepare(
+        self, world: World, camera: str
+    ) -> tuple[mujoco.MjrContext, mujoco.MjvScene, mujoco.MjrRect]:
+        """Make the world's context current and bring its scene up to date."""
+        import mujoco
+
+        if self._gl is None:
+            raise InputError("This environment is closed; make a new one to render.")
+        self._gl.make_current()
+        context, scene = self._hold(world)
+        view = mujoco.MjvCamera()
+        view.type = mujoco.mjtCamera.mjCAMERA_FIXED
+        view.fixedcamid = world.model.camera(camera).id
+        option = mujoco.MjvOption()
+        mujoco.mjv_updateScene(
+            world.model, world.data, option, None, view, mujoco.mjtCatBit.mjCAT_ALL.value, scene
+        )
+        return context, scene, mujoco.MjrRect(0, 0, self._size[1], self._size[0])
+
+    def _hold(self, world: World) -> tuple[mujoco.MjrContext, mujoco.MjvScene]:
+        """Return the context and scene of ``world``, made on first use."""
+        import mujoco
+
+        if id(world) not in self._held:
+            while len(self._held) >= _KEPT:
+                self.forget(next(iter(self._held.values()))[0])
+            model, fast = world.model, self._profile == "fast"
+            model.vis.global_.offheight, model.vis.global_.offwidth = self._size
+            model.vis.quality.offsamples = 0 if fast else 4
+            context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
+            mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, context)
+            context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR.value
+            scene = mujoco.MjvScene(model, maxgeom=2000)
+            for flag in ("SHADOW", "REFLECTION", "SKYBOX", "HAZE"):
+                if fast:
+                    scene.flags[getattr(mujoco.mjtRndFlag, f"mjRND_{flag}")] = 0
+            self._held[id(world)] = (world, context, scene)
+        self._held.move_to_end(id(world))
+        return self._held[id(world)][1:]
+
+
+def _gl_context(width: int, height: int) -> Any:
+    """Return a GL context: the kind ``MUJOCO_GL`` names, else the display's, else EGL, OSMesa.
+
+    Raises:
+        BackendError: there is none; says what to install.
+    """
+    failures = []
+    for module in _gl_modules():
+        try:
+            return importlib.import_module(module).GLContext(width, height)
+        except Exception as error:  # each GL binding fails in its own way
+            failures.append(f"{module}: {type(error).__name__}: {error}")
+    raise BackendError(_NO_GL.format(reason="; ".join(failures)))
+
+
+def _gl_modules() -> tuple[str, ...]:
+    """Return the modules to try for a ``GLContext``, best first."""
+    display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    if os.environ.get("MUJOCO_GL") or display or not sys.platform.startswith("linux"):
+        return ("mujoco.gl_context",)
+    return ("mujoco.egl", "mujoco.osmesa")

@@ -1,0 +1,283 @@
+"""A robot at a table, compiled: ids by name, the start state, and what a task asks of the physics.
+
+``World`` puts a robot beside a scene with ``MjSpec.attach`` (prefix "panda/"), compiles it and
+keeps model and data. ``WorldCache`` keeps the worlds used last, so that a reset onto a known scene
+only writes the start state.
+
+Positions given to learners are in the *base frame*: origin at the robot's base, x forward, z up.
+It is the world frame turned and moved by the mount, so a policy sees every table from its own seat.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from generator.errors import SceneError, choices
+from generator.geometry import Camera, rotation_z, view_rotation, yaw_quaternion
+from generator.scene import Scene, View
+
+from .affordance import collision_points
+from .robot.mount import Mount, add_pedestal
+from .robot.panda import (
+    ACTUATORS,
+    ARM_JOINTS,
+    FINGER_JOINTS,
+    HOME_CTRL,
+    HOME_QPOS,
+    TCP_SITE,
+    Panda,
+)
+from .scenes import SceneRef
+
+if TYPE_CHECKING:
+    import mujoco
+
+PREFIX = "panda/"
+"""Prefix of every name that belongs to the robot."""
+
+FRONT_CAMERA = "front"
+"""Name of the camera that looks at table and robot from across the table."""
+
+WRIST_CAMERA = PREFIX + "wrist"
+"""Name of the camera on the hand."""
+
+MARKER = "goal"
+"""Name of the body and the geom that mark a free goal spot."""
+
+TIMESTEP = 0.002
+"""Simulation step, seconds."""
+
+
+class World:
+    """One scene with a robot, compiled, and its state.
+
+    Attributes:
+        scene: the scene.
+        mount: where the robot's base stands, in the world frame.
+        model, data: MuJoCo's.
+        names: the scene's objects; the order of every per-object array.
+        bodies: their MuJoCo body ids.
+        arm_qpos, arm_dof: addresses of the seven arm joints in qpos and qvel.
+        finger_qpos: addresses of the two finger slides in qpos.
+        actuators: ids of the seven servos and the gripper.
+        tcp: id of the tool centre point's site.
+    """
+
+    def __init__(self, scene: Scene, robot: Panda, mount: Mount | None = None) -> None:
+        import mujoco
+
+        self.scene = scene
+        self.mount = mount or Mount.beside(scene)
+        self.model = _compose(scene, robot, self.mount).compile()
+        self.data = mujoco.MjData(self.model)
+        self.names: tuple[str, ...] = tuple(o.name for o in scene.objects)
+        model = self.model
+        self.bodies: Int[np.ndarray, "k"] = np.array(
+            [model.body(name).id for name in self.names], dtype=int
+        )
+        first = model.body_jntadr[self.bodies]
+        self._object_qpos = model.jnt_qposadr[first][:, None] + np.arange(7)
+        self._object_dof = model.jnt_dofadr[first][:, None] + np.arange(6)
+        arm = [model.joint(PREFIX + name) for name in ARM_JOINTS]
+        fingers = [model.joint(PREFIX + name) for name in FINGER_JOINTS]
+        self.arm_qpos = np.array([joint.qposadr[0] for joint in arm])
+        self.arm_dof = np.array([joint.dofadr[0] for joint in arm])
+        self.finger_qpos = np.array([joint.qposadr[0] for joint in fingers])
+        self.actuators = np.array([model.actuator(PREFIX + name).id for name in ACTUATORS])
+        self.tcp = int(model.site(PREFIX + TCP_SITE).id)
+        self._marker_geom = int(model.geom(MARKER).id)
+        self._marker_mocap = int(model.body(MARKER).mocapid[0])
+        self._gripper_side = _gripper_sides(model)
+        self._points = [collision_points(o) for o in scene.objects]
+        self.half_extent = np.array([o.scale / 2 for o in scene.objects]).reshape(-1, 3)
+        self.base_rotation = rotation_z(self.mount.yaw)
+        self.base_position = np.asarray(self.mount.position, float)
+        self._start = self._start_qpos()
+
+    # ------------------------------------------------------------------------------------ state
+
+    def _start_qpos(self) -> Float[np.ndarray, "nq"]:
+        qpos = self.model.qpos0.copy()
+        for address, obj in zip(self._object_qpos, self.scene.objects, strict=True):
+            qpos[address] = [*obj.pose.position, *obj.pose.quaternion]
+        qpos[np.concatenate([self.arm_qpos, self.finger_qpos])] = HOME_QPOS
+        return qpos
+
+    def reset(self) -> None:
+        """Put every object at its settled pose and the robot at home, everything at rest."""
+        import mujoco
+
+        mujoco.mj_resetData(self.model, self.data)
+        self.data.qpos[:] = self._start
+        self.data.ctrl[self.actuators] = HOME_CTRL
+        mujoco.mj_forward(self.model, self.data)
+
+    def step(self, substeps: int) -> None:
+        """Simulate ``substeps`` steps of ``TIMESTEP`` seconds."""
+        import mujoco
+
+        mujoco.mj_step(self.model, self.data, substeps)
+
+    def teleport(
+        self,
+        name: str,
+        position: Float[np.ndarray, "3"],
+        quaternion: Float[np.ndarray, "4"] | None = None,
+    ) -> None:
+        """Put an object, at rest, at a world position (and wxyz orientation; None keeps it)."""
+        import mujoco
+
+        k = self.index(name)
+        address = self._object_qpos[k]
+        self.data.qpos[address[:3]] = position
+        if quaternion is not None:
+            self.data.qpos[address[3:]] = quaternion
+        self.data.qvel[self._object_dof[k]] = 0
+        mujoco.mj_forward(self.model, self.data)
+
+    # ---------------------------------------------------------------------------------- objects
+
+    def index(self, name: str) -> int:
+        """Return the row of object ``name`` in per-object arrays.
+
+        Raises:
+            SceneError: there is no such object.
+        """
+        if name not in self.names:
+            raise SceneError(
+                f"Scene {self.scene.name!r} has no object {name!r}." + choices(name, self.names)
+            )
+        return self.names.index(name)
+
+    def position(self, name: str) -> Float[np.ndarray, "3"]:
+        """Return the centre of an object's box in the world frame."""
+        return self.data.xpos[self.bodies[self.index(name)]].copy()
+
+    def rotation(self, name: str) -> Float[np.ndarray, "3 3"]:
+        """Return an object's rotation, body to world."""
+        return self.data.xmat[self.bodies[self.index(name)]].reshape(3, 3).copy()
+
+    def velocities(self) -> Float[np.ndarray, "k 6"]:
+        """Return each object's linear (world frame) and angular (body frame) velocity."""
+        return self.data.qvel[self._object_dof]
+
+    def lowest(self, name: str) -> float:
+        """Return the height of an object's lowest point in the world frame."""
+        k = self.index(name)
+        up = self.data.xmat[self.bodies[k]].reshape(3, 3)[2]
+        return float(self.data.xpos[self.bodies[k], 2] + (self._points[k] @ up).min())
+
+    def touched(self, name: str) -> tuple[bool, bool, bool]:
+        """Return whether the left finger, the right finger, any part of the robot touches it."""
+        contact = self.data.contact
+        pairs = self.model.geom_bodyid[contact.geom]
+        mine = (pairs == self.bodies[self.index(name)]).any(1) & (contact.exclude == 0)
+        sides = self._gripper_side[pairs[mine]].max(1, initial=0)
+        return bool((sides == 2).any()), bool((sides == 3).any()), bool((sides > 0).any())
+
+    # -------------------------------------------------------------------------------- base frame
+
+    def to_base(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
+        """Carry world points into the base frame."""
+        return (points - self.base_position) @ self.base_rotation
+
+    def to_world(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
+        """Carry points of the base frame into the world frame."""
+        return points @ self.base_rotation.T + self.base_position
+
+    def show_marker(self, position: Float[np.ndarray, "3"] | None, radius: float) -> None:
+        """Show the goal disc at a world position, or hide it."""
+        import mujoco
+
+        self.model.geom_size[self._marker_geom, 0] = radius
+        self.model.geom_rgba[self._marker_geom, 3] = 0.0 if position is None else 0.8
+        self.data.mocap_pos[self._marker_mocap] = [0, 0, -1] if position is None else position
+        mujoco.mj_kinematics(self.model, self.data)
+
+
+class WorldCache:
+    """The ``size`` worlds used last, by the key of their scene."""
+
+    def __init__(self, robot: Panda, size: int = 16) -> None:
+        self._robot = robot
+        self._size = size
+        self._worlds: OrderedDict[str, World] = OrderedDict()
+
+    def get(self, ref: SceneRef, on_drop: Callable[[World], None]) -> World:
+        """Return the world of ``ref``, composing it if it is not held.
+
+        ``on_drop`` is told of each world that leaves the cache.
+        """
+        world = self._worlds.get(ref.key)
+        if world is None:
+            world = World(ref.load(), self._robot)
+            self._worlds[ref.key] = world
+            while len(self._worlds) > self._size:
+                on_drop(self._worlds.popitem(last=False)[1])
+        self._worlds.move_to_end(ref.key)
+        return world
+
+
+def _compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
+    """Return the specification of ``scene`` with ``robot`` at ``mount``."""
+    import mujoco
+
+    from generator.mjcf import scene_spec
+
+    spec = scene_spec(scene)
+    spec.option.timestep = TIMESTEP
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    spec.option.noslip_iterations = 0
+    spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
+    spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_MULTICCD
+    spec.visual.global_.offwidth = spec.visual.global_.offheight = 2048
+    frame = spec.worldbody.add_frame(pos=mount.position, quat=yaw_quaternion(mount.yaw))
+    spec.attach(robot.spec(), prefix=PREFIX, frame=frame)
+    add_pedestal(spec, mount)
+    _add_front_camera(spec, scene, mount)
+    marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
+    marker.add_geom(
+        name=MARKER,
+        type=mujoco.mjtGeom.mjGEOM_CYLINDER,
+        size=[0.04, 0.0008, 0],
+        rgba=[0.1, 0.85, 0.25, 0.0],
+        contype=0,
+        conaffinity=0,
+        group=1,
+    )
+    return spec
+
+
+def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
+    """Return the camera across the table from the robot, 35 degrees above the horizon."""
+    base = np.asarray(mount.position, float)
+    target = np.array([0.25 * base[0], 0.25 * base[1], scene.table.height + 0.12])
+    view = View(mount.yaw + np.pi / 2, np.deg2rad(35.0), np.deg2rad(45.0))
+    span = float(np.linalg.norm(scene.table.scale[:2]))
+    return Camera.looking_at(target, view, 0.9 + 0.75 * span, width, height)
+
+
+def _add_front_camera(spec: mujoco.MjSpec, scene: Scene, mount: Mount) -> None:
+    camera = front_camera(scene, mount, 4, 3)
+    right, down, _ = view_rotation(View(mount.yaw + np.pi / 2, np.deg2rad(35.0), camera.fov))
+    spec.worldbody.add_camera(
+        name=FRONT_CAMERA,
+        pos=camera.position,
+        xyaxes=[*right, *-down],
+        fovy=float(np.rad2deg(camera.fov)),
+    )
+
+
+def _gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:
+    """Label bodies: 0 not the robot's, 1 robot, 2 left finger, 3 right finger."""
+    sides = np.zeros(model.nbody, dtype=int)
+    for k in range(model.nbody):
+        name = model.body(k).name
+        if name.startswith(PREFIX):
+            sides[k] = 1 + ("left_finger" in name) + 2 * ("right_finger" in name)
+    return sides
