@@ -175,9 +175,7 @@ class Camera:
 def view_direction(view: View) -> Float[np.ndarray, "3"]:
     """Return the unit vector from what is looked at towards the camera of ``view``."""
     c = np.cos(view.elevation)
-    return np.array(
-        [c * np.sin(view.azimuth), -c * np.cos(view.azimuth), np.sin(view.elevation)]
-    )
+    return np.array([c * np.sin(view.azimuth), -c * np.cos(view.azimuth), np.sin(view.elevation)])
 
 
 def view_rotation(view: View) -> Float[np.ndarray, "3 3"]:
@@ -198,6 +196,26 @@ def ray_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: int)
     x, y, z = camera.rays(np.asarray(pixel, float)[None])[0]
     elevation = float(np.clip(np.arcsin(np.clip(-z, -1, 1)), 1e-3, np.pi / 2))
     return View(float(np.arctan2(-x, y)), elevation, view.fov)
+
+
+def framing_camera(
+    points: Float[np.ndarray, "n 3"], view: View, width: int, height: int, margin: float = 0.06
+) -> Camera:
+    """Return the nearest camera along ``view`` that shows all ``points`` with a margin.
+
+    ``margin`` is the free share of the picture on each side. The points are centred.
+    """
+    target = (points.min(0) + points.max(0)) / 2
+    distance = 2.0 * float(np.linalg.norm(np.ptp(points, axis=0))) / np.tan(view.fov / 2)
+    frame = np.array([width, height]) * (1 - 2 * margin)
+    for _ in range(12):  # alternate centring and approaching; converges geometrically
+        camera = Camera.looking_at(target, view, distance, width, height)
+        pixels = camera.project(points)
+        low, high = pixels.min(0), pixels.max(0)
+        shift = ((low + high) / 2 - [width / 2, height / 2]) * distance / camera.focal
+        target = target + shift[0] * camera.rotation[0] + shift[1] * camera.rotation[1]
+        distance *= float(((high - low) / frame).max())
+    return Camera.looking_at(target, view, distance, width, height)
 
 
 # ------------------------------------------------------------------------------------ outlines

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from jaxtyping import Float
 
-from ..geometry import Camera
+from ..geometry import Camera, framing_camera
 from ..scene import Scene, View
 from .raster import Item, Rendered, place, render
 from .shading import Light
@@ -24,26 +23,6 @@ def scene_items(scene: Scene) -> list[Item]:
         pose = thing.pose
         items.append(place(thing.model.mesh, thing.scale, pose.position, pose.quaternion, index))
     return items
-
-
-def framing_camera(
-    points: Float[np.ndarray, "n 3"], view: View, width: int, height: int, margin: float = 0.06
-) -> Camera:
-    """Return the nearest camera along ``view`` that shows all ``points`` with a margin.
-
-    ``margin`` is the free share of the picture on each side. The points are centred.
-    """
-    target = (points.min(0) + points.max(0)) / 2
-    distance = 2.0 * float(np.linalg.norm(np.ptp(points, axis=0))) / np.tan(view.fov / 2)
-    frame = np.array([width, height]) * (1 - 2 * margin)
-    for _ in range(12):  # alternate centring and approaching; converges geometrically
-        camera = Camera.looking_at(target, view, distance, width, height)
-        pixels = camera.project(points)
-        low, high = pixels.min(0), pixels.max(0)
-        shift = ((low + high) / 2 - [width / 2, height / 2]) * distance / camera.focal
-        target = target + shift[0] * camera.rotation[0] + shift[1] * camera.rotation[1]
-        distance *= float(((high - low) / frame).max())
-    return Camera.looking_at(target, view, distance, width, height)
 
 
 def render_scene(

@@ -1,0 +1,259 @@
+"""Scene to MJCF: one XML document and the files it names, loadable by plain MuJoCo.
+
+Names in the document: body and free joint of an object carry the object's name, the table's body
+is "table", the floor's geom "floor"; cameras are "reference" (the scene's view) and "top"; the
+keyframe "settled" holds every object's resting pose. Geom groups: 2 drawn, 3 collision.
+Meshes, textures and hulls are named by the digest of their content.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Float, UInt8
+
+from .geometry import Camera, framing_camera, quaternion_matrix
+from .scene import TABLE, ConvexPart, Mesh, Object, Scene, View
+
+if TYPE_CHECKING:
+    import mujoco
+
+FLOOR = "floor"
+"""Name of the floor's geom."""
+
+ROUND = 0.02
+"""Cross-sections whose two diameters differ by more than this share are not round."""
+
+_TOP_VIEW = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(30.0))
+_AXIS_QUATERNION = {
+    0: (np.sqrt(0.5), 0.0, np.sqrt(0.5), 0.0),
+    1: (np.sqrt(0.5), -np.sqrt(0.5), 0.0, 0.0),
+}  # turns a cylinder's z onto x, y
+
+
+@dataclass(frozen=True)
+class Document:
+    """``scene.xml`` and the files it refers to, by path relative to it."""
+
+    xml: str
+    files: Mapping[str, bytes]
+
+
+def document(scene: Scene, *, visuals: bool = True) -> Document:
+    """Return the MJCF of a scene; without ``visuals`` only what the physics needs."""
+    root = ET.Element("mujoco", model=scene.name)
+    _settings(root)
+    assets = _Assets(ET.SubElement(root, "asset"), visuals)
+    world = ET.SubElement(root, "worldbody")
+    _surroundings(world, scene)
+    table = ET.SubElement(world, "body", name=TABLE, pos=_text([0, 0, scene.table.height / 2]))
+    assets.draw(table, scene.table.model.mesh, scene.table.scale)
+    for part in scene.table.parts:
+        assets.collide(table, part, scene.table.friction)
+    for thing in scene.objects:
+        _body(world, thing, assets)
+    if scene.objects:
+        keyframe = ET.SubElement(root, "keyframe")
+        poses = [np.concatenate([o.pose.position, o.pose.quaternion]) for o in scene.objects]
+        ET.SubElement(keyframe, "key", name="settled", qpos=_text(np.concatenate(poses)))
+    ET.indent(root)
+    return Document(ET.tostring(root, encoding="unicode") + "\n", dict(assets.files))
+
+
+def scene_spec(scene: Scene, *, visuals: bool = True) -> mujoco.MjSpec:
+    """Return the scene as an ``MjSpec``, ready to compile or to attach a robot to."""
+    import mujoco
+
+    made = document(scene, visuals=visuals)
+    return mujoco.MjSpec.from_string(made.xml, assets=dict(made.files))
+
+
+def reference_camera(scene: Scene, width: int = 960, height: int = 720) -> Camera:
+    """Return the camera of the scene's view that shows the whole table and every object."""
+    return framing_camera(_points(scene), scene.view, width, height)
+
+
+# ------------------------------------------------------------------------------------- encoding
+
+
+def encode_obj(mesh: Mesh) -> bytes:
+    """Return a mesh as Wavefront OBJ: vertices to a millionth of the unit box, uv to 1e-5."""
+    lines = [f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in mesh.vertices.tolist()]
+    lines += [f"vt {u:.5f} {v:.5f}" for u, v in mesh.uv.tolist()]
+    lines += [f"f {a}/{a} {b}/{b} {c}/{c}" for a, b, c in (mesh.faces + 1).tolist()]
+    return ("\n".join(lines) + "\n").encode("ascii")
+
+
+def encode_png(image: UInt8[np.ndarray, "h w c"]) -> bytes:
+    """Return an image as PNG, the same bytes for the same pixels."""
+    from PIL import Image
+
+    buffer = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(image)).save(buffer, "PNG", compress_level=6)
+    return buffer.getvalue()
+
+
+def mesh_path(encoded: bytes) -> str:
+    """Return the path of an encoded mesh inside a bundle."""
+    return f"meshes/{_digest(encoded)}.obj"
+
+
+def texture_path(encoded: bytes) -> str:
+    """Return the path of an encoded texture inside a bundle."""
+    return f"textures/{_digest(encoded)}.png"
+
+
+# --------------------------------------------------------------------------------------- pieces
+
+
+def _settings(root: ET.Element) -> None:
+    ET.SubElement(root, "compiler", angle="radian", inertiafromgeom="false")
+    option = ET.SubElement(
+        root, "option", timestep="0.002", integrator="implicitfast", cone="elliptic"
+    )
+    ET.SubElement(option, "flag", sleep="enable", multiccd="disable")
+    visual = ET.SubElement(root, "visual")
+    ET.SubElement(visual, "global", offwidth="2048", offheight="2048")
+    ET.SubElement(visual, "headlight", ambient=".45 .45 .45", diffuse=".3 .3 .3", specular="0 0 0")
+    ET.SubElement(visual, "quality", shadowsize="2048")
+    default = ET.SubElement(root, "default")
+    drawn = ET.SubElement(default, "default", {"class": "visual"})
+    ET.SubElement(drawn, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0")
+    solid = ET.SubElement(default, "default", {"class": "collision"})
+    ET.SubElement(solid, "geom", group="3", condim="4", solref="0.01 1", rgba=".3 .6 .9 .4")
+
+
+def _surroundings(world: ET.Element, scene: Scene) -> None:
+    ET.SubElement(
+        world, "geom", name=FLOOR, type="plane", size="0 0 0.05", rgba=".93 .93 .92 1",
+        condim="4", solref="0.01 1",
+    )  # fmt: skip
+    ET.SubElement(
+        world, "light", type="directional", pos=_text([0, 0, scene.table.height + 2]),
+        dir="0.3 0.4 -1", diffuse=".5 .5 .5", specular=".1 .1 .1",
+    )  # fmt: skip
+    points = _points(scene)
+    cameras = {
+        "reference": framing_camera(points, scene.view, 960, 720),
+        "top": framing_camera(points, _TOP_VIEW, 960, 720),
+    }
+    for name, camera in cameras.items():
+        right, down, _ = camera.rotation
+        ET.SubElement(
+            world, "camera", name=name, pos=_text(camera.position),
+            xyaxes=_text([*right, *-down]), fovy=_text([np.rad2deg(camera.fov)]),
+        )  # fmt: skip
+
+
+def _body(world: ET.Element, thing: Object, assets: _Assets) -> None:
+    body = ET.SubElement(
+        world, "body", name=thing.name, pos=_text(thing.pose.position),
+        quat=_text(thing.pose.quaternion),
+    )  # fmt: skip
+    ET.SubElement(body, "freejoint", name=thing.name)
+    i = thing.inertia
+    ET.SubElement(
+        body, "inertial", pos=_text(thing.com), mass=_text([thing.mass]),
+        fullinertia=_text([i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2]]),
+    )  # fmt: skip
+    assets.draw(body, thing.model.mesh, thing.scale)
+    for part in thing.parts:
+        assets.collide(body, part, thing.friction)
+
+
+class _Assets:
+    """Adds geoms to bodies, and to the document each mesh, texture and hull once."""
+
+    def __init__(self, element: ET.Element, visuals: bool) -> None:
+        self.files: dict[str, bytes] = {}
+        self._element = element
+        self._visuals = visuals
+        self._named: set[str] = set()
+
+    def _add(self, tag: str, name: str, **attributes: str) -> str:
+        if name not in self._named:
+            self._named.add(name)
+            ET.SubElement(self._element, tag, name=name, **attributes)
+        return name
+
+    def draw(self, body: ET.Element, mesh: Mesh, scale: Float[np.ndarray, "3"]) -> None:
+        """Add the textured mesh as a geom that touches nothing."""
+        if not self._visuals:
+            return
+        obj, png = encode_obj(mesh), encode_png(mesh.texture)
+        shape, picture = mesh_path(obj), texture_path(png)
+        self.files[shape], self.files[picture] = obj, png
+        size = _text(scale)
+        mesh_name = self._add(
+            "mesh", f"mesh_{_digest((shape + size).encode())}", file=shape, scale=size,
+            inertia="shell",
+        )  # fmt: skip
+        texture = self._add("texture", f"texture_{_digest(png)}", type="2d", file=picture)
+        alpha = _text([mesh.opacity])
+        material = self._add(
+            "material", f"material_{_digest((texture + alpha).encode())}", texture=texture,
+            rgba=f"1 1 1 {alpha}", specular="0.2", shininess="0.3",
+        )  # fmt: skip
+        ET.SubElement(body, "geom", {"class": "visual"}, mesh=mesh_name, material=material)
+
+    def collide(self, body: ET.Element, part: ConvexPart, friction: float) -> None:
+        """Add a convex part as a collision geom, a primitive where it is one."""
+        kind, attributes = _primitive(part)
+        rolls = kind in ("sphere", "ellipsoid") or (kind == "cylinder" and part.axis != 2)
+        if rolls:
+            attributes["condim"] = "6"
+        if kind == "mesh":
+            vertices = _text(part.vertices.round(6).ravel())
+            attributes["mesh"] = self._add(
+                "mesh", f"hull_{_digest(vertices.encode())}", vertex=vertices, inertia="convex"
+            )
+        ET.SubElement(
+            body, "geom", {"class": "collision", "type": kind, **attributes},
+            friction=_text([friction, 0.003, 0.0015 if rolls else 0.0001]),
+        )  # fmt: skip
+
+
+def _primitive(part: ConvexPart) -> tuple[str, dict[str, str]]:
+    """Return a part's geom type and attributes; "mesh" where no primitive fits."""
+    low, high = part.bounds
+    half = (high - low) / 2
+    attributes = {"pos": _text((low + high) / 2)}
+    if part.kind == "box":
+        return "box", attributes | {"size": _text(half)}
+    if part.kind == "ellipsoid":
+        if half.max() <= (1 + ROUND) * half.min():
+            return "sphere", attributes | {"size": _text([half.mean()])}
+        return "ellipsoid", attributes | {"size": _text(half)}
+    if part.kind == "cylinder":
+        across = np.delete(half, part.axis)
+        if across.max() <= (1 + ROUND) * across.min():
+            if part.axis != 2:
+                attributes["quat"] = _text(_AXIS_QUATERNION[part.axis])
+            return "cylinder", attributes | {"size": _text([across.mean(), half[part.axis]])}
+    return "mesh", {}
+
+
+def _points(scene: Scene) -> Float[np.ndarray, "n 3"]:
+    """Return every drawn vertex of a scene in the world frame."""
+    table = scene.table
+    points = [table.model.mesh.vertices * table.scale + [0, 0, table.height / 2]]
+    for thing in scene.objects:
+        turned = (thing.model.mesh.vertices * thing.scale) @ quaternion_matrix(
+            thing.pose.quaternion
+        ).T
+        points.append(turned + thing.pose.position)
+    return np.concatenate(points)
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:16]
+
+
+def _text(numbers: Iterable[Any]) -> str:
+    return " ".join(f"{float(x) + 0.0:.7g}" for x in numbers)
