@@ -155,7 +155,7 @@ def _add_hand(spec: mujoco.MjSpec, link7: mujoco.MjsBody) -> None:
             range=[0, franka.FINGER_STROKE],
             limited=True,
             armature=0.1,
-            damping=[1, 0, 0],
+            damping=[100, 0, 0],  # the drive's friction: 0.25 m/s at full force
         )
         _dress(spec, finger)
         _collide(
@@ -170,8 +170,8 @@ def _add_hand(spec: mujoco.MjSpec, link7: mujoco.MjsBody) -> None:
             condim=4,
             friction=[1.3, 0.02, 1e-4],
             priority=1,
-            solref=[0.004, 1],
-            solimp=[0.99, 0.999, 0.001, 0.5, 2],
+            solref=[0.02, 2],  # well damped: stiffer pads chatter on thin walls
+            solimp=[0.95, 0.99, 0.001, 0.5, 2],
         )
 
 
@@ -262,14 +262,14 @@ def _add_actuators(spec: mujoco.MjSpec) -> None:
     equality.data[:5] = [0, 1, 0, 0, 0]
     # Closed (0) aims 5 mm beyond contact, so that even a sheet is held; the force is limited to
     # 60 N over both fingers, below the 70 N that Franka gives for the hand.
-    stiffness, rate, beyond = 4000.0, 0.1, 0.005
+    stiffness, damping, beyond = 4000.0, 20.0, 0.005
     span = franka.FINGER_STROKE + beyond
     spec.add_actuator(
         name=ACTUATORS[-1],
         target="split",
         trntype=mujoco.mjtTrn.mjTRN_TENDON,
         gainprm=[stiffness * span / franka.GRIPPER_CTRL, *[0] * 9],
-        biasprm=[-stiffness * beyond, -stiffness, -stiffness * rate, *[0] * 7],
+        biasprm=[-stiffness * beyond, -stiffness, -damping, *[0] * 7],
         ctrlrange=[0, franka.GRIPPER_CTRL],
         ctrllimited=True,
         forcerange=[-60, 60],

@@ -99,6 +99,8 @@ def test_it_does_not_hit_itself_in_reasonable_poses(model: mujoco.MjModel) -> No
 def test_the_gripper_lifts_a_box_and_holds_it(width: float) -> None:
     spec = Panda().spec()
     spec.option.timestep = 0.002
+    spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
+    spec.option.impratio = 10
     spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_PLANE, size=[1, 1, 0.1])
     box = spec.worldbody.add_body(name="box", pos=[0.5, 0, 0.025])
     box.add_freejoint()
