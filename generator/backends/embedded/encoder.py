@@ -1,0 +1,76 @@
+"""Appearance features without learned weights: colour, and oriented edges at several scales."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from jaxtyping import Float
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+
+@dataclass(frozen=True)
+class Encoder:
+    """A fixed filter bank as Phi of Eq. 4.
+
+    At each scale, stride 2, 4 and 8, a map holds two chroma channels and the derivatives of
+    luminance along ``orientations`` directions. Each position's channels are divided by their
+    length softened by ``floor``, so that neither brightness nor contrast counts, and flat grey
+    regions stay near zero. Maps are spatial; nothing is pooled.
+
+    Attributes:
+        scales: number of maps; their strides are 2, 4, 8, ...
+        orientations: directions of the derivative filters over half a turn.
+        chroma: weight of the colour channels against the edges.
+        floor: length below which a position counts as featureless.
+    """
+
+    scales: int = 3
+    orientations: int = 4
+    chroma: float = 1.0
+    floor: float = 0.15
+
+    def features(self, images: Tensor) -> tuple[Tensor, ...]:
+        """Map (b, 3, h, w) images in [0, 1] to (b, 2 + orientations, h / s, w / s) maps.
+
+        Differentiable in ``images``; every position's channel vector has length below 1.
+        """
+        from torch.nn import functional
+
+        level, maps = _opponent(images), []
+        for _ in range(self.scales):
+            level = functional.avg_pool2d(level, 2, ceil_mode=True)
+            maps.append(self._describe(level))
+        return tuple(maps)
+
+    def _describe(self, level: Float[Tensor, "b 3 h w"]) -> Float[Tensor, "b c h w"]:
+        """Turn one scale's luminance and chroma into length-normalised channels."""
+        import torch
+        from torch.nn import functional
+
+        padded = functional.pad(level[:, :1], (1, 1, 1, 1), mode="replicate")
+        edges = functional.conv2d(padded, self._filters(level))
+        channels = torch.cat([self.chroma * level[:, 1:], edges], 1)
+        length = (channels.square().sum(1, keepdim=True) + self.floor**2).sqrt()
+        return channels / length
+
+    def _filters(self, like: Tensor) -> Float[Tensor, "o 1 3 3"]:
+        """Return derivative-of-Gaussian filters, steered to each orientation."""
+        import torch
+
+        across = torch.tensor([[-1.0, 0, 1], [-2, 0, 2], [-1, 0, 1]], dtype=like.dtype) / 4
+        angles = torch.arange(self.orientations, dtype=like.dtype) * (torch.pi / self.orientations)
+        turned = angles.cos()[:, None, None] * across + angles.sin()[:, None, None] * across.T
+        return turned[:, None] * (2 / self.orientations) ** 0.5
+
+
+def _opponent(images: Float[Tensor, "b 3 h w"]) -> Float[Tensor, "b 3 h w"]:
+    """Split RGB into luminance and two chroma channels that a change of brightness keeps."""
+    import torch
+
+    r, g, b = images.unbind(1)
+    light = (r + g + b) / 3
+    strength = light + 0.1
+    return torch.stack([light, (r - g) / strength, (r + g - 2 * b) / (2 * strength)], 1)
