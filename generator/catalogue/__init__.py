@@ -1,0 +1,10 @@
+"""Parametric everyday objects and tables, textured, watertight, with analytic collision shapes.
+
+``CATEGORIES`` holds what there is, ``build`` makes one variant of it, ``build_table`` a table.
+"""
+
+from .category import Category
+from .registry import CATEGORIES, build, category
+from .tables import build_table
+
+__all__ = ["CATEGORIES", "Category", "build", "build_table", "category"]

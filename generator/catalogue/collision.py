@@ -1,0 +1,111 @@
+"""Analytic convex parts: the collision shapes of catalogue objects, in metres."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Literal
+
+import numpy as np
+
+from ..scene import ConvexPart
+from .solids import Solid, ellipse, ellipsoid
+
+MOST_VERTICES = 32
+"""A hull keeps at most this many vertices."""
+
+
+def box_part(x: float, y: float, z: float, at: Sequence[float] = (0, 0, 0)) -> ConvexPart:
+    """Return an axis-aligned box standing on ``at`` (the middle of its bottom)."""
+    signs = np.array([[i, j, k] for k in (0, 1) for i in (-0.5, 0.5) for j in (-0.5, 0.5)])
+    return ConvexPart(signs * [x, y, z] + np.asarray(at, float), "box")
+
+
+def cylinder_part(
+    radius: float, length: float, at: Sequence[float] = (0, 0, 0), axis: Literal[0, 1, 2] = 2
+) -> ConvexPart:
+    """Return a cylinder; ``at`` is the middle of its bottom disc (its lower end along ``axis``)."""
+    circle = ellipse(2 * radius, 2 * radius, 16)
+    points = np.concatenate([np.column_stack([circle, np.full(16, end)]) for end in (0, length)])
+    return ConvexPart(np.roll(points, axis + 1, axis=1) + np.asarray(at, float), "cylinder", axis)
+
+
+def hull_part(points: Any) -> ConvexPart:
+    """Return the convex hull of ``points``, thinned to extreme points where there are many."""
+    points = np.unique(np.asarray(points, float).round(6), axis=0)
+    if len(points) > MOST_VERTICES:
+        points = _extremes(points)
+    return ConvexPart(points)
+
+
+def hull_of(*solids: Solid) -> ConvexPart:
+    """Return the convex hull of solids, its bottom flat if theirs is."""
+    return hull_part(np.concatenate([s.vertices for s in solids]))
+
+
+def _extremes(points: np.ndarray) -> np.ndarray:
+    """Pick at most 32 points that span the hull best, the lowest ones first."""
+    middle = (points.min(0) + points.max(0)) / 2
+    span = np.maximum(np.ptp(points, axis=0), 1e-9)
+    unit = (points - middle) / span
+    ring = np.column_stack([ellipse(2, 2, 8, np.pi / 8), np.zeros(8)])
+    ways = [ring + [0, 0, -20.0], ring + [0, 0, 20.0], ring + [0, 0, -0.7], ring + [0, 0, 0.7]]
+    chosen = {int(np.argmax(unit @ way)) for way in np.concatenate(ways)}
+    return points[sorted(chosen)]
+
+
+def resting_ball(x: float, y: float, z: float, flat: float = 0.45) -> ConvexPart:
+    """Return a faceted ellipsoid with diameters x, y, z on z = 0 that rests on a flat facet.
+
+    ``flat`` is the facet's radius relative to the widest one. All vertices lie on or inside the
+    ellipsoid, except the facet, which is lowered to z = 0.
+    """
+    levels = [(-1.0, flat), (-0.55, 0.835), (0.25, 0.968), (0.93, 0.36)]
+    points = [
+        np.column_stack([ellipse(x * r, y * r, 8, np.pi / 8 * (k % 2)), np.full(8, z / 2 * (1 + h))])
+        for k, (h, r) in enumerate(levels)
+    ]
+    return ConvexPart(np.concatenate(points))
+
+
+def ellipsoid_part(x: float, y: float, z: float, at: Sequence[float]) -> ConvexPart:
+    """Return an ellipsoid with diameters x, y, z centred at ``at``."""
+    return ConvexPart(ellipsoid(x, y, z, 8, 4).vertices + np.asarray(at, float), "ellipsoid")
+
+
+def ring_parts(
+    outer: Sequence[tuple[float, float]],
+    inner: Sequence[tuple[float, float]],
+    wedges: int = 10,
+    *,
+    stretch: tuple[float, float] = (1.0, 1.0),
+) -> tuple[ConvexPart, ...]:
+    """Return the wall of a hollow round thing as wedges.
+
+    ``outer`` and ``inner`` are (radius, z) points of the wall's two sides (at most 6 together).
+    Each wedge is a convex hull, so an inner side that bends outwards gets filled to its chord.
+    ``stretch`` scales x and y.
+    """
+    profile = np.array([*outer, *inner], float)
+    angles = 2 * np.pi * np.arange(wedges + 1) / wedges
+    parts = []
+    for pair in zip(angles, angles[1:], strict=False):
+        points = [
+            (r * np.cos(a) * stretch[0], r * np.sin(a) * stretch[1], z)
+            for a in pair
+            for r, z in profile
+        ]
+        parts.append(hull_part(points))
+    return tuple(parts)
+
+
+def frame_parts(
+    x: float, y: float, z: float, wall: float, bottom: float
+) -> tuple[ConvexPart, ...]:
+    """Return an open box standing on z = 0: a bottom and four walls."""
+    return (
+        box_part(x, y, bottom),
+        box_part(wall, y, z - bottom, (-(x - wall) / 2, 0, bottom)),
+        box_part(wall, y, z - bottom, ((x - wall) / 2, 0, bottom)),
+        box_part(x - 2 * wall, wall, z - bottom, (0, -(y - wall) / 2, bottom)),
+        box_part(x - 2 * wall, wall, z - bottom, (0, (y - wall) / 2, bottom)),
+    )

@@ -1,0 +1,65 @@
+"""The table of all categories, and how to build from it."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from functools import cache
+from types import MappingProxyType
+
+import numpy as np
+
+from ..errors import InputError, choices
+from ..scene import Model
+from . import dining
+from .category import Category, model_of
+from .look import Look
+
+CATEGORIES: Mapping[str, Category] = MappingProxyType(
+    {c.key: c for module in (dining,) for c in module.CATEGORIES}
+)
+"""Every category by key."""
+
+
+def category(word: str) -> Category:
+    """Return the category with this key, noun or alias (singular, any case).
+
+    Raises:
+        InputError: no category has that name.
+    """
+    found = _words().get(word.lower().replace("_", " ").strip())
+    if found is None:
+        raise InputError(f"The catalogue has no {word!r}." + choices(word, CATEGORIES))
+    return CATEGORIES[found]
+
+
+@cache
+def _words() -> Mapping[str, str]:
+    """Return every known word and the key it means; keys win over aliases."""
+    words = {alias: c.key for c in reversed(CATEGORIES.values()) for alias in c.aliases}
+    words |= {c.noun: c.key for c in CATEGORIES.values()}
+    return MappingProxyType(words)
+
+
+def build(
+    key: str,
+    seed: int,
+    *,
+    attributes: Mapping[str, str] = MappingProxyType({}),
+    size: tuple[float, float, float] | None = None,
+) -> Model:
+    """Build one variant of a category as a canonical model.
+
+    Args:
+        key: a category's key, noun or alias.
+        seed: chooses proportions, colours and prints; the same seed gives the same bytes.
+        attributes: "color", "material" and "size" words that override the seed's choices.
+        size: the extent in metres, if fixed.
+
+    Raises:
+        InputError: no category has that name.
+    """
+    found = category(key)
+    digest = hashlib.sha256(found.key.encode()).digest()
+    rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, int.from_bytes(digest[:4], "big")])
+    return model_of(found, Look(rng, attributes), size)

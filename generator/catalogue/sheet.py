@@ -1,0 +1,78 @@
+"""Draw the catalogue: ``python -m generator.catalogue.sheet OUT.png [category ...]``."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from jaxtyping import UInt8
+from PIL import Image
+
+from ..geometry import Camera
+from ..render.raster import place, render
+from ..render.sheet import grid
+from ..scene import Model, PlannedTable, View
+from .registry import CATEGORIES, build
+from .tables import LEGS, OUTLINES, build_table
+
+VIEW = View(azimuth=np.deg2rad(-20.0), elevation=np.deg2rad(35.0), fov=np.deg2rad(22.0))
+
+
+def portrait(model: Model, view: View = VIEW, side: int = 160) -> UInt8[np.ndarray, "h w 3"]:
+    """Return a picture of one model on a white floor."""
+    reach = float(np.linalg.norm(model.size)) / 2
+    target = np.array([0.0, 0.0, model.size[2] / 2])
+    camera = Camera.looking_at(target, view, 1.08 * reach / np.sin(view.fov / 2), side, side)
+    item = place(model.mesh, model.size, target, np.array([1.0, 0.0, 0.0, 0.0]))
+    return render([item], camera, ground_shadow=0.35).image
+
+
+def draw(keys: Sequence[str], variants: int = 3, side: int = 160) -> UInt8[np.ndarray, "h w 3"]:
+    """Return a contact sheet of categories, ``variants`` of each beside each other."""
+    cells = []
+    for key in keys:
+        trio = [portrait(build(key, seed), side=side) for seed in range(variants)]
+        cells.append(np.concatenate(trio, axis=1))
+    return grid(cells, tuple(CATEGORIES[k].noun for k in keys), columns=4, cell=variants * side)
+
+
+def draw_tables(side: int = 240) -> UInt8[np.ndarray, "h w 3"]:
+    """Return a contact sheet of every outline with every leg style, materials in turn."""
+    materials = ("oak", "walnut", "pine", "white", "black", "marble", "glass", "metal", "teal")
+    cells, names = [], []
+    for i, outline in enumerate(OUTLINES):
+        size = (0.9, 0.9, 0.74) if outline in ("round", "square") else (1.2, 0.8, 0.74)
+        for j, legs in enumerate(LEGS):
+            material = materials[(i * len(LEGS) + j) % len(materials)]
+            plan = PlannedTable(outline, material, legs, size)  # type: ignore[arg-type]
+            cells.append(portrait(build_table(plan, i + j), side=side))
+            names.append(f"{outline}, {legs}, {material}")
+    return grid(cells, names, columns=len(LEGS), cell=side)
+
+
+def main() -> None:
+    """Write the contact sheet of categories, or of all tables for the word "tables"."""
+    parser = argparse.ArgumentParser(description="Draw a contact sheet of the catalogue.")
+    parser.add_argument("out", type=Path, help="PNG to write")
+    parser.add_argument("keys", nargs="*", help='categories, or "tables"; default: everything')
+    chosen = parser.parse_args()
+    if chosen.keys == ["tables"]:
+        picture = draw_tables()
+    else:
+        picture = draw(chosen.keys or list(CATEGORIES))
+    if not chosen.keys:
+        tables = draw_tables()
+        wide = max(picture.shape[1], tables.shape[1])
+        picture = np.concatenate(
+            [
+                np.pad(p, ((0, 0), (0, wide - p.shape[1]), (0, 0)), constant_values=255)
+                for p in (picture, tables)
+            ]
+        )
+    Image.fromarray(picture).save(chosen.out)
+
+
+if __name__ == "__main__":
+    main()
