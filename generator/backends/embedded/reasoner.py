@@ -1,0 +1,114 @@
+"""The embedded reasoner: rules and geometry in place of a multimodal language model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...scene import (
+    TABLE,
+    Instance,
+    Mesh,
+    Reference,
+    ScenePlan,
+    SizePrior,
+    Stacking,
+    View,
+)
+from .measure import measured_extent
+from .naming import known
+from .plane import TablePlane, find_plane
+from .planner import plan_scene
+from .segmenter import GENERIC
+from .stacking import stack
+
+
+@dataclass(frozen=True)
+class Reasoner:
+    """Answers the six questions without any model; the picture's part rests on the table plane."""
+
+    def plan_scene(self, prompt: str, seed: int) -> ScenePlan:
+        """Expand a text by rules (``planner``)."""
+        return plan_scene(prompt, seed)
+
+    def list_objects(self, reference: Reference) -> tuple[str, ...]:
+        """Return the plan's nouns, one per expected thing; without a plan, ask for anything."""
+        if reference.plan is None:
+            return (TABLE, GENERIC)
+        return (TABLE, *(thing.noun for thing in reference.plan.objects))
+
+    def estimate_view(self, reference: Reference, table: Instance) -> View:
+        """Return the camera that explains the tabletop's outline (``plane``)."""
+        return _plane(reference).view
+
+    def estimate_sizes(
+        self, reference: Reference, instances: tuple[Instance, ...], view: View
+    ) -> Mapping[str, SizePrior]:
+        """Return catalogue sizes for words it knows, and measured sizes for the rest.
+
+        The table's length is what makes known things their usual size, within what tables are.
+        """
+        plane = _plane(reference)
+        usual: dict[str, SizePrior] = {}
+        measured: dict[str, np.ndarray] = {}
+        for instance in instances:
+            if instance.name == TABLE:
+                continue
+            measured[instance.name], _ = measured_extent(np.asarray(instance.mask), plane)
+            prior = _usual_size(reference, instance)
+            if prior is not None:
+                usual[instance.name] = prior
+        factor = 1.0 if reference.plan else _table_factor(usual, measured)
+        sizes = {TABLE: SizePrior(TABLE, _table_extent(reference, plane, factor))}
+        for instance in instances:
+            if instance.name != TABLE:
+                generic = SizePrior(instance.name, measured[instance.name] * factor)
+                sizes[instance.name] = usual.get(instance.name, generic)
+        return sizes
+
+    def review_orientation(
+        self, mesh: Mesh, instance: Instance, size: SizePrior
+    ) -> tuple[tuple[str, int], ...]:
+        """Return no turn: the embedded modeler builds its meshes upright."""
+        return ()
+
+    def stacking_order(
+        self, reference: Reference, instances: tuple[Instance, ...], view: View
+    ) -> Mapping[str, Stacking]:
+        """Return what each thing stands on or in (``stacking``)."""
+        return stack(instances, _holds)
+
+
+def _plane(reference: Reference) -> TablePlane:
+    plan = reference.plan.table if reference.plan else None
+    return find_plane(np.asarray(reference.image), plan)
+
+
+def _holds(label: str) -> bool:
+    found = known(label)
+    return found is not None and found.container
+
+
+def _usual_size(reference: Reference, instance: Instance) -> SizePrior | None:
+    """Return the size a text fixed or the catalogue knows; None for unknown words."""
+    planned = reference.plan.objects if reference.plan else ()
+    asked = next((p for p in planned if p.noun == instance.label), None)
+    found = known(asked.category if asked else instance.label)
+    state = found.state if found else "as shown"
+    if asked is not None and asked.size is not None:
+        return SizePrior(instance.name, np.array(asked.size), state)
+    return None if found is None else SizePrior(instance.name, np.array(found.size), state)
+
+
+def _table_factor(usual: Mapping[str, SizePrior], measured: Mapping[str, np.ndarray]) -> float:
+    """Return by how much the measured sizes must grow to match the usual ones, in [0.6, 1.6]."""
+    ratios = [np.cbrt(np.prod(usual[n].extent) / np.prod(measured[n])) for n in usual]
+    return float(np.clip(np.median(ratios), 0.6, 1.6)) if ratios else 1.0
+
+
+def _table_extent(reference: Reference, plane: TablePlane, factor: float) -> np.ndarray:
+    if reference.plan is not None:
+        return np.array(reference.plan.table.size)
+    return np.array([plane.size[0] * factor, plane.size[1] * factor, 0.74])

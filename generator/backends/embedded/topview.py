@@ -1,0 +1,198 @@
+"""The table from straight above, by geometry: where models explain the masks they were cut from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from jaxtyping import Float, UInt8
+from scipy.optimize import least_squares
+from scipy.spatial import ConvexHull, QhullError
+
+from ...geometry import Camera, mask_box, rotation_z, view_rotation, yaw_quaternion
+from ...render.picture import TOP_DOWN
+from ...render.raster import Item, place, render
+from ...scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
+from .measure import measured_extent
+from .plane import TablePlane, find_plane, outline_points
+from .stacking import stack
+
+_PIXELS = 640  # along the table's longer side
+_MARGIN = 0.12  # of the longer side, around the table
+_GROUND = (226, 226, 224)
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """A model on the table: scale (metres), yaw, and the centre of its box above the tabletop."""
+
+    model: Model
+    scale: Float[np.ndarray, "3"]
+    yaw: float
+    center: Float[np.ndarray, "3"]
+
+    @property
+    def footprint(self) -> Float[np.ndarray, "2 2"]:
+        """Lowest and highest x, y of the model on the table, metres."""
+        turned = (self.model.mesh.vertices * self.scale) @ rotation_z(self.yaw).T
+        return np.stack([turned.min(0)[:2], turned.max(0)[:2]]) + self.center[:2]
+
+
+def top_view(
+    reference: Reference,
+    instances: tuple[Instance, ...],
+    models: Mapping[str, Model],
+    rotations: Mapping[str, Rotation],
+    view: View,
+) -> TopView:
+    """Place every model so that it projects onto its instance's box, and look from above.
+
+    Instances without a model get the box that their mask measures on the plane. All boxes come
+    from geometry, so ``repaired`` is empty; the picture is drawn from the same placements.
+
+    Raises:
+        SceneError: no tabletop in the picture.
+    """
+    plan = reference.plan.table if reference.plan else None
+    length = float(models[TABLE].size[0]) if TABLE in models else None
+    plane = find_plane(np.asarray(reference.image), plan, length)
+    things = [i for i in instances if i.name != TABLE]
+    order = stack(instances, lambda label: False)
+    fitted: dict[str, Fitted] = {}
+    footprints: dict[str, np.ndarray] = {}
+    for thing in sorted(things, key=lambda i: order[i.name].order):
+        below = fitted.get(order[thing.name].on)
+        floor = _upper_side(below) if below is not None else 0.0
+        if thing.name in models:
+            yaw = rotations[thing.name].yaw if thing.name in rotations else 0.0
+            fitted[thing.name] = fit_model(thing, models[thing.name], yaw, plane, floor)
+            footprints[thing.name] = fitted[thing.name].footprint
+        else:
+            extent, middle = measured_extent(np.asarray(thing.mask), plane)
+            footprints[thing.name] = np.stack([middle - extent[:2] / 2, middle + extent[:2] / 2])
+    scale = _PIXELS / max(plane.size)
+    half = np.asarray(plane.size) / 2 + _MARGIN * max(plane.size)
+    boxes = {name: _pixel_box(f, half, scale) for name, f in footprints.items()}
+    table = np.asarray(plane.size) / 2
+    image = _draw(np.asarray(reference.image), things, plane, fitted, half, scale)
+    return TopView(image, _pixel_box(np.stack([-table, table]), half, scale), boxes)
+
+
+def _pixel_box(
+    corners: Float[np.ndarray, "2 2"], half: Float[np.ndarray, "2"], scale: float
+) -> Float[np.ndarray, "4"]:
+    (x0, y0), (x1, y1) = corners
+    return np.array([x0 + half[0], half[1] - y1, x1 + half[0], half[1] - y0]) * scale
+
+
+def _upper_side(below: Fitted) -> float:
+    """Return how high above the tabletop things on ``below`` stand; in a container, lower."""
+    share = -0.3 if below.model.container else 0.5
+    return float(below.center[2] + share * below.scale[2])
+
+
+def target_box(instance: Instance) -> Float[np.ndarray, "4"]:
+    """Return the pixel box of the whole thing: of its completed crop where it was hidden."""
+    own = np.asarray(instance.box, float)
+    alpha = instance.crop[..., 3] > 127
+    if not instance.occluded or not alpha.any():
+        return own
+    x0, y0, x1, y1 = instance.crop_box
+    shape = np.array([alpha.shape[1], alpha.shape[0]] * 2)
+    box = mask_box(alpha) / shape * np.array([x1 - x0, y1 - y0] * 2) + [x0, y0, x0, y0]
+    return np.concatenate([np.minimum(box[:2], own[:2]), np.maximum(box[2:], own[2:])])
+
+
+def fit_model(
+    instance: Instance, model: Model, yaw: float, plane: TablePlane, floor: float
+) -> Fitted:
+    """Solve x, y and size so that the model's projection fills the instance's box.
+
+    ``floor`` is the height above the tabletop on which the model stands. Size may change by a
+    factor; a weak prior keeps it near the model's own.
+    """
+    box = target_box(instance)
+    solid = _hull_points(np.asarray(model.mesh.vertices, float)) + np.array([0, 0, 0.5])
+    turned = (solid * np.asarray(model.size)) @ rotation_z(yaw).T
+    foot = plane.camera.on_plane(np.array([[(box[0] + box[2]) / 2, box[3]]]), floor)[0]
+    span = max(float(np.hypot(*(box[2:] - box[:2]))), 1.0)
+
+    def residuals(p: np.ndarray) -> np.ndarray:
+        pixels = plane.camera.project(turned * np.exp(p[2]) + [p[0], p[1], floor])
+        off = np.concatenate([pixels.min(0), pixels.max(0)]) - box
+        return np.append(off / span * 40.0, p[2] / 0.5)
+
+    start = np.array([foot[0], foot[1] + model.size[1] / 2, 0.0])
+    found = least_squares(residuals, start, loss="soft_l1", max_nfev=60).x
+    factor = float(np.exp(np.clip(found[2], -1.5, 1.5)))
+    scale = np.asarray(model.size) * factor
+    center = np.array([found[0], found[1], floor + scale[2] / 2])
+    return Fitted(model, scale, yaw, center)
+
+
+def _hull_points(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
+    try:
+        return points[ConvexHull(points).vertices]
+    except QhullError:  # a flat mesh has no hull; all its points will do
+        return points
+
+
+# --------------------------------------------------------------------------------------- drawing
+
+
+def _draw(
+    image: UInt8[np.ndarray, "h w 3"],
+    things: list[Instance],
+    plane: TablePlane,
+    fitted: Mapping[str, Fitted],
+    half: Float[np.ndarray, "2"],
+    scale: float,
+) -> UInt8[np.ndarray, "a b 3"]:
+    """Draw the rectified, emptied tabletop with the models on it, as a camera far above sees it."""
+    width, height = (round(float(v)) for v in 2 * half * scale)
+    top = _bare_top(image, things, plane, half, scale, (width, height))
+    fov = TOP_DOWN.fov / 8
+    distance = float(half[1] / np.tan(fov / 2))
+    camera = Camera(np.array([0, 0, distance]), view_rotation(TOP_DOWN), fov, width, height)
+    items = [_sheet(half, top)]
+    for index, thing in enumerate(fitted.values(), start=1):
+        turn = yaw_quaternion(thing.yaw)
+        items.append(place(thing.model.mesh, thing.scale, thing.center, turn, index))
+    return render(items, camera).image
+
+
+def _sheet(half: Float[np.ndarray, "2"], texture: UInt8[np.ndarray, "h w 3"]) -> Item:
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], float)
+    vertices = np.column_stack([corners * half, np.zeros(4)])
+    return Item(vertices, np.array([[0, 1, 2], [0, 2, 3]]), (corners + 1) / 2, texture)
+
+
+def _bare_top(
+    image: UInt8[np.ndarray, "h w 3"],
+    things: list[Instance],
+    plane: TablePlane,
+    half: Float[np.ndarray, "2"],
+    scale: float,
+    size: tuple[int, int],
+) -> UInt8[np.ndarray, "a b 3"]:
+    """Return the tabletop seen from above with the things painted out, on a neutral ground."""
+    covered = np.zeros(image.shape[:2], np.uint8)
+    for thing in things:
+        covered |= np.asarray(thing.mask).astype(np.uint8)
+    covered = cv2.dilate(covered, np.ones((7, 7), np.uint8))
+    corners = np.array([[-1, 1], [1, 1], [1, -1], [-1, -1]], float) * np.asarray(plane.size) / 2
+    here = plane.to_pixels(corners).astype(np.float32)
+    there = ((corners * [1, -1] + half) * scale).astype(np.float32)
+    warp = cv2.getPerspectiveTransform(here, there)
+    flat = cv2.warpPerspective(image, warp, size, flags=cv2.INTER_AREA)
+    holes = cv2.warpPerspective(covered, warp, size, flags=cv2.INTER_NEAREST)
+    outline = outline_points(plane.shape, plane.flipped, plane.size, plane.radius, -0.004)
+    polygon = np.round((outline * [1, -1] + half) * scale - 0.5).astype(np.int32)
+    inside = np.zeros((size[1], size[0]), np.uint8)
+    cv2.fillPoly(inside, [polygon], 1)
+    usual = np.median(flat[(inside > 0) & (holes == 0)], axis=0) if (inside > holes).any() else 200
+    flat[(inside > 0) & (holes > 0)] = usual
+    filled = cv2.inpaint(flat, (holes * inside) * 255, 5, cv2.INPAINT_TELEA)
+    return np.where(inside[..., None] > 0, filled, np.array(_GROUND)).astype(np.uint8)
