@@ -11,7 +11,8 @@ It is the world frame turned and moved by the mount, so a policy sees every tabl
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,7 +22,7 @@ from generator.errors import SceneError, choices
 from generator.geometry import Camera, rotation_z, view_rotation, yaw_quaternion
 from generator.scene import Scene, View
 
-from .affordance import collision_points
+from .affordance import Opening, collision_points, footprint, opening, why_not_graspable
 from .robot.mount import Mount, add_pedestal
 from .robot.panda import (
     ACTUATORS,
@@ -142,6 +143,21 @@ class World:
 
     # ---------------------------------------------------------------------------------- objects
 
+    @cached_property
+    def openings(self) -> Mapping[str, Opening | None]:
+        """The hollow of each object, None where it has none."""
+        return {o.name: opening(o) for o in self.scene.objects}
+
+    @cached_property
+    def ungraspable(self) -> Mapping[str, str | None]:
+        """Why each object cannot be grasped as it rests, None where it can."""
+        return {o.name: why_not_graspable(o, self.openings[o.name]) for o in self.scene.objects}
+
+    @cached_property
+    def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:
+        """The convex outline of each object seen from above where it rests, world frame."""
+        return {o.name: footprint(o) for o in self.scene.objects}
+
     def index(self, name: str) -> int:
         """Return the row of object ``name`` in per-object arrays.
 
@@ -232,12 +248,15 @@ def _compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     spec = scene_spec(scene)
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    spec.option.impratio = 10  # what the gripper holds does not creep
     spec.option.noslip_iterations = 0
     spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_MULTICCD
     spec.visual.global_.offwidth = spec.visual.global_.offheight = 2048
     frame = spec.worldbody.add_frame(pos=mount.position, quat=yaw_quaternion(mount.yaw))
-    spec.attach(robot.spec(), prefix=PREFIX, frame=frame)
+    arm = robot.spec()
+    arm.assets = {**spec.assets, **arm.assets}  # MuJoCo warns of a child without assets
+    spec.attach(arm, prefix=PREFIX, frame=frame)
     add_pedestal(spec, mount)
     _add_front_camera(spec, scene, mount)
     marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
