@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float
 
-from generator.geometry import quaternion_matrix
+from generator.geometry import convex_outline, quaternion_matrix
 from generator.scene import ConvexPart, Object
 
 GRIPPER_OPENING = 0.08
@@ -77,8 +77,17 @@ def resting_height(obj: Object) -> float:
     return float(np.ptp(collision_points(obj) @ quaternion_matrix(obj.pose.quaternion)[2]))
 
 
-def why_not_graspable(obj: Object) -> str | None:
-    """Return why a parallel gripper cannot take the object as it rests, or None if it can."""
+def footprint(obj: Object) -> Float[np.ndarray, "k 2"]:
+    """Return the convex outline of an object seen from above where it rests, world frame."""
+    turned = collision_points(obj) @ quaternion_matrix(obj.pose.quaternion).T
+    return convex_outline((turned + obj.pose.position)[:, :2])
+
+
+def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
+    """Return why a parallel gripper cannot take the object as it rests, or None if it can.
+
+    ``hollow`` is its ``opening``: things too wide to be spanned can be taken by a thin wall.
+    """
     if obj.mass > MAX_MASS:
         return f"{obj.mass:.2f} kg is heavier than {MAX_MASS} kg"
     height = resting_height(obj)
@@ -87,7 +96,6 @@ def why_not_graspable(obj: Object) -> str | None:
     limit, width = GRIPPER_OPENING - FINGER_CLEARANCE, grasp_width(obj)
     if width <= limit:
         return None
-    hollow = opening(obj)
     if hollow is not None and hollow.wall <= THICKEST_WALL and hollow.depth >= 2 * WALL_DEPTH:
         return None
     return f"{100 * width:.1f} cm is wider than the gripper's {100 * limit:.1f} cm"

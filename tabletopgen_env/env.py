@@ -21,6 +21,7 @@ from .rendering import Drawer, RendererChoice, drawer
 from .robot.panda import Panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .tasks.pick_place import GOAL_WEIGHTS, WEIGHTS, Episode, PickPlace
+from .window import Window
 from .world import FRONT_CAMERA, World, WorldCache
 
 if TYPE_CHECKING:
@@ -100,6 +101,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._renderer = renderer
         self._worlds = WorldCache(robot or Panda(), cache)
         self._drawers: dict[str, Drawer] = {}
+        self._window = Window()
         self._world: World | None = None
         self._episode: Episode | None = None
         self._order: list[str] = []
@@ -154,7 +156,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         if self.render_mode is None:
             return None
         if self.render_mode == "human":
-            return self._show()
+            return self._window.show(self.world)
         picture = self._drawer("render")
         draw = picture.rgb if self.render_mode == "rgb_array" else picture.depth
         return draw(self.world, FRONT_CAMERA)
@@ -164,6 +166,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         for held in self._drawers.values():
             held.close()
         self._drawers.clear()
+        self._window.close()
 
     # ------------------------------------------------------------------------------------- parts
 

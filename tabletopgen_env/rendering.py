@@ -10,16 +10,20 @@ learning; "full" is for people.
 
 from __future__ import annotations
 
+import atexit
 import importlib
 import os
-import sys
+import weakref
 from collections import OrderedDict
+from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
 from jaxtyping import Float, UInt8
 
 from generator.errors import BackendError, InputError, choices
+
+from .window import has_display
 
 if TYPE_CHECKING:
     import mujoco
@@ -91,6 +95,8 @@ class GlDrawer:
     def __init__(self, height: int, width: int, profile: Profile) -> None:
         self._size, self._profile = (height, width), profile
         self._gl = _gl_context(width, height)
+        self._at_exit = partial(_close, weakref.ref(self))
+        atexit.register(self._at_exit)  # GL contexts must go before the interpreter does
         self._held: OrderedDict[int, tuple[World, mujoco.MjrContext, mujoco.MjvScene]] = (
             OrderedDict()
         )
@@ -133,6 +139,7 @@ class GlDrawer:
         if self._gl is not None:
             self._gl.free()
             self._gl = None
+            atexit.unregister(self._at_exit)
 
     def _prepare(
         self, world: World, camera: str
@@ -175,6 +182,11 @@ class GlDrawer:
         return self._held[id(world)][1:]
 
 
+def _close(reference: weakref.ref[GlDrawer]) -> None:
+    if (held := reference()) is not None:
+        held.close()
+
+
 def _gl_context(width: int, height: int) -> Any:
     """Return a GL context: the kind ``MUJOCO_GL`` names, else the display's, else EGL, OSMesa.
 
@@ -192,7 +204,6 @@ def _gl_context(width: int, height: int) -> Any:
 
 def _gl_modules() -> tuple[str, ...]:
     """Return the modules to try for a ``GLContext``, best first."""
-    display = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
-    if os.environ.get("MUJOCO_GL") or display or not sys.platform.startswith("linux"):
+    if os.environ.get("MUJOCO_GL") or has_display():
         return ("mujoco.gl_context",)
     return ("mujoco.egl", "mujoco.osmesa")

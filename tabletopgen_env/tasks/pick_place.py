@@ -39,7 +39,7 @@ from generator.errors import InputError, SceneError, choices
 from generator.geometry import inside_margin
 from generator.scene import Object
 
-from ..affordance import Opening, is_upright, opening, resting_height, why_not_graspable
+from ..affordance import Opening, is_upright, resting_height
 from ..language import refer
 from ..robot.mount import reachable
 from ..workspace import free_spot
@@ -67,6 +67,9 @@ REST_SPEED, REST_SPIN = 0.02, 0.3
 
 LIFT = 0.08
 """Height to carry things at, metres."""
+
+ROOM = 0.025
+"""Room that a container must leave around what is put into it, metres."""
 
 _UPRIGHT = np.cos(np.deg2rad(30.0))
 
@@ -255,7 +258,7 @@ class PickPlace:
 
 def _unfit(world: World, obj: Object) -> str | None:
     """Return why ``obj`` cannot be a target, or None."""
-    if reason := why_not_graspable(obj):
+    if reason := world.ungraspable[obj.name]:
         return reason
     if not reachable(world.mount, obj.pose.position):
         return "out of the robot's reach"
@@ -274,7 +277,7 @@ def _draw_goal(
     fitting = [o for o in world.scene.objects if goal is None and _fits(world, obj, o)]
     if fitting and rng.random() < 0.5:
         return _into(world, obj, fitting[int(rng.integers(len(fitting)))])
-    spot = free_spot(world.scene, obj, world.mount, rng)
+    spot = free_spot(world, obj.name, rng)
     if spot is not None:
         return _onto(world, obj, spot)
     return _into(world, obj, fitting[0]) if fitting else None
@@ -288,13 +291,13 @@ def _fits(world: World, obj: Object, container: Object) -> bool:
         return False
     if not reachable(world.mount, container.pose.position):
         return False
-    hollow = opening(container)
-    across = np.sort(obj.scale)[:2] * 1.15
+    hollow = world.openings[container.name]
+    across = np.sort(obj.scale)[:2] + ROOM
     return hollow is not None and bool((across <= 2 * np.sort(hollow.semi)).all())
 
 
 def _into(world: World, obj: Object, container: Object) -> Episode:
-    hollow = opening(container)
+    hollow = world.openings[container.name]
     if hollow is None or container.name == obj.name:
         raise InputError(f"{container.name!r} is no container to put {obj.name!r} into.")
     text = f"put {refer(world.scene, obj)} into {refer(world.scene, container)}"
