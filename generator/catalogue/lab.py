@@ -34,8 +34,17 @@ def beaker(look: Look) -> Shape:
     level = look.between(0.3, 0.6) * h
     liquid = look.color(*LIQUIDS)
     body = lathe(
-        [(0, 0), (r - 0.004, 0), (r, 0.004), (r, h - 0.004), (r + 0.003, h), (r, h),
-         (r - wall, h - 0.004), (r - wall, 0.006), (0, 0.006)],
+        [
+            (0, 0),
+            (r - 0.004, 0),
+            (r, 0.004),
+            (r, h - 0.004),
+            (r + 0.003, h),
+            (r, h),
+            (r - wall, h - 0.004),
+            (r - wall, 0.006),
+            (0, 0.006),
+        ],
         v=[0, 0, 0.03, 0.9, 0.94, 0.95, 0.96, 0.99, 1],
     )
     fluid = cylinder(r - 1.2 * wall, level, 24).moved(z=0.005)
@@ -55,8 +64,17 @@ def flask(look: Look) -> Shape:
     low = 0.38 * h
     at_low = r + (neck - r) * 0.38 / 0.68
     body = lathe(
-        [(0, 0), (r - 0.005, 0), (r, 0.005), (at_low, low), (neck, 0.68 * h), (neck, 0.95 * h),
-         (neck + 0.003, 0.97 * h), (neck, h), (0, h)],
+        [
+            (0, 0),
+            (r - 0.005, 0),
+            (r, 0.005),
+            (at_low, low),
+            (neck, 0.68 * h),
+            (neck, 0.95 * h),
+            (neck + 0.003, 0.97 * h),
+            (neck, h),
+            (0, h),
+        ],
         v=[0, 0, 0.03, 0.42, 0.7, 0.93, 0.95, 0.98, 1],
     )
     tile = textures.stacked((textures.plain(liquid), 42), (_graduated((208, 224, 228)), 58))
@@ -101,9 +119,7 @@ def petri_dish(look: Look) -> Shape:
         prints.disc(image, float(x), float(y), look.between(0.01, 0.045), tinted(agar, 0.6))
     dish = cylinder(r, h, 32, bevel=0.0015)
     rim = torus(r, 0.0018, 32, 6).moved(z=h - 0.002)
-    return shape(
-        [(dish, image), (rim, _glass((180, 196, 202)))], [cylinder_part(r + 0.0015, h)]
-    )
+    return shape([(dish, image), (rim, _glass((180, 196, 202)))], [cylinder_part(r + 0.0015, h)])
 
 
 def microscope(look: Look) -> Shape:
@@ -122,11 +138,24 @@ def microscope(look: Look) -> Shape:
     stage = block(0.12, 0.1, 0.012, 0.008).moved(y=-0.015, z=0.11)
     knob = cylinder(0.022, 0.1, 18, bevel=0.004).turned(1, np.pi / 2).moved(-0.05, 0.055, 0.085)
     return shape(
-        [(foot, shell), (arm, shell), (head, shell), (eye, dark), (lens, metal), (stage, dark),
-         (knob, dark)],
-        [box_part(0.13, 0.17, 0.028), box_part(0.045, 0.045, 0.205, (0, 0.055, 0.028)),
-         box_part(0.12, 0.1, 0.012, (0, -0.015, 0.11)), hull_of(lens), hull_of(head),
-         hull_of(eye), hull_of(knob)],
+        [
+            (foot, shell),
+            (arm, shell),
+            (head, shell),
+            (eye, dark),
+            (lens, metal),
+            (stage, dark),
+            (knob, dark),
+        ],
+        [
+            box_part(0.13, 0.17, 0.028),
+            box_part(0.045, 0.045, 0.205, (0, 0.055, 0.028)),
+            box_part(0.12, 0.1, 0.012, (0, -0.015, 0.11)),
+            hull_of(lens),
+            hull_of(head),
+            hull_of(eye),
+            hull_of(knob),
+        ],
     )
 
 
@@ -136,8 +165,16 @@ def reagent_bottle(look: Look) -> Shape:
     glass = look.color("brown", "clear", "amber", "teal")
     name = look.pick(["NaCl", "H2O", "EtOH", "CuSO4", "HCl", "KOH"])
     body = lathe(
-        [(0, 0), (r - 0.004, 0), (r, 0.004), (r, 0.64 * h), (0.9 * r, 0.72 * h),
-         (0.45 * r, 0.8 * h), (0.45 * r, 0.84 * h), (0, 0.84 * h)],
+        [
+            (0, 0),
+            (r - 0.004, 0),
+            (r, 0.004),
+            (r, 0.64 * h),
+            (0.9 * r, 0.72 * h),
+            (0.45 * r, 0.8 * h),
+            (0.45 * r, 0.84 * h),
+            (0, 0.84 * h),
+        ],
         v=[0, 0, 0.03, 0.6, 0.7, 0.85, 0.95, 1],
     )
     print_ = prints.label(look.rng, name, look.fixed("navy", "red", "black"), (244, 244, 240))
@@ -148,8 +185,11 @@ def reagent_bottle(look: Look) -> Shape:
         lid = textures.plain(look.fixed("red", "black", "orange"))
     return shape(
         [(body, tile), (cap, lid)],
-        [cylinder_part(r, 0.66 * h), hull_part(body.vertices[body.vertices[:, 2] > 0.6 * h]),
-         cylinder_part(0.55 * r, 0.16 * h, (0, 0, 0.84 * h))],
+        [
+            cylinder_part(r, 0.66 * h),
+            hull_part(body.vertices[body.vertices[:, 2] > 0.6 * h]),
+            cylinder_part(0.55 * r, 0.16 * h, (0, 0, 0.84 * h)),
+        ],
     )
 
 
@@ -171,14 +211,23 @@ def stirring_dish(look: Look) -> Shape:
     glaze = look.surface(look.color("white", "cream", "gray", "green"), "ceramic")
     foot = 0.6 * r
     body = lathe(
-        [(0, 0), (foot, 0), (0.92 * r, 0.5 * h), (r, h), (r - wall, h), (0.8 * r, 0.5 * h),
-         (0.4 * r, 0.014), (0, 0.012)]
+        [
+            (0, 0),
+            (foot, 0),
+            (0.92 * r, 0.5 * h),
+            (r, h),
+            (r - wall, h),
+            (0.8 * r, 0.5 * h),
+            (0.4 * r, 0.014),
+            (0, 0.012),
+        ]
     )
     pestle = cylinder(0.012, 0.11, 16, top=0.008, bevel=0.004)
     pestle = pestle.turned(1, np.deg2rad(38)).moved(-0.004, 0, 0.02)
     knob = ellipsoid(0.03, 0.03, 0.03, 16, 10).moved(x=-0.002, z=0.027)
     wedges = ring_parts(
-        [(foot, 0), (0.92 * r, 0.5 * h), (r, h)], [(r - wall, h), (0.75 * r, 0.4 * h), (foot, 0.013)]
+        [(foot, 0), (0.92 * r, 0.5 * h), (r, h)],
+        [(r - wall, h), (0.75 * r, 0.4 * h), (foot, 0.013)],
     )
     return shape(
         [(body, glaze), (pestle, glaze), (knob, glaze)],
@@ -187,22 +236,84 @@ def stirring_dish(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("beaker", beaker, (0.08, 0.08, 0.1), 0.16, ("glass beaker",), ("lab",),
-             ("round",), ("clear",)),
-    Category("flask", flask, (0.09, 0.09, 0.155), 0.22,
-             ("conical flask", "erlenmeyer flask", "erlenmeyer"), ("lab",), ("round", "tall"),
-             ("blue", "green", "amber")),
-    Category("test_tube_rack", test_tube_rack, (0.18, 0.058, 0.113), 0.28,
-             ("rack of test tubes", "test tube", "tube rack"), ("lab",), (), ("white", "blue")),
-    Category("petri_dish", petri_dish, (0.097, 0.097, 0.017), 0.035, ("culture dish",), ("lab",),
-             ("round", "flat"), ("clear",)),
-    Category("microscope", microscope, (0.13, 0.18, 0.33), 2.4, (), ("lab",), ("tall", "big"),
-             ("white", "gray")),
-    Category("reagent_bottle", reagent_bottle, (0.076, 0.076, 0.145), 0.42,
-             ("lab bottle", "chemical bottle", "reagent", "medicine bottle"), ("lab",),
-             ("round",), ("brown", "clear")),
-    Category("pipette_box", pipette_box, (0.12, 0.085, 0.068), 0.12, ("tip box",), ("lab",), (),
-             ("blue", "yellow")),
-    Category("mortar", stirring_dish, (0.11, 0.11, 0.1), 0.5, ("mortar and pestle", "pestle"),
-             ("lab", "kitchen"), ("round",), ("white",)),
+    Category(
+        "beaker",
+        beaker,
+        (0.08, 0.08, 0.1),
+        0.16,
+        ("glass beaker",),
+        ("lab",),
+        ("round",),
+        ("clear",),
+    ),
+    Category(
+        "flask",
+        flask,
+        (0.09, 0.09, 0.155),
+        0.22,
+        ("conical flask", "erlenmeyer flask", "erlenmeyer"),
+        ("lab",),
+        ("round", "tall"),
+        ("blue", "green", "amber"),
+    ),
+    Category(
+        "test_tube_rack",
+        test_tube_rack,
+        (0.18, 0.058, 0.113),
+        0.28,
+        ("rack of test tubes", "test tube", "tube rack"),
+        ("lab",),
+        (),
+        ("white", "blue"),
+    ),
+    Category(
+        "petri_dish",
+        petri_dish,
+        (0.097, 0.097, 0.017),
+        0.035,
+        ("culture dish",),
+        ("lab",),
+        ("round", "flat"),
+        ("clear",),
+    ),
+    Category(
+        "microscope",
+        microscope,
+        (0.13, 0.18, 0.33),
+        2.4,
+        (),
+        ("lab",),
+        ("tall", "big"),
+        ("white", "gray"),
+    ),
+    Category(
+        "reagent_bottle",
+        reagent_bottle,
+        (0.076, 0.076, 0.145),
+        0.42,
+        ("lab bottle", "chemical bottle", "reagent", "medicine bottle"),
+        ("lab",),
+        ("round",),
+        ("brown", "clear"),
+    ),
+    Category(
+        "pipette_box",
+        pipette_box,
+        (0.12, 0.085, 0.068),
+        0.12,
+        ("tip box",),
+        ("lab",),
+        (),
+        ("blue", "yellow"),
+    ),
+    Category(
+        "mortar",
+        stirring_dish,
+        (0.11, 0.11, 0.1),
+        0.5,
+        ("mortar and pestle", "pestle"),
+        ("lab", "kitchen"),
+        ("round",),
+        ("white",),
+    ),
 )

@@ -32,8 +32,12 @@ def perfume_bottle(look: Look) -> Shape:
     collar = cylinder(0.009, 0.008, 16).moved(z=h)
     cap = cylinder(0.0135, 0.026, 20, bevel=0.003).moved(z=h + 0.008)
     return shape(
-        [(body, textures.plain(tinted(liquid, 1.15))), (front, face), (collar, metal),
-         (cap, metal)],
+        [
+            (body, textures.plain(tinted(liquid, 1.15))),
+            (front, face),
+            (collar, metal),
+            (cap, metal),
+        ],
         [hull_of(body), cylinder_part(0.0135, 0.034, (0, 0, h))],
     )
 
@@ -107,7 +111,15 @@ def soap_dispenser(look: Look) -> Shape:
     word = look.pick(["SOAP", "LOTION", "HANDS"])
     print_ = prints.label(look.rng, word, tinted(color, 0.55), tinted(color, 1.1))
     body = lathe(
-        [(0, 0), (r - 0.004, 0), (r, 0.004), (r, 0.8 * h), (0.8 * r, 0.93 * h), (0.4 * r, h), (0, h)],
+        [
+            (0, 0),
+            (r - 0.004, 0),
+            (r, 0.004),
+            (r, 0.8 * h),
+            (0.8 * r, 0.93 * h),
+            (0.4 * r, h),
+            (0, h),
+        ],
         v=[0, 0, 0.02, 0.8, 0.9, 0.98, 1],
     )
     pump = textures.speckled(look.rng, look.fixed("white", "black", "silver", "gold"), 3)
@@ -116,9 +128,13 @@ def soap_dispenser(look: Look) -> Shape:
     spout = tube([(0, 0.008, h + 0.036), (0, -0.02, h + 0.036), (0, -0.042, h + 0.03)], 0.0065, 10)
     return shape(
         [(body, print_), (collar, pump), (stem, pump), (spout, pump)],
-        [cylinder_part(r, 0.82 * h), hull_part(body.vertices[body.vertices[:, 2] > 0.75 * h]),
-         cylinder_part(0.014, 0.012, (0, 0, h)), cylinder_part(0.0045, 0.022, (0, 0, h + 0.012)),
-         hull_of(spout)],
+        [
+            cylinder_part(r, 0.82 * h),
+            hull_part(body.vertices[body.vertices[:, 2] > 0.75 * h]),
+            cylinder_part(0.014, 0.012, (0, 0, h)),
+            cylinder_part(0.0045, 0.022, (0, 0, h + 0.012)),
+            hull_of(spout),
+        ],
     )
 
 
@@ -144,7 +160,7 @@ def makeup_compact(look: Look) -> Shape:
     base = cylinder(r, t, 28, bevel=0.002)
     pan = cylinder(r * 0.84, 0.0015, 28).moved(z=t - 0.0005)
     lid = cylinder(r, 0.006, 28, bevel=0.001).moved(y=r).turned(0, lift).moved(y=r - 0.003, z=t)
-    glass = cylinder(r * 0.86, 0.0012, 28).moved(y=r, z=-0.001).turned(0, lift)
+    glass = cylinder(r * 0.86, 0.0012, 28).moved(y=r, z=0.0053).turned(0, lift)
     glass = glass.moved(y=r - 0.003, z=t)
     return shape(
         [(base, case), (pan, powder), (lid, case), (glass, sky)],
@@ -181,36 +197,120 @@ def ring_box(look: Look) -> Shape:
     ring = torus(0.0095, 0.0016, 24, 8).turned(0, np.pi / 2).moved(z=0.036)
     gem = ellipsoid(0.006, 0.006, 0.006, 10, 6).moved(z=0.048)
     return shape(
-        [(base, velvet), (pad, cushion), (lid, velvet), (ring, gold),
-         (gem, textures.plain((220, 238, 250)))],
+        [
+            (base, velvet),
+            (pad, cushion),
+            (lid, velvet),
+            (ring, gold),
+            (gem, textures.plain((220, 238, 250))),
+        ],
         [box_part(0.056, 0.056, 0.029), hull_of(lid), box_part(0.02, 0.005, 0.02, (0, 0, 0.029))],
     )
 
 
 CATEGORIES = (
-    Category("perfume_bottle", perfume_bottle, (0.058, 0.032, 0.1), 0.2,
-             ("perfume", "cologne", "fragrance"), ("vanity",), (), ("pink", "amber")),
-    Category("lipstick", lipstick, (0.022, 0.022, 0.083), 0.025, (), ("vanity",), ("round",),
-             ("black", "gold")),
-    Category("hairbrush", hairbrush, (0.23, 0.07, 0.03), 0.1, ("brush", "paddle brush", "comb"),
-             ("vanity",), ("flat",), ("black", "pink"), state="lying flat"),
-    Category("hand_mirror", hand_mirror, (0.23, 0.116, 0.0125), 0.2,
-             ("mirror", "handheld mirror"), ("vanity",), ("flat",), ("gold", "silver"),
-             state="lying flat"),
-    Category("cream_jar", cream_jar, (0.064, 0.064, 0.05), 0.12,
-             ("face cream", "cream", "moisturizer", "jar of cream"), ("vanity",), ("round",),
-             ("white", "pink")),
-    Category("soap_dispenser", soap_dispenser, (0.068, 0.08, 0.155), 0.35,
-             ("lotion", "lotion bottle", "hand soap", "soap", "shampoo"), ("vanity", "kitchen"),
-             ("tall",), ("white", "teal")),
-    Category("nail_polish", nail_polish, (0.028, 0.028, 0.07), 0.04,
-             ("nail varnish", "nail polish bottle"), ("vanity",), (), ("red", "pink")),
-    Category("makeup_compact", makeup_compact, (0.074, 0.095, 0.08), 0.07,
-             ("compact", "powder compact", "powder", "blush", "makeup", "eyeshadow palette"),
-             ("vanity",), (), ("black", "pink"), state="standing open"),
-    Category("toothbrush_cup", toothbrush_cup, (0.08, 0.072, 0.18), 0.28,
-             ("toothbrush", "toothbrush holder"), ("vanity",), ("tall",), ("white",)),
-    Category("ring_box", ring_box, (0.056, 0.07, 0.075), 0.08,
-             ("jewelry box", "jewellery box", "ring", "jewelry"), ("vanity",), (), ("navy",),
-             state="standing open"),
+    Category(
+        "perfume_bottle",
+        perfume_bottle,
+        (0.058, 0.032, 0.1),
+        0.2,
+        ("perfume", "cologne", "fragrance"),
+        ("vanity",),
+        (),
+        ("pink", "amber"),
+    ),
+    Category(
+        "lipstick",
+        lipstick,
+        (0.022, 0.022, 0.083),
+        0.025,
+        (),
+        ("vanity",),
+        ("round",),
+        ("black", "gold"),
+    ),
+    Category(
+        "hairbrush",
+        hairbrush,
+        (0.23, 0.07, 0.03),
+        0.1,
+        ("brush", "paddle brush", "comb"),
+        ("vanity",),
+        ("flat",),
+        ("black", "pink"),
+        state="lying flat",
+    ),
+    Category(
+        "hand_mirror",
+        hand_mirror,
+        (0.23, 0.116, 0.0125),
+        0.2,
+        ("mirror", "handheld mirror"),
+        ("vanity",),
+        ("flat",),
+        ("gold", "silver"),
+        state="lying flat",
+    ),
+    Category(
+        "cream_jar",
+        cream_jar,
+        (0.064, 0.064, 0.05),
+        0.12,
+        ("face cream", "cream", "moisturizer", "jar of cream"),
+        ("vanity",),
+        ("round",),
+        ("white", "pink"),
+    ),
+    Category(
+        "soap_dispenser",
+        soap_dispenser,
+        (0.068, 0.08, 0.155),
+        0.35,
+        ("lotion", "lotion bottle", "hand soap", "soap", "shampoo"),
+        ("vanity", "kitchen"),
+        ("tall",),
+        ("white", "teal"),
+    ),
+    Category(
+        "nail_polish",
+        nail_polish,
+        (0.028, 0.028, 0.07),
+        0.04,
+        ("nail varnish", "nail polish bottle"),
+        ("vanity",),
+        (),
+        ("red", "pink"),
+    ),
+    Category(
+        "makeup_compact",
+        makeup_compact,
+        (0.074, 0.095, 0.08),
+        0.07,
+        ("compact", "powder compact", "powder", "blush", "makeup", "eyeshadow palette"),
+        ("vanity",),
+        (),
+        ("black", "pink"),
+        state="standing open",
+    ),
+    Category(
+        "toothbrush_cup",
+        toothbrush_cup,
+        (0.08, 0.072, 0.18),
+        0.28,
+        ("toothbrush", "toothbrush holder"),
+        ("vanity",),
+        ("tall",),
+        ("white",),
+    ),
+    Category(
+        "ring_box",
+        ring_box,
+        (0.056, 0.07, 0.075),
+        0.08,
+        ("jewelry box", "jewellery box", "ring", "jewelry"),
+        ("vanity",),
+        (),
+        ("navy",),
+        state="standing open",
+    ),
 )
