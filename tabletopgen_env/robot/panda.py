@@ -155,7 +155,7 @@ def _add_hand(spec: mujoco.MjSpec, link7: mujoco.MjsBody) -> None:
             range=[0, franka.FINGER_STROKE],
             limited=True,
             armature=0.1,
-            damping=[100, 0, 0],  # the drive's friction: 0.25 m/s at full force
+            damping=[200, 0, 0],  # the drive's friction: 0.14 m/s at full force
         )
         _dress(spec, finger)
         _collide(
@@ -170,7 +170,7 @@ def _add_hand(spec: mujoco.MjSpec, link7: mujoco.MjsBody) -> None:
             condim=4,
             friction=[1.3, 0.02, 1e-4],
             priority=1,
-            solref=[0.02, 2],  # well damped: stiffer pads chatter on thin walls
+            solref=[0.01, 1],
             solimp=[0.95, 0.99, 0.001, 0.5, 2],
         )
 
