@@ -1,0 +1,214 @@
+"""Where to put two fingers: top grasps found on the collision shapes as they stand.
+
+A gripper that comes straight down meets the world as a height map. For each turn of the hand and
+each strip of a finger's breadth across the object, the map's cross-section at finger height is
+cut into solid runs: a can gives one run, a mug gives its two walls, a handle one of its own. A run
+narrow enough to be straddled, with sides that face each other (antipodal within the friction
+cone) and room beside it for fingers and palm, is a grasp.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from ..robot import franka
+from .heights import HeightMap, height_map, moved
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from ..world import World
+
+WIDEST = 0.072
+"""Widest run to straddle, metres: the opening of 8 cm less what aiming needs."""
+
+TIP = 0.0088
+"""How far the fingertips reach beyond the tool centre point, metres."""
+
+_TURNS = 18
+_STEP_U, _STEP_V = 0.0015, 0.003
+_FINGER_HALF = 0.0105
+_PAD_DEPTH, _PAD_HEIGHT = 0.0125, 0.0188
+_SHAFT = (0.007, 0.0265)
+_PALM_U, _PALM_V, _PALM_Z = 0.105, 0.034, 0.042
+_DEPTHS = (0.038, 0.03, 0.022, 0.014)
+_LEAST_HOLD = 0.008
+_MARGIN = 0.011
+_ABOVE_TABLE = 0.003
+_STEEPEST = 0.4
+
+
+@dataclass(frozen=True, eq=False)
+class Grasp:
+    """Where to close the fingers, in the world frame.
+
+    ``point`` is the tool centre point (m), ``angle`` the direction of opening about +z (radians,
+    equal modulo pi), ``opening`` how far to open before going down and ``width`` what will be
+    between the fingers (m). A higher ``score`` is better.
+    """
+
+    point: Float[np.ndarray, "3"]
+    angle: float
+    opening: float
+    width: float
+    score: float
+
+
+def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
+    """Return top grasps of ``target`` where it is now, best first.
+
+    Args:
+        world: the world; live poses count.
+        target: an object's name.
+        avoid: grasps that failed; those within 1.5 cm and 20 degrees of them rank last.
+    """
+    position, rotation = world.position(target), world.rotation(target)
+    own = moved(world.scene.object(target).parts, position, rotation)
+    corners = np.concatenate([part.bounds for part in own])[:, :2]
+    low, high = corners.min(0), corners.max(0)
+    shape = height_map(own, low - _STEP_U, high + _STEP_U, _STEP_U)
+    others = _surroundings(world, target, low, high)
+    com = position + rotation @ world.scene.object(target).com
+    floor = world.scene.table.height
+    found = [
+        grasp
+        for angle in np.arange(_TURNS) * np.pi / _TURNS
+        for grasp in _along(shape, others, com, float(angle), floor)
+    ]
+    found = [_demoted(grasp, avoid) for grasp in found]
+    return sorted(found, key=lambda grasp: -grasp.score)
+
+
+def _surroundings(
+    world: World, target: str, low: Float[np.ndarray, "2"], high: Float[np.ndarray, "2"]
+) -> HeightMap:
+    """Return the height map of everything but the target, as far as the palm can reach."""
+    parts = [
+        part
+        for obj in world.scene.objects
+        if obj.name != target
+        for part in moved(obj.parts, world.position(obj.name), world.rotation(obj.name))
+    ]
+    return height_map(parts, low - 0.13, high + 0.13, _STEP_V)
+
+
+def _demoted(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
+    for failed in avoid:
+        turn = (grasp.angle - failed.angle + np.pi / 2) % np.pi - np.pi / 2
+        near = np.linalg.norm(grasp.point - failed.point) < 0.015
+        if near and abs(turn) < np.deg2rad(20.0):
+            grasp = Grasp(grasp.point, grasp.angle, grasp.opening, grasp.width, grasp.score - 4.0)
+    return grasp
+
+
+def _along(
+    shape: HeightMap,
+    others: HeightMap,
+    com: Float[np.ndarray, "3"],
+    angle: float,
+    floor: float,
+) -> Iterator[Grasp]:
+    """Yield grasps whose fingers open along ``angle``."""
+    across = np.array([np.cos(angle), np.sin(angle)])
+    along = np.array([-across[1], across[0]])
+    size = np.array(shape.heights.shape) * shape.cell
+    middle = shape.origin + size / 2
+    half = float(np.linalg.norm(size)) / 2
+    u = np.arange(-half - 0.11, half + 0.11, _STEP_U)
+    v = np.arange(-half - 0.04, half + 0.04, _STEP_V)
+    points = middle + u[None, :, None] * across + v[:, None, None] * along
+    solid = shape.at(points)
+    if not np.isfinite(solid).any():
+        return
+    both = np.maximum(np.maximum(solid, others.at(points)), floor)
+    finger, palm = (int(np.ceil(h / _STEP_V)) for h in (_FINGER_HALF, _PALM_V))
+    rows = np.flatnonzero(np.isfinite(solid).any(1))
+    for row in range(rows[0], rows[-1] + 1, 2):
+        strip = solid[row - finger + 1 : row + finger]
+        beside = both[row - finger : row + finger + 1].max(0)
+        above = both[row - palm : row + palm + 1].max(0)
+        for tip, left, right, quality in _runs(strip, floor):
+            center, width = (u[left] + u[right]) / 2, u[right] - u[left] + _STEP_U
+            room = _room(u, beside, above, float(center), float(width), tip)
+            if room is None:
+                continue
+            point = np.array([*(middle + center * across + v[row] * along), tip + TIP])
+            away = float(np.linalg.norm(point[:2] - com[:2]))
+            score = quality - 12.0 * away + 40.0 * min(room - width, 0.02)
+            yield Grasp(point, angle, room, float(width), score)
+
+
+def _runs(
+    strip: Float[np.ndarray, "k n"], floor: float
+) -> Iterator[tuple[float, int, int, float]]:
+    """Yield (tip height, first cell, last cell, quality) of runs that can be straddled."""
+    top = float(strip.max())
+    if not np.isfinite(top):
+        return
+    tips = {round(max(top - depth, floor + _ABOVE_TABLE), 4) for depth in _DEPTHS}
+    for tip in sorted(tips):
+        hold = min(top - tip, _PAD_HEIGHT)
+        if hold < _LEAST_HOLD:
+            continue
+        filled = strip > tip + 0.3 * hold
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], filled.any(0), [0]]).astype(int)))
+        for left, end in edges.reshape(-1, 2):
+            if (end - left) * _STEP_U <= WIDEST:
+                quality = _quality(strip[:, left:end], tip, hold)
+                if quality is not None:
+                    yield tip, int(left), int(end) - 1, quality
+
+
+def _quality(run: Float[np.ndarray, "k n"], tip: float, hold: float) -> float | None:
+    """Rate the two sides of a run, or None if the fingers would slide off.
+
+    Both sides must face the fingers: their slope along the finger's breadth and their lean (how
+    much narrower the run is higher up) stay below ``_STEEPEST``, about the friction cone of the
+    pads less a margin.
+    """
+    filled = run > tip + 0.3 * hold
+    lines = np.flatnonzero(filled.any(1))
+    share = len(lines) / len(run)
+    if share < 0.6:
+        return None
+    first = filled[lines].argmax(1) * _STEP_U
+    last = (filled.shape[1] - 1 - filled[lines, ::-1].argmax(1)) * _STEP_U
+    offset = (lines - lines.mean()) * _STEP_V
+    spread = float(offset @ offset)
+    slopes = [abs(float(side @ offset) / spread) for side in (first, last)] if spread else [0.0]
+    higher = run > tip + 0.85 * hold
+    narrower = (filled.any(0).sum() - higher.any(0).sum()) * _STEP_U / 2
+    lean = max(0.0, narrower - _STEP_U) / (0.55 * hold)
+    if max(slopes) > _STEEPEST or lean > _STEEPEST:
+        return None
+    rough = float(np.ptp(first) + np.ptp(last))
+    return share + hold / _PAD_HEIGHT - 2.0 * max(slopes) - 2.0 * lean - 20.0 * rough
+
+
+def _room(
+    u: Float[np.ndarray, "n"],
+    beside: Float[np.ndarray, "n"],
+    above: Float[np.ndarray, "n"],
+    center: float,
+    width: float,
+    tip: float,
+) -> float | None:
+    """Return the widest opening (m) whose fingers and palm come down free, or None.
+
+    ``beside`` and ``above`` are the highest surfaces in the fingers' and in the palm's strip.
+    """
+    if above[np.abs(u - center) <= _PALM_U].max() > tip + _PALM_Z:
+        return None
+    distance = np.abs(u - center)
+    for margin in (2.0 * _MARGIN, 1.5 * _MARGIN, _MARGIN, 0.6 * _MARGIN):
+        opening = min(width + 2 * margin, 2 * franka.FINGER_STROKE - 0.001)
+        inner = opening / 2
+        pads = (distance >= inner - 0.001) & (distance <= inner + _PAD_DEPTH)
+        shafts = (distance >= inner + _SHAFT[0]) & (distance <= inner + _SHAFT[1])
+        if beside[pads].max() <= tip - 0.001 and beside[shafts].max() <= tip + _PAD_HEIGHT - 0.002:
+            return opening
+    return None

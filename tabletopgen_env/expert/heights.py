@@ -1,0 +1,61 @@
+"""Height maps of what stands on a table: all that a gripper coming from above can hit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.scene import ConvexPart
+
+from ..affordance import top_surface
+
+
+@dataclass(frozen=True, eq=False)
+class HeightMap:
+    """Heights of the highest surface over a grid, world frame, -inf where nothing is.
+
+    ``origin`` is the centre of cell (0, 0), ``cell`` the spacing (metres); ``heights[i, j]`` is at
+    ``origin + cell * (i, j)``.
+    """
+
+    origin: Float[np.ndarray, "2"]
+    cell: float
+    heights: Float[np.ndarray, "nx ny"]
+
+    def at(self, points: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
+        """Return the height at the cell nearest to each point, -inf outside the grid."""
+        index = np.rint((points - self.origin) / self.cell).astype(int)
+        size = np.array(self.heights.shape)
+        inside = ((index >= 0) & (index < size)).all(-1)
+        i, j = np.moveaxis(np.clip(index, 0, size - 1), -1, 0)
+        return np.where(inside, self.heights[i, j], -np.inf)
+
+
+def moved(
+    parts: Iterable[ConvexPart],
+    position: Float[np.ndarray, "3"],
+    rotation: Float[np.ndarray, "3 3"],
+) -> tuple[ConvexPart, ...]:
+    """Return convex parts carried from the body frame into the world."""
+    return tuple(ConvexPart(part.vertices @ rotation.T + position) for part in parts)
+
+
+def height_map(
+    parts: Iterable[ConvexPart],
+    low: Float[np.ndarray, "2"],
+    high: Float[np.ndarray, "2"],
+    cell: float,
+) -> HeightMap:
+    """Scan world-frame ``parts`` from above between the corners ``low`` and ``high``."""
+    near = tuple(
+        part
+        for part in parts
+        if (part.bounds[1, :2] >= low).all() and (part.bounds[0, :2] <= high).all()
+    )
+    xs, ys = (np.arange(low[k], high[k] + cell, cell) for k in (0, 1))
+    grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1)
+    heights = top_surface(near, grid.reshape(-1, 2)).reshape(grid.shape[:2])
+    return HeightMap(np.array([xs[0], ys[0]]), cell, heights)

@@ -1,0 +1,40 @@
+"""How high to travel so that nothing on the table is hit."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+if TYPE_CHECKING:
+    from ..world import World
+
+ROOM = 0.1
+"""Breadth of the corridor on either side of the way, metres: half a hand."""
+
+CLEAR = 0.035
+"""Height kept above what is passed, metres."""
+
+
+def clear_height(
+    world: World, held: str, start: Float[np.ndarray, "3"], end: Float[np.ndarray, "3"]
+) -> float:
+    """Return the height (world, m) at which nothing is met on the way from ``start`` to ``end``.
+
+    Every object but ``held`` whose upright cylinder comes within ``ROOM`` of the straight way
+    counts with its highest point.
+    """
+    height = world.scene.table.height
+    way = end[:2] - start[:2]
+    length = float(way @ way)
+    for obj in world.scene.objects:
+        if obj.name == held:
+            continue
+        middle = world.position(obj.name)
+        reach = np.abs(world.rotation(obj.name)) @ obj.scale / 2
+        along = np.clip((middle[:2] - start[:2]) @ way / length, 0, 1) if length > 1e-9 else 0.0
+        aside = float(np.linalg.norm(start[:2] + along * way - middle[:2]))
+        if aside < ROOM + float(reach[:2].max()):
+            height = max(height, float(middle[2] + reach[2]))
+    return height + CLEAR
