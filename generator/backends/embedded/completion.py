@@ -1,0 +1,163 @@
+"""Complete one object of the reference image: holes filled, hidden parts redrawn, clean alpha."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+from scipy import ndimage
+
+from ...geometry import mask_box
+from ...scene import Detection, Instance, Reference
+
+_LONG = 288  # least long side of a crop, pixels
+_MOST = 640
+_MARGIN = 0.04
+
+Mask = Bool[np.ndarray, "h w"]
+
+
+def complete(
+    reference: Reference, detection: Detection, others: tuple[Detection, ...]
+) -> Instance:
+    """Return the instance of a detection, drawn whole on a transparent ground (Sec. 3.1).
+
+    Holes in the mask are filled. Where another detection touches the object and the object's
+    outline is dented or cut there, the outline is completed and the colours are carried on.
+    """
+    mask = ndimage.binary_fill_holes(detection.mask)
+    image = reference.image
+    whole, colors = mask, image
+    hider = _union(mask.shape, [o.mask for o in others if o.label != "table"]) & ~mask
+    grown = complete_mask(mask, hider)
+    occluded = bool((grown & ~mask).sum() > 0.02 * mask.sum())
+    if occluded:
+        whole = grown
+        colors = carry_colors(image, mask, whole)
+    box = crop_box(mask_box(whole))
+    return Instance(
+        detection.label, detection.label, mask_box(mask), mask,
+        cut_out(colors, whole, box), box, occluded, detection.score,
+    )
+
+
+def _union(shape: tuple[int, ...], masks: list[np.ndarray]) -> Mask:
+    joined = np.zeros(shape, bool)
+    for mask in masks:
+        joined |= mask
+    return joined
+
+
+def complete_mask(mask: Mask, hider: Mask) -> Mask:
+    """Return ``mask`` grown into ``hider`` where the object probably goes on behind it.
+
+    Two guesses are joined: the object's mirror image about the vertical line that keeps most of
+    the visible outline, and the convex hull of what is visible; both only inside the hider.
+    """
+    near = cv2.dilate(mask.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
+    touching = ndimage.binary_propagation(near & hider, mask=hider)
+    if (near & hider).sum() < 8:
+        return mask
+    guess = hull_of(mask)
+    mirror = mirrored_mask(mask, hider)
+    if mirror is not None:
+        guess = guess | mirror
+    grown = mask | (guess & touching)
+    grown = ndimage.binary_fill_holes(grown)
+    labels, count = ndimage.label(grown)
+    if count > 1:
+        biggest = 1 + int(np.argmax(np.bincount(labels.ravel())[1:]))
+        grown = (labels == biggest) | mask
+    return grown
+
+
+def hull_of(mask: Mask) -> Mask:
+    """Return the filled convex hull of a mask."""
+    points = np.column_stack(np.nonzero(mask)[::-1]).astype(np.int32)
+    canvas = np.zeros(mask.shape, np.uint8)
+    cv2.fillConvexPoly(canvas, cv2.convexHull(points), 1)
+    return canvas > 0
+
+
+def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
+    """Return the mask reflected about its best vertical axis, or None if it has none.
+
+    An axis is good if the reflection lands on the mask or on the hider, not on the background.
+    """
+    x0, _, x1, _ = mask_box(mask).astype(int)
+    width, columns = x1 - x0, mask.shape[1]
+    best: tuple[float, Mask] | None = None
+    ys, xs = np.nonzero(mask)
+    for twice in range(2 * x0 + width // 2, 2 * x1 - width // 2 + 1, max(1, width // 60)):
+        other = twice - xs
+        inside = (other >= 0) & (other < columns)
+        reflected = np.zeros_like(mask)
+        reflected[ys[inside], other[inside]] = True
+        outside = (~inside).sum() + (reflected & ~mask & ~hider).sum()
+        agree = (reflected & mask).sum()
+        value = (agree - 3.0 * outside) / mask.sum()
+        if best is None or value > best[0]:
+            best = (value, reflected)
+    return best[1] if best is not None and best[0] > 0.35 else None
+
+
+def carry_colors(
+    image: UInt8[np.ndarray, "h w 3"], mask: Mask, whole: Mask
+) -> UInt8[np.ndarray, "h w 3"]:
+    """Return the image with the object's colours carried into ``whole`` beyond ``mask``.
+
+    Rows are continued from the nearest visible pixel, then blended by Telea's inpainting.
+    """
+    x0, y0, x1, y1 = mask_box(whole).astype(int)
+    cut = slice(max(y0 - 4, 0), y1 + 4), slice(max(x0 - 4, 0), x1 + 4)
+    core = cv2.erode(mask[cut].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    core = core if core.any() else mask[cut]
+    rows, columns = ndimage.distance_transform_edt(
+        ~core, sampling=(3.0, 1.0), return_distances=False, return_indices=True
+    )
+    carried = image[cut][rows, columns]
+    missing = (whole & ~mask)[cut]
+    soft = cv2.GaussianBlur(carried, (0, 0), 2.0)
+    patch = np.where(missing[..., None], soft, image[cut])
+    seam = cv2.dilate(missing.astype(np.uint8), np.ones((5, 5), np.uint8))
+    seam = ((seam > 0) & ~cv2.erode(missing.astype(np.uint8), np.ones((5, 5), np.uint8)).astype(bool))
+    patch = np.where(seam[..., None] & whole[cut][..., None], carried, patch)
+    patch = cv2.inpaint(
+        np.ascontiguousarray(patch), (seam & whole[cut]).astype(np.uint8), 3, cv2.INPAINT_TELEA
+    )
+    drawn = image.copy()
+    drawn[cut] = patch
+    return drawn
+
+
+def crop_box(box: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
+    """Return the box with a small margin all around, in whole pixels."""
+    margin = max(2.0, _MARGIN * float((box[2:] - box[:2]).max()))
+    return np.array([*np.floor(box[:2] - margin), *np.ceil(box[2:] + margin)])
+
+
+def cut_out(
+    image: UInt8[np.ndarray, "h w 3"], mask: Mask, box: Float[np.ndarray, "4"]
+) -> UInt8[np.ndarray, "ch cw 4"]:
+    """Cut a box (it may leave the image) out as RGBA with a soft edge, enlarged if small.
+
+    Colours outside the mask are those of the nearest pixel inside, so that edges stay clean.
+    """
+    x0, y0, x1, y1 = box.astype(int)
+    rows = np.clip(np.arange(y0, y1), 0, image.shape[0] - 1)
+    columns = np.clip(np.arange(x0, x1), 0, image.shape[1] - 1)
+    color, inside = image[np.ix_(rows, columns)], mask[np.ix_(rows, columns)].copy()
+    inside[(np.arange(y0, y1) != rows)] = False
+    inside[:, (np.arange(x0, x1) != columns)] = False
+    core = cv2.erode(inside.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    core = core if core.sum() > 9 else inside
+    near = ndimage.distance_transform_edt(~core, return_distances=False, return_indices=True)
+    clean = np.where(core[..., None], color, color[near[0], near[1]])
+    long = max(x1 - x0, y1 - y0)
+    zoom = float(np.clip(_LONG / long, 1.0 if long <= _MOST else _MOST / long, None))
+    size = max(1, round((x1 - x0) * zoom)), max(1, round((y1 - y0) * zoom))
+    how = cv2.INTER_CUBIC if zoom > 1 else cv2.INTER_AREA
+    alpha = cv2.resize(inside.astype(np.float32), size, interpolation=cv2.INTER_LINEAR if zoom > 1 else how)
+    alpha = cv2.GaussianBlur(alpha, (0, 0), max(0.6, 0.5 * zoom))
+    soft = np.clip((alpha - 0.5) * max(zoom, 1.0) * 1.5 + 0.5, 0, 1)
+    return np.dstack([cv2.resize(clean, size, interpolation=how), np.round(soft * 255).astype(np.uint8)])

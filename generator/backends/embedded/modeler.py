@@ -1,0 +1,106 @@
+"""Image to 3D by analysis and synthesis: try shapes, keep the one that looks like the picture."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float
+
+from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
+from ...scene import Instance, Model, Physics, SizePrior, View
+from . import baking, carving
+from .projection import Projection, mask_iou
+from .solids import Posed
+
+_WORKING = 150  # longer side of the silhouettes that are compared, pixels
+
+
+@dataclass(frozen=True)
+class Modeler:
+    """The embedded image-to-3D backend. ``texture`` is the side of the baked textures, texels."""
+
+    seed: int = 0
+    texture: int = 384
+
+    def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
+        """Reconstruct one instance from its crop (Sec. 3.2); see ``protocols.Modeler``."""
+        projection = Projection.of_instance(instance, view)
+        small = projection.resized(_WORKING)
+        mask = small_mask(instance, small)
+        posed = best_solid(mask, small, size)
+        return solid_model(posed, instance, projection, size, self.texture)
+
+
+def small_mask(instance: Instance, small: Projection) -> Bool[np.ndarray, "h w"]:
+    """Return the crop's silhouette at the size of ``small``."""
+    alpha = cv2.resize(instance.crop[..., 3], (small.width, small.height), interpolation=cv2.INTER_AREA)
+    return alpha > 127
+
+
+def candidates(mask: Bool[np.ndarray, "h w"], small: Projection, size: SizePrior) -> list[Posed]:
+    """Return one posed solid per family that fits the silhouette at all."""
+    long, short, tall = *sorted(size.extent[:2], reverse=True), size.extent[2]
+    bounding = carving.fit_box(mask, small, size.extent)
+    facing = float(np.arctan2(small.right[1], small.right[0]))
+    yaws = [facing] + [y for y in [carving.base_line(mask, small)] if y is not None]
+    depth = float(np.clip(short / max(long, tall), 0.1, 0.4))
+    found = [
+        bounding,
+        carving.fit_revolution(mask, small),
+        carving.fit_prism(mask, small, float(np.clip(tall / long, 0.02, 0.35))),
+        *(carving.fit_upright(mask, small, yaw, depth) for yaw in yaws),
+        carving.fit_carved(mask, small, bounding),
+    ]
+    return [p for p in found if p is not None]
+
+
+def score(posed: Posed, mask: Bool[np.ndarray, "h w"], small: Projection, size: SizePrior) -> float:
+    """Return how well a solid explains the picture: silhouette overlap less what it costs."""
+    iou = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
+    price = {"box": 0.0, "revolution": 0.0, "prism": 0.03, "upright": 0.04, "carved": 0.05}
+    gap = carving.proportion_gap(np.ptp(posed.solid.vertices, axis=0), size.extent)
+    return iou - price[posed.kind] - 0.04 * gap
+
+
+def best_solid(mask: Bool[np.ndarray, "h w"], small: Projection, size: SizePrior) -> Posed:
+    """Return the generic solid that explains the silhouette best."""
+    return max(candidates(mask, small, size), key=lambda p: score(p, mask, small, size))
+
+
+def solid_model(
+    posed: Posed, instance: Instance, projection: Projection, size: SizePrior, texture: int
+) -> Model:
+    """Paint a posed solid from the crop and bring it to the canonical frame."""
+    world = posed.world
+    atlas, picture = baking.paint(
+        world, posed.solid.faces, instance.crop, projection, mirror_planes(posed, projection), texture
+    )
+    mesh, center, extent = to_unit_box(baking.textured(atlas, posed.solid.vertices, picture))
+    return Model(
+        instance.label,
+        instance.label,
+        mesh,
+        metric(extent, size),
+        Physics(density=500.0, friction=0.6),
+        parts_to_unit_box(posed.solid.parts, center, extent),
+    )
+
+
+def mirror_planes(posed: Posed, projection: Projection) -> tuple[Float[np.ndarray, "4"], ...]:
+    """Return the vertical planes about which a solid may be taken to look alike."""
+    low, high = posed.solid.vertices.min(0), posed.solid.vertices.max(0)
+    middle = rotation_z(posed.yaw) @ ((low + high) / 2) + posed.position
+    if posed.kind == "revolution":
+        normals = [projection.away, projection.right]
+    else:
+        turn = rotation_z(posed.yaw)
+        normals = [turn[:, 1], turn[:, 0]]
+    return tuple(np.array([*n, n @ middle]) for n in normals)
+
+
+def metric(extent: Float[np.ndarray, "3"], size: SizePrior) -> Float[np.ndarray, "3"]:
+    """Scale measured proportions to metres so that the two longest sides agree with the prior."""
+    have, want = np.sort(extent)[1:], np.sort(size.extent)[1:]
+    return extent * float(np.sqrt(np.prod(want) / np.prod(have)))

@@ -1,0 +1,226 @@
+"""Generic solids: closed triangle meshes with their convex pieces, standing on z = 0.
+
+A solid lives in its own frame (z up, its long side along x) in any unit of length; ``Posed`` puts
+it into the object frame of ``projection``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+import shapely.affinity
+import shapely.ops
+import trimesh
+from jaxtyping import Float, Int
+
+from ...geometry import rotation_z
+from ...scene import ConvexPart
+
+Polygon = shapely.Polygon
+
+
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """A closed mesh (welded vertices, faces counter-clockwise from outside) and convex pieces."""
+
+    vertices: Float[np.ndarray, "n 3"]
+    faces: Int[np.ndarray, "m 3"]
+    parts: tuple[ConvexPart, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Posed:
+    """A solid turned by ``yaw`` and moved to ``position``; ``kind`` names how it was made."""
+
+    kind: str
+    solid: Solid
+    yaw: float
+    position: Float[np.ndarray, "3"]
+
+    @property
+    def world(self) -> Float[np.ndarray, "n 3"]:
+        """The vertices in the object frame."""
+        return self.solid.vertices @ rotation_z(self.yaw).T + self.position
+
+
+def box(width: float, depth: float, height: float) -> Solid:
+    """Return a box of the given x, y, z extent."""
+    mesh = trimesh.creation.box(extents=(width, depth, height))
+    vertices = np.asarray(mesh.vertices) + [0, 0, height / 2]
+    return Solid(vertices, np.asarray(mesh.faces), (ConvexPart(vertices, "box"),))
+
+
+def revolution(
+    heights: Float[np.ndarray, "k"], radii: Float[np.ndarray, "k"], segments: int = 40
+) -> Solid:
+    """Return the solid of revolution about z of a profile, heights rising from 0, radii > 0."""
+    angle = np.arange(segments) * 2 * np.pi / segments
+    ring = np.column_stack([np.cos(angle), np.sin(angle)])
+    k = len(heights)
+    rings = np.concatenate(
+        [np.column_stack([r * ring, np.full(segments, z)]) for z, r in zip(heights, radii, strict=True)]
+    )
+    vertices = np.concatenate([rings, [[0, 0, heights[0]], [0, 0, heights[-1]]]])
+    here, after = np.arange(segments), np.roll(np.arange(segments), -1)
+    faces = []
+    for level in range(k - 1):
+        a, b = level * segments + here, level * segments + after
+        c, d = a + segments, b + segments
+        faces += [np.column_stack([a, b, d]), np.column_stack([a, d, c])]
+    top = (k - 1) * segments
+    faces.append(np.column_stack([after, here, np.full(segments, k * segments)]))
+    faces.append(np.column_stack([top + here, top + after, np.full(segments, k * segments + 1)]))
+    return Solid(vertices, np.concatenate(faces), _frusta(heights, radii))
+
+
+def _frusta(
+    heights: Float[np.ndarray, "k"], radii: Float[np.ndarray, "k"], most: int = 8
+) -> tuple[ConvexPart, ...]:
+    """Cut a profile into at most ``most`` stacked pieces; straight ones are cylinders."""
+    keep = simplify_profile(heights, radii, most + 1)
+    angle = np.arange(20) * 2 * np.pi / 20
+    ring = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(20)])
+    parts = []
+    for a, b in zip(keep[:-1], keep[1:], strict=True):
+        ends = [radii[i] * ring + [0, 0, heights[i]] for i in (a, b)]
+        straight = abs(radii[a] - radii[b]) < 0.04 * max(radii[a], radii[b])
+        parts.append(ConvexPart(np.concatenate(ends), "cylinder" if straight else "hull"))
+    return tuple(parts)
+
+
+def simplify_profile(
+    heights: Float[np.ndarray, "k"], radii: Float[np.ndarray, "k"], most: int, slack: float = 0.01
+) -> list[int]:
+    """Return the indices of at most ``most`` profile points that keep its shape.
+
+    Points are added where the polyline is farthest from the profile, until the largest error is
+    below ``slack`` of the largest radius.
+    """
+    keep = [0, len(heights) - 1]
+    while len(keep) < most:
+        error = np.abs(np.interp(heights, heights[keep], radii[keep]) - radii)
+        worst = int(error.argmax())
+        if error[worst] < slack * radii.max() or worst in keep:
+            break
+        keep = sorted([*keep, worst])
+    return keep
+
+
+def prism(outline: Polygon, height: float) -> Solid:
+    """Return a polygon in the xy plane extruded from z = 0 to ``height``."""
+    mesh = trimesh.creation.extrude_polygon(outline, height, engine="earcut")
+    mesh.merge_vertices()
+    parts = []
+    for piece in convex_pieces(outline):
+        flat = np.asarray(piece.convex_hull.exterior.coords)[:-1]
+        points = np.concatenate([np.column_stack([flat, np.full(len(flat), z)]) for z in (0, height)])
+        rectangular = piece.area > 0.995 * piece.envelope.area
+        parts.append(ConvexPart(points, "box" if rectangular else "hull"))
+    return Solid(np.asarray(mesh.vertices), np.asarray(mesh.faces), tuple(parts))
+
+
+def upright(outline: Polygon, depth: float) -> Solid:
+    """Return a polygon in the xz plane (z up) extruded along y from -depth/2 to depth/2."""
+    lying = prism(outline, depth)
+
+    def stand(points: np.ndarray) -> np.ndarray:
+        return np.column_stack([points[:, 0], depth / 2 - points[:, 2], points[:, 1]])
+
+    parts = tuple(ConvexPart(stand(p.vertices), p.kind) for p in lying.parts)
+    return Solid(stand(lying.vertices), lying.faces, parts)
+
+
+def convex_pieces(outline: Polygon, most: int = 8, slack: float = 0.03) -> list[Polygon]:
+    """Cut a polygon into at most ``most`` nearly convex pieces.
+
+    The piece that lacks most of its convex hull is cut through its deepest dent until every piece
+    fills its hull but for ``slack`` of the whole area.
+    """
+    pieces = [outline]
+    while len(pieces) < most:
+        lack = [p.convex_hull.area - p.area for p in pieces]
+        worst = int(np.argmax(lack))
+        if lack[worst] < slack * outline.area:
+            break
+        halves = _cut_at_dent(pieces[worst])
+        if len(halves) < 2:
+            break
+        pieces[worst : worst + 1] = halves
+    return pieces[:most] if len(pieces) > most else pieces
+
+
+def _cut_at_dent(piece: Polygon) -> list[Polygon]:
+    """Cut a polygon in two at its deepest dent, along the best of several directions."""
+    ring = np.asarray(piece.exterior.coords)[:-1]
+    hull = piece.convex_hull.exterior
+    depth = np.array([hull.distance(shapely.Point(p)) for p in ring])
+    dent, reach = ring[int(depth.argmax())], float(np.ptp(ring, axis=0).max()) * 4
+    best: tuple[float, list[Polygon]] = (np.inf, [piece])
+    for angle in np.arange(12) * np.pi / 12:
+        step = reach * np.array([np.cos(angle), np.sin(angle)])
+        cut = shapely.ops.split(piece, shapely.LineString([dent - step, dent + step]))
+        halves = [g for g in cut.geoms if g.area > 1e-3 * piece.area]
+        lack = sum(h.convex_hull.area - h.area for h in halves)
+        # Every further piece costs, and so does one that is a sliver.
+        cost = lack / piece.area + 0.02 * len(halves)
+        if len(halves) >= 2 and cost < best[0]:
+            best = (cost, halves)
+    return best[1]
+
+
+def heightfield(heights: Float[np.ndarray, "a b"], width: float, depth: float) -> Solid:
+    """Return the solid under a grid of vertex heights over a width (x) by depth (y) rectangle.
+
+    Cells whose four corners are all zero are empty; only the largest connected piece is kept.
+    """
+    a, b = heights.shape
+    used = heights > 0
+    cells = used[:-1, :-1] | used[1:, :-1] | used[:-1, 1:] | used[1:, 1:]
+    cells = _largest(cells)
+    floor = 0.02 * float(heights.max())
+    x, y = np.meshgrid(
+        np.linspace(-width / 2, width / 2, a), np.linspace(-depth / 2, depth / 2, b), indexing="ij"
+    )
+    top = np.column_stack([x.ravel(), y.ravel(), np.maximum(heights, floor).ravel()])
+    vertices = np.concatenate([top, top * [1, 1, 0]])
+    i, j = np.nonzero(cells)
+    p, q, r, s = i * b + j, (i + 1) * b + j, (i + 1) * b + j + 1, i * b + j + 1
+    quads = np.column_stack([p, q, r, s])
+    lower = quads + a * b
+    faces = [quads[:, [0, 1, 2]], quads[:, [0, 2, 3]], lower[:, [0, 2, 1]], lower[:, [0, 3, 2]]]
+    edges = np.concatenate([quads[:, [k, (k + 1) % 4]] for k in range(4)])
+    known = {(int(u), int(v)) for u, v in edges}
+    rim = np.array([e for e in map(tuple, edges.tolist()) if (e[1], e[0]) not in known])
+    u, v = rim[:, 0], rim[:, 1]
+    faces += [np.column_stack([u, v + a * b, v]), np.column_stack([u, u + a * b, v + a * b])]
+    triangles = np.concatenate(faces)
+    kept, triangles = np.unique(triangles, return_inverse=True)
+    parts = _strips(vertices, quads, width)
+    return Solid(vertices[kept], triangles.reshape(-1, 3), parts)
+
+
+def _largest(cells: np.ndarray) -> np.ndarray:
+    from scipy import ndimage
+
+    labels, count = ndimage.label(cells)
+    if count < 2:
+        return cells
+    return labels == 1 + int(np.argmax(np.bincount(labels.ravel())[1:]))
+
+
+def _strips(
+    vertices: Float[np.ndarray, "n 3"], quads: Int[np.ndarray, "q 4"], width: float, count: int = 6
+) -> tuple[ConvexPart, ...]:
+    """Return the convex hulls of slices along x of a height field."""
+    middle = vertices[quads].mean(1)[:, 0]
+    index = np.clip(((middle / width + 0.5) * count).astype(int), 0, count - 1)
+    parts = []
+    for k in range(count):
+        corners = np.unique(quads[index == k])
+        if len(corners) >= 4:
+            points = vertices[corners]
+            points = np.concatenate([points, points * [1, 1, 0]])
+            parts.append(ConvexPart(trimesh.convex.convex_hull(points).vertices))
+    return tuple(parts)
