@@ -21,10 +21,8 @@ from torch.nn import functional
 
 from ..errors import InputError
 from ..scene import Mesh
+from .crop import MARGIN
 from .shading import sample_texture
-
-MARGIN = 0.05
-"""Empty border of a tight crop, as a share of its side, so that contours lie inside."""
 
 _HIDDEN_WEIGHT = 0.01  # hidden points colour a pixel only where no visible point does
 _FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial, sigma of one pixel
@@ -102,9 +100,7 @@ def sample_surface(
         return torch.as_tensor(np.ascontiguousarray(array), dtype=dtype)
 
     corners = _hull_corners(vertices)
-    return Surface(
-        tensor(position), tensor(normal), tensor(color), total / count, tensor(corners)
-    )
+    return Surface(tensor(position), tensor(normal), tensor(color), total / count, tensor(corners))
 
 
 def object_to_camera(
@@ -128,6 +124,29 @@ def bounds(
     p = surface.corners @ rotation.mT + center[:, None]
     xy = p[..., :2] / p[..., 2:]
     return xy.amin(1), xy.amax(1)
+
+
+def fit_center(
+    surface: Surface,
+    rotation: Float[Tensor, "b 3 3"],
+    middle: Float[Tensor, "2"],
+    span: Float[Tensor, "2"],
+) -> Float[Tensor, "b 3"]:
+    """Return where the object's centre lies if its projection is to fill a box of the image.
+
+    ``middle`` and ``span`` are the box's centre and size in x/z, y/z. The centre agrees exactly;
+    the size agrees in area, since the object keeps its proportions. A box too large for the
+    object puts it no nearer than one and a half times its radius.
+    """
+    nearest = 1.5 * surface.corners.norm(dim=1).max()
+    ray = torch.cat([middle, middle.new_ones(1)]).expand(len(rotation), 3)
+    depth = (nearest / span.prod().sqrt()).expand(len(rotation), 1)
+    for _ in range(3):
+        depth = depth.maximum(nearest)
+        low, high = bounds(surface, rotation, ray * depth)
+        ray = torch.cat([ray[:, :2] + middle - (low + high) / 2, ray[:, 2:]], 1)
+        depth = depth * ((high - low).prod(1, keepdim=True) / span.prod()).sqrt()
+    return ray * depth.maximum(nearest)
 
 
 def pixel_scale(
@@ -200,7 +219,7 @@ def _splat(
     pixel: Float[Tensor, "b n 2"], values: Float[Tensor, "b n c"], resolution: int
 ) -> Float[Tensor, "b c h w"]:
     """Add every point's values to the four pixels around it, then filter with one pixel sigma."""
-    b, n, c = values.shape
+    b, _, c = values.shape
     corner = (pixel - 0.5).floor()
     fraction = pixel - 0.5 - corner
     x = corner.long().clamp(0, resolution - 2)

@@ -102,18 +102,14 @@ class RotationConfig:
 # ------------------------------------------------------------------------------------ equations
 
 
-def silhouette_loss(
-    soft: Float[Tensor, "b h w"], mask: Float[Tensor, "h w"]
-) -> Float[Tensor, "b"]:
+def silhouette_loss(soft: Float[Tensor, "b h w"], mask: Float[Tensor, "h w"]) -> Float[Tensor, "b"]:
     """Eq. 2: one minus the soft intersection over union of silhouette and mask."""
     both = (soft * mask).sum((-2, -1))
     either = (mask + soft - soft * mask).sum((-2, -1))
     return 1 - both / (either + _EPSILON)
 
 
-def edge_loss(
-    edges: Float[Tensor, "b h w"], distance: Float[Tensor, "h w"]
-) -> Float[Tensor, "b"]:
+def edge_loss(edges: Float[Tensor, "b h w"], distance: Float[Tensor, "h w"]) -> Float[Tensor, "b"]:
     """Eq. 3: mean distance D_S to the mask's contour, weighted by each candidate's own edges."""
     return (edges * distance).sum((-2, -1)) / (edges.sum((-2, -1)) + _EPSILON)
 
@@ -125,9 +121,7 @@ def appearance_loss(
 
     The average, where the paper prints a sum, keeps lambda_a independent of the resolution.
     """
-    levels = [
-        (a - b).square().sum(1).mean((-2, -1)) for a, b in zip(rendered, target, strict=True)
-    ]
+    levels = [(a - b).square().sum(1).mean((-2, -1)) for a, b in zip(rendered, target, strict=True)]
     return sum(levels[1:], levels[0]) / len(levels)
 
 
@@ -174,13 +168,14 @@ def make_target(instance: Instance, encoder: Encoder, config: RotationConfig) ->
     """
     import torch
 
+    from ..render.crop import tight_crop
     from ..render.soft import smooth
 
     alpha = instance.crop[..., 3] > 127
     if not alpha.any():
         raise InputError(f"Instance {instance.name!r} has an empty crop; it shows no object.")
     tight = mask_box(alpha)
-    rgba = _tight_crop(instance.crop, tight, config)
+    rgba = tight_crop(instance.crop, tight, config.resolution, config.keep_aspect)
     pixels = torch.as_tensor(rgba).permute(2, 0, 1)[None]
     soft = smooth(pixels)
     image = soft[:, :3] + 0.5 * (1 - soft[:, 3:])
@@ -190,34 +185,7 @@ def make_target(instance: Instance, encoder: Encoder, config: RotationConfig) ->
     return Target(soft[0, 3], torch.as_tensor(distance), features, _in_reference(instance, tight))
 
 
-def _tight_crop(
-    crop: np.ndarray, tight: Float[np.ndarray, "4"], config: RotationConfig
-) -> Float[np.ndarray, "h w 4"]:
-    """Return the tight crop at the comparison's resolution, colours multiplied by alpha."""
-    import cv2
-
-    from ..render.soft import MARGIN
-
-    samples = 4
-    rgba = crop.astype(np.float32) / 255.0
-    rgba[..., :3] *= rgba[..., 3:]
-    side = config.resolution * samples
-    span = tight[2:] - tight[:2]
-    scale = side * (1 - 2 * MARGIN) / (np.full(2, span.max()) if config.keep_aspect else span)
-    shift = side / 2 - (tight[:2] + tight[2:]) / 2 * scale
-    matrix = np.array(
-        [
-            [scale[0], 0, shift[0] + scale[0] / 2 - 0.5],
-            [0, scale[1], shift[1] + scale[1] / 2 - 0.5],
-        ]
-    )
-    large = cv2.warpAffine(rgba, matrix, (side, side), flags=cv2.INTER_LINEAR)
-    return cv2.resize(large, (config.resolution,) * 2, interpolation=cv2.INTER_AREA)
-
-
-def _in_reference(
-    instance: Instance, tight: Float[np.ndarray, "4"]
-) -> Float[np.ndarray, "4"]:
+def _in_reference(instance: Instance, tight: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
     """Carry a box of the crop into reference pixels."""
     low, high = instance.crop_box[:2], instance.crop_box[2:]
     height, width = instance.crop.shape[:2]
@@ -245,38 +213,19 @@ class Objective:
 
     def __call__(self, yaw: Float[Tensor, "b"], tilt: Float[Tensor, "b"]) -> Float[Tensor, "b"]:
         """Render the candidates (radians) and return each one's loss."""
-        from ..render.soft import object_to_camera, render, sobel_edges
+        from ..render import soft
 
-        rotation = object_to_camera(yaw, tilt, self.world_to_camera)
-        images = render(
-            self.surface,
-            rotation,
-            self._center(rotation.detach()),
-            self.config.resolution,
-            self.config.keep_aspect,
+        rotation = soft.object_to_camera(yaw, tilt, self.world_to_camera)
+        center = soft.fit_center(self.surface, rotation.detach(), self.middle, self.span)
+        images = soft.render(
+            self.surface, rotation, center, self.config.resolution, self.config.keep_aspect
         )
         return rotation_loss(
             silhouette_loss(images.silhouette, self.target.mask),
-            edge_loss(sobel_edges(images.silhouette), self.target.distance),
+            edge_loss(soft.sobel_edges(images.silhouette), self.target.distance),
             appearance_loss(self.encoder.features(images.image), self.target.features),
             self.config,
         )
-
-    def _center(self, rotation: Float[Tensor, "b 3 3"]) -> Float[Tensor, "b 3"]:
-        """Return where the object's centre lies, so that its projection fills the target's box."""
-        import torch
-
-        from ..render.soft import bounds
-
-        radius = self.surface.corners.norm(dim=1).max()
-        ray = torch.cat([self.middle, torch.ones(1)]).expand(len(rotation), 3)
-        depth = (2 * radius / self.span.prod().sqrt()).expand(len(rotation), 1)
-        for _ in range(3):
-            depth = depth.clamp_min(1.5 * float(radius))
-            low, high = bounds(self.surface, rotation, ray * depth)
-            ray = torch.cat([ray[:, :2] + self.middle - (low + high) / 2, ray[:, 2:]], 1)
-            depth = depth * ((high - low).prod(1, keepdim=True) / self.span.prod()).sqrt()
-        return ray * depth.clamp_min(1.5 * float(radius))
 
 
 def make_objective(
@@ -342,9 +291,7 @@ def optimise_rotation(
     return Rotation(instance.name, best[0], best[1], tuple(refined))
 
 
-def coarse_losses(
-    objective: Objective, yaws: Float[np.ndarray, "n"]
-) -> Float[np.ndarray, "n"]:
+def coarse_losses(objective: Objective, yaws: Float[np.ndarray, "n"]) -> Float[np.ndarray, "n"]:
     """Return Eq. 1 at each yaw (radians), without gradients."""
     import torch
 
