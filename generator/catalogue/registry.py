@@ -11,12 +11,12 @@ import numpy as np
 
 from ..errors import InputError, choices
 from ..scene import Model
-from . import craft, dining, lab, toys, vanity
+from . import craft, dining, lab, tools, toys, vanity
 from .category import Category, model_of
 from .look import Look
 
 CATEGORIES: Mapping[str, Category] = MappingProxyType(
-    {c.key: c for module in (dining, toys, craft, vanity, lab) for c in module.CATEGORIES}
+    {c.key: c for module in (dining, tools, toys, craft, vanity, lab) for c in module.CATEGORIES}
 )
 """Every category by key."""
 
