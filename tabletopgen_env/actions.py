@@ -11,9 +11,9 @@ proportion, as a position to go to.
 ``joint_delta`` (8)       turn joints 1 to 7 by up to 0.1 rad each, per step
 ========================  =====================================================================
 
-Increments add to a *commanded* pose that starts at the robot's own and is never more than 6 cm
-(``ee_delta``) or 0.2 rad (``joint_delta``) ahead of it, so pushing against the table does not wind
-up. The arm's servos trail a moving command by about 0.1 s.
+Increments add to a *commanded* pose that starts at the robot's own and is never more than 4 cm
+and 0.4 rad (``ee_delta``) or 0.2 rad (``joint_delta``) ahead of it, so pushing against the table does not wind
+up. The servos' viscous lag is compensated, so the arm follows in free space within millimetres.
 """
 
 from __future__ import annotations
@@ -46,8 +46,11 @@ EE_STEP = 0.025
 EE_TURN = 0.15
 """Largest turn of the hand about the vertical per action, radians."""
 
-EE_LEASH = 0.06
+EE_LEASH = 0.04
 """How far the commanded point may be ahead of the real one, metres."""
+
+YAW_LEASH = 0.4
+"""How far the commanded yaw may be ahead of the real one, radians."""
 
 JOINT_STEP = 0.1
 """Largest turn of each joint per action, radians."""
@@ -61,8 +64,16 @@ WORKSPACE: tuple[tuple[float, ...], ...] = ((-0.5, -0.8, -0.1), (0.85, 0.8, 0.7)
 GRIPPER_CTRL = HOME_CTRL[-1]
 """The gripper command that opens it fully."""
 
+SERVO_LEAD = 0.08
+"""Seconds by which servo commands lead a moving reference.
+
+A servo torque ``k (u - q) - d q'`` trails its command ``u`` by ``d / k`` = 0.1 s; leading by most
+of that leaves it well damped.
+"""
+
 _IK_STEPS = 2
-_JOINT_RATE = np.array([joint.velocity for joint in JOINTS]) / 20.0
+_PERIOD = 1 / 20
+_JOINT_RATE = np.array([joint.velocity for joint in JOINTS]) * _PERIOD
 
 
 class Controller(Protocol):
@@ -131,12 +142,20 @@ class JointDelta:
         real = world.data.qpos[world.arm_qpos]
         low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
         ahead = np.clip(self._command + JOINT_STEP * action[:7] - real, -JOINT_LEASH, JOINT_LEASH)
-        self._command = np.clip(real + ahead, low, high)
-        _command(world, self._command, action[7])
+        before, self._command = self._command, np.clip(real + ahead, low, high)
+        _command(world, before, self._command, action[7])
 
 
-def _command(world: World, joints: Float[np.ndarray, "7"], gripper: float) -> None:
-    world.data.ctrl[world.actuators[:7]] = joints
+def _command(
+    world: World,
+    before: Float[np.ndarray, "7"],
+    joints: Float[np.ndarray, "7"],
+    gripper: float,
+) -> None:
+    """Write servo commands for a reference that moves from ``before`` to ``joints``."""
+    lead = SERVO_LEAD / _PERIOD * (joints - before)
+    low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
+    world.data.ctrl[world.actuators[:7]] = np.clip(joints + lead, low, high)
     world.data.ctrl[world.actuators[7]] = GRIPPER_CTRL * (gripper + 1) / 2
 
 
@@ -165,12 +184,16 @@ class EndEffectorDelta:
         real = world.to_base(world.data.site_xpos[world.tcp])
         ahead = np.clip(self._point + EE_STEP * action[:3] - real, -EE_LEASH, EE_LEASH)
         self._point = np.clip(real + ahead, *WORKSPACE)
-        self._yaw = wrap(self._yaw + EE_TURN * action[3])
+        hand = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)
+        turned = float(np.arctan2(hand[1, 0], hand[0, 0]))
+        turn_ahead = wrap(self._yaw + EE_TURN * action[3] - turned)
+        self._yaw = turned + float(np.clip(turn_ahead, -YAW_LEASH, YAW_LEASH))
         before = self._joints
         for _ in range(_IK_STEPS):
             self._joints = ik_step(self._joints, self._point, _pointing_down(self._yaw))[0]
-        self._joints = before + np.clip(self._joints - before, -_JOINT_RATE, _JOINT_RATE)
-        _command(world, self._joints, action[4])
+        turn = self._joints - before
+        self._joints = before + turn / max(1.0, float((np.abs(turn) / _JOINT_RATE).max()))
+        _command(world, before, self._joints, action[4])
 
 
 def _pointing_down(yaw: float) -> Float[np.ndarray, "3 3"]:

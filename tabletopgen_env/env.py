@@ -17,7 +17,7 @@ from .observations import (
     pictures,
     slot_order,
 )
-from .rendering import Drawer, RendererChoice, drawer
+from .rendering import RENDERERS, Drawer, RendererChoice, drawer
 from .robot.panda import Panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .tasks.pick_place import GOAL_WEIGHTS, WEIGHTS, Episode, PickPlace
@@ -88,6 +88,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise InputError(
                 f"Unknown render mode {render_mode!r}." + choices(str(render_mode), modes)
             )
+        if renderer not in RENDERERS:
+            raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
         self.source = resolve(scenes)
         self.task = task or PickPlace()
         self.observation_space = observation_space(observation, image_size)

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from .world import World
 
 RendererChoice = Literal["auto", "gl", "software"]
+RENDERERS: tuple[RendererChoice, ...] = ("auto", "gl", "software")
 Profile = Literal["fast", "full"]
 
 _KEPT = 4  # worlds whose meshes and textures stay on the graphics side
@@ -74,10 +75,8 @@ def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> D
         InputError: unknown choice.
         BackendError: "gl" was asked for and there is none.
     """
-    if choice not in ("auto", "gl", "software"):
-        raise InputError(
-            f"Unknown renderer {choice!r}." + choices(str(choice), ["auto", "gl", "software"])
-        )
+    if choice not in RENDERERS:
+        raise InputError(f"Unknown renderer {choice!r}." + choices(str(choice), RENDERERS))
     if choice != "software":
         try:
             return GlDrawer(height, width, profile)

@@ -251,7 +251,8 @@ def _compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     spec.option.impratio = 10  # what the gripper holds does not creep
     spec.option.noslip_iterations = 0
     spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
-    spec.option.disableflags |= mujoco.mjtDisableBit.mjDSBL_MULTICCD
+    # Several contacts a pair: on one alone flat things rock on hulls, and never fall asleep.
+    spec.option.disableflags &= ~int(mujoco.mjtDisableBit.mjDSBL_MULTICCD)
     spec.visual.global_.offwidth = spec.visual.global_.offheight = 2048
     frame = spec.worldbody.add_frame(pos=mount.position, quat=yaw_quaternion(mount.yaw))
     arm = robot.spec()

@@ -2,7 +2,8 @@
 
 Success, exactly: the target's centre is inside the goal region, nothing of the robot touches it,
 it is at rest (below 2 cm/s and 0.3 rad/s), and for a container it is in it: its lowest point lies
-below the rim and above the underside of the hollow's floor, and the container stands upright.
+5 mm or more below the rim and not below the container's floor, and the container stands upright
+(within 30 degrees).
 
 The goal region is an upright elliptic cylinder: radius 4 cm and height ±3 cm around where the
 target would stand on the marked spot; for a container its clear opening, from the hollow's floor
@@ -67,6 +68,9 @@ REST_SPEED, REST_SPIN = 0.02, 0.3
 
 LIFT = 0.08
 """Height to carry things at, metres."""
+
+INSIDE = 0.005
+"""How far below the rim the lowest point of what is in a container lies at least, metres."""
 
 ROOM = 0.025
 """Room that a container must leave around what is put into it, metres."""
@@ -144,6 +148,9 @@ class PickPlace:
             if target not in reasons:
                 raise InputError(f"No object {target!r} to move." + choices(str(target), reasons))
             fit = [target]
+        elif isinstance(goal, str) and goal != SPOT:
+            container = world.scene.object(goal)
+            fit = [n for n in fit if _fits(world, world.scene.object(n), container)]
         for k in rng.permutation(len(fit)):
             episode = _draw_goal(world, rng, world.scene.object(fit[k]), goal)
             if episode is not None:
@@ -183,7 +190,7 @@ class PickPlace:
         base = world.position(episode.container)[2]
         below = world.lowest(episode.target)
         floor = base + up[2] * (hollow.floor - hollow.thickness / 2)
-        return bool(up[2] >= _UPRIGHT and floor <= below <= base + up[2] * hollow.rim)
+        return bool(up[2] >= _UPRIGHT and floor <= below <= base + up[2] * hollow.rim - INSIDE)
 
     def desired(self, world: World, episode: Episode) -> Float[np.ndarray, "8"]:
         """Return the goal vector, base frame: x, y, z, semi-axes x', y', yaw, semi-axis z, 1."""

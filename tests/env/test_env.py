@@ -1,0 +1,221 @@
+"""The environment as Gymnasium and SB3 use it: determinism, options, vectors, training, errors."""
+
+from __future__ import annotations
+
+import pickle
+import subprocess
+import sys
+
+import gymnasium as gym
+import numpy as np
+import pytest
+
+from generator.errors import InputError, SceneError
+from tabletopgen_env.env import GoalTabletopEnv, TabletopEnv, make_env
+from toy import toy_object, toy_objects, toy_scene
+
+ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
+
+
+def rollout(env: gym.Env, seed: int, steps: int = 30) -> list[np.ndarray]:
+    """Observations and rewards of random actions over two episodes."""
+    env.action_space.seed(seed)
+    seen = []
+    for episode_seed in (seed, None):
+        observation, _ = env.reset(seed=episode_seed)
+        seen.append(observation)
+        for _ in range(steps):
+            observation, reward, *_ = env.step(env.action_space.sample())
+            seen += [observation, np.array(reward)]
+    return seen
+
+
+@pytest.mark.parametrize("action", ["ee_delta", "joint_delta"])
+def test_same_seed_gives_the_same_trajectory_bit_for_bit(action) -> None:
+    a = rollout(make_env([toy_scene(), toy_scene(toy_objects()[:4])], action=action), seed=3)
+    b = rollout(make_env([toy_scene(), toy_scene(toy_objects()[:4])], action=action), seed=3)
+    assert all(np.array_equal(x, y) for x, y in zip(a, b, strict=True))
+
+
+def test_a_reused_environment_repeats_its_trajectory() -> None:
+    env = make_env(toy_scene())
+    first, again = rollout(env, seed=5), rollout(env, seed=5)
+    assert all(np.array_equal(x, y) for x, y in zip(first, again, strict=True))
+
+
+def test_other_seeds_differ() -> None:
+    env = make_env(toy_scene())
+    assert not np.array_equal(env.reset(seed=1)[0], env.reset(seed=2)[0])
+
+
+def test_made_by_id_it_truncates_and_never_terminates() -> None:
+    env = gym.make(ID, scenes=toy_scene(), max_episode_steps=5)
+    env.reset(seed=0)
+    ends = [env.step(env.action_space.sample())[2:4] for _ in range(5)]
+    assert ends == [(False, False)] * 4 + [(False, True)]
+
+
+def test_info_names_the_task_and_the_reward_terms() -> None:
+    env = make_env(toy_scene())
+    env.reset(seed=0, options={"target": "cube_1", "goal": "bowl_1"})
+    _, reward, _, _, info = env.step(env.action_space.sample())
+    assert info["instruction"] == "put the cube into the bowl"
+    assert (info["scene"], info["target"], info["goal"]) == ("toy", "cube_1", "bowl_1")
+    assert set(info["reward_terms"]) == {"reach", "grasp", "lift", "place", "success"}
+    assert info["success"] is info["is_success"] is False
+    assert 0 < reward < 1
+
+
+def test_reset_options_choose_scene_target_and_spot() -> None:
+    env = make_env(toy_scene())
+    other = toy_scene((toy_object("pen_1", (0.02, 0.02, 0.05), (0.0, 0.0)),), name="other")
+    _, info = env.reset(seed=0, options={"scene": other, "goal": (0.1, -0.15)})
+    assert (info["scene"], info["target"], info["goal"]) == ("other", "pen_1", "spot")
+    assert np.allclose(env.episode.spot, [0.1, -0.15, 0.74])
+
+
+def test_a_given_container_draws_a_target_that_fits_it() -> None:
+    env = make_env(toy_scene())
+    drawn = {env.reset(seed=k, options={"goal": "mug_1"})[1]["target"] for k in range(5)}
+    assert drawn == {"cube_1"}
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"colour": "red"}, "Unknown reset option 'colour'"),
+        ({"target": "cann_1"}, "No object 'cann_1'.*Did you mean 'can_1'"),
+        ({"goal": "bole_1"}, "no object 'bole_1'.*bottle_1, bowl_1"),
+        ({"target": "can_1", "goal": "cube_1"}, "no container"),
+        ({"goal": (3.0, 0.0)}, "not on the table"),
+        ({"goal": (np.nan, 0.0)}, "two finite numbers"),
+    ],
+)
+def test_wrong_reset_options_are_explained(options, message) -> None:
+    with pytest.raises(InputError, match=message):
+        make_env(toy_scene()).reset(seed=0, options=options)
+
+
+def test_a_scene_with_nothing_graspable_says_why() -> None:
+    scene = toy_scene((toy_object("safe_1", (0.3, 0.3, 0.3), (0.0, 0.0), mass=20.0),))
+    with pytest.raises(SceneError, match=r"safe_1: 20\.00 kg is heavier"):
+        make_env(scene).reset(seed=0)
+    with pytest.raises(SceneError, match="no objects"):
+        make_env(toy_scene(())).reset(seed=0)
+
+
+def test_scenes_with_nothing_to_do_are_passed_over() -> None:
+    empty = toy_scene((), name="empty")
+    env = make_env([empty, toy_scene()])
+    assert {env.reset(seed=seed)[1]["scene"] for seed in range(6)} == {"toy"}
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"observation": "stat"}, "Did you mean 'state'"),
+        ({"action": "ee"}, "Available: ee_delta, joint_delta"),
+        ({"reward": "shaped"}, "Available: dense, sparse"),
+        ({"render_mode": "ansi"}, "Available: depth_array, human, rgb_array"),
+        ({"observation": "pixels", "image_size": 4}, "between 8 and 2048"),
+        ({"renderer": "vulkan"}, "Available: auto, gl, software"),
+        ({"scenes": 7}, "scenes is a int"),
+    ],
+)
+def test_wrong_settings_are_explained(settings, message) -> None:
+    with pytest.raises(InputError, match=message):
+        make_env(**{"scenes": toy_scene(), **settings})
+
+
+def test_stepping_before_reset_and_closing_twice() -> None:
+    env = make_env(toy_scene())
+    with pytest.raises(InputError, match=r"Call reset\(\)"):
+        env.step(np.zeros(5))
+    env.close()
+    env.close()
+
+
+def test_sparse_rewards_are_zero_or_minus_one() -> None:
+    env = make_env(toy_scene(), reward="sparse")
+    env.reset(seed=0)
+    assert env.step(env.action_space.sample())[1] == -1.0
+
+
+def test_the_goal_environment_alone_has_compute_reward() -> None:
+    assert isinstance(make_env(toy_scene(), observation="goal"), GoalTabletopEnv)
+    assert not hasattr(TabletopEnv, "compute_reward")
+
+
+@pytest.mark.parametrize("reward", ["dense", "sparse"])
+def test_compute_reward_is_vectorised_and_agrees_with_step(reward) -> None:
+    env = make_env(toy_scene(), observation="goal", reward=reward)
+    env.reset(seed=0)
+    steps = [env.step(env.action_space.sample()) for _ in range(8)]
+    achieved = np.array([s[0]["achieved_goal"] for s in steps])
+    desired = np.array([s[0]["desired_goal"] for s in steps])
+    rewards = env.compute_reward(achieved, desired, [s[4] for s in steps])
+    assert rewards.shape == (8,)
+    assert np.array_equal(rewards, [s[1] for s in steps])
+    best = env.compute_reward(achieved, achieved, None)
+    assert np.array_equal(best, np.full(8, 1.0 if reward == "dense" else 0.0))
+
+
+def test_two_environments_in_processes_step_apart() -> None:
+    envs = gym.make_vec(
+        ID, num_envs=2, vectorization_mode="async", scenes=toy_scene(), max_episode_steps=4
+    )
+    first, info = envs.reset(seed=[0, 1])
+    assert first.shape == (2, 279) and len(info["instruction"]) == 2
+    assert not np.array_equal(first[0], first[1])
+    for _ in range(6):
+        observation, reward, terminated, _, _ = envs.step(envs.action_space.sample())
+    assert observation.shape == (2, 279) and reward.shape == (2,) and not terminated.any()
+    alone = make_env(toy_scene())
+    assert np.array_equal(alone.reset(seed=1)[0], first[1])
+    envs.close()
+
+
+def test_the_spec_survives_pickling() -> None:
+    spec = gym.make(ID, scenes=toy_scene()).spec
+    assert pickle.loads(pickle.dumps(spec)).id == "TabletopGen/PickPlace-v0"
+
+
+def test_importing_loads_neither_torch_nor_mujoco() -> None:
+    code = "import sys, tabletopgen_env; print(sorted({'torch', 'mujoco'} & set(sys.modules)))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"
+
+
+def test_a_policy_trains_with_ppo() -> None:
+    from stable_baselines3 import PPO
+
+    env = gym.make(ID, scenes=toy_scene(), max_episode_steps=40)
+    model = PPO("MlpPolicy", env, n_steps=64, batch_size=32, n_epochs=2, seed=0, device="cpu")
+    model.learn(192)
+    assert model.num_timesteps == 192
+    action, _ = model.predict(env.reset(seed=0)[0], deterministic=True)
+    assert env.action_space.contains(action)
+
+
+def test_a_policy_trains_with_sac_and_hindsight() -> None:
+    from stable_baselines3 import SAC, HerReplayBuffer
+
+    env = gym.make(
+        ID, scenes=toy_scene(), observation="goal", reward="sparse", max_episode_steps=40
+    )
+    model = SAC(
+        "MultiInputPolicy",
+        env,
+        replay_buffer_class=HerReplayBuffer,
+        replay_buffer_kwargs={"n_sampled_goal": 4},
+        learning_starts=100,
+        buffer_size=2000,
+        batch_size=64,
+        policy_kwargs={"net_arch": [32, 32]},
+        seed=0,
+        device="cpu",
+    )
+    model.learn(200)
+    assert model.num_timesteps == 200
+    sampled = model.replay_buffer.sample(64)
+    assert sampled.rewards.max() == 0.0  # hindsight found successes

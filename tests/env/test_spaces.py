@@ -1,0 +1,110 @@
+"""Every observation × action mode under Gymnasium's and SB3's checkers, and the flat state."""
+
+from __future__ import annotations
+
+import warnings
+
+import gymnasium as gym
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+from stable_baselines3.common.env_checker import check_env as sb3_check_env
+
+from tabletopgen_env.env import make_env
+from tabletopgen_env.observations import MODES, SLOTS
+from toy import toy_object, toy_scene, toy_table
+
+ACTIONS = ("ee_delta", "joint_delta")
+
+
+@pytest.mark.parametrize("action", ACTIONS)
+@pytest.mark.parametrize("observation", MODES)
+def test_both_checkers_pass(observation, action) -> None:
+    env = gym.make(
+        "tabletopgen_env:TabletopGen/PickPlace-v0",
+        scenes=toy_scene(),
+        observation=observation,
+        action=action,
+        image_size=64,
+        render_mode="rgb_array",
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        warnings.filterwarnings("ignore", message=".*needs a display.*")
+        check_env(env.unwrapped)
+        sb3_check_env(env.unwrapped)
+    env.close()
+
+
+def small_round_scene():
+    angle = np.linspace(0, 2 * np.pi, 24, endpoint=False)
+    outline = 0.35 * np.column_stack([np.cos(angle), np.sin(angle)])
+    table = toy_table(outline, (0.7, 0.7, 0.45))
+    things = (toy_object("cube_1", (0.04, 0.04, 0.04), (0.05, 0.0), top=0.45),)
+    return toy_scene(things, table, "round")
+
+
+@pytest.mark.parametrize("observation", ["state", "goal"])
+def test_spaces_do_not_depend_on_the_scene(observation) -> None:
+    many = tuple(
+        toy_object(f"cube_{k}", (0.04, 0.04, 0.04), (-0.45 + 0.07 * k, 0.0)) for k in range(14)
+    )
+    envs = [
+        make_env(scene, observation=observation)
+        for scene in (toy_scene(), small_round_scene(), toy_scene(many))
+    ]
+    assert envs[0].observation_space == envs[1].observation_space == envs[2].observation_space
+    for env in envs:
+        assert env.observation_space.contains(env.reset(seed=0)[0])
+
+
+def test_observations_stay_inside_the_space_when_things_fly_off() -> None:
+    env = make_env(toy_scene(), observation="goal")
+    env.reset(seed=0)
+    world = env.world
+    world.teleport(env.episode.target, np.array([30.0, 0.0, 5.0]))
+    world.data.qvel[:] = 200.0
+    observation = env.step(np.zeros(5, np.float32))[0]
+    assert env.observation_space.contains(observation)
+
+
+def test_the_flat_state_holds_what_its_table_says() -> None:
+    env = make_env(toy_scene())
+    state, _ = env.reset(seed=0, options={"target": "cube_1", "goal": "bowl_1"})
+    world = env.world
+    tcp = world.to_base(world.data.site_xpos[world.tcp])
+    cube, bowl = (world.to_base(world.position(name)) for name in ("cube_1", "bowl_1"))
+    assert np.allclose(state[0:7], world.data.qpos[world.arm_qpos], atol=1e-6)
+    assert np.isclose(state[14], 0.08)
+    assert np.allclose(state[15:18], tcp, atol=1e-6)
+    assert np.allclose(state[34:37], cube - tcp, atol=1e-6)
+    assert np.allclose(state[37:40], [-0.01, 0.6, 0.35], atol=1e-6)
+    slots = state[40:268].reshape(SLOTS, 19)
+    assert np.allclose(slots[0, :3], cube, atol=1e-6) and np.allclose(slots[0, 9:12], 0.0225)
+    assert np.allclose(slots[1, :3], bowl, atol=1e-6)
+    assert slots[:, 18].tolist() == [1.0] * 6 + [0.0] * 6 and not slots[6:].any()
+    assert state[268] == 1.0
+    assert np.allclose(state[269:271], bowl[:2], atol=1e-3)
+    assert np.allclose(state[276:279], state[269:272] - cube, atol=1e-6)
+
+
+def test_the_state_is_seen_from_the_robots_own_seat() -> None:
+    """A scene turned half round about the table's centre gives the same state."""
+    here = toy_object("cube_1", (0.04, 0.04, 0.04), (0.05, -0.1))
+    env = make_env(toy_scene((here,)))
+    state, _ = env.reset(seed=0, options={"goal": (0.2, 0.0)})
+    world = env.world
+    assert np.allclose(world.to_world(world.to_base(np.eye(3))), np.eye(3))
+    back = world.to_world(state[40:43].astype(float))
+    assert np.allclose(back, here.pose.position, atol=1e-5)
+    forward = world.to_world(np.array([1.0, 0.0, 0.0])) - world.base_position
+    assert np.allclose(forward, [np.cos(world.mount.yaw), np.sin(world.mount.yaw), 0.0])
+
+
+def test_pixels_show_the_scene() -> None:
+    env = make_env(toy_scene(), observation="pixels+state", image_size=48)
+    seen, _ = env.reset(seed=0)
+    assert set(seen) == {"front", "wrist", "state"}
+    assert seen["front"].shape == (48, 48, 3) and seen["front"].std() > 10
+    assert not np.array_equal(seen["front"], seen["wrist"])
+    env.close()

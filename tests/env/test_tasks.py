@@ -1,0 +1,198 @@
+"""PickPlace: what is drawn, when it is a success, and where the reward peaks."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from generator.geometry import yaw_quaternion
+from generator.scene import PlannedObject, PlannedTable, ScenePlan
+from tabletopgen_env.actions import SUBSTEPS
+from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.language import refer
+from tabletopgen_env.tasks.pick_place import WEIGHTS, PickPlace
+from toy import toy_object, toy_objects, toy_scene
+
+STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
+
+
+def start(target: str, goal, scene=None) -> TabletopEnv:
+    env = make_env(scene or toy_scene())
+    env.reset(seed=0, options={"target": target, "goal": goal})
+    return env
+
+
+def wait(env: TabletopEnv, steps: int = 20):
+    """Stand still; return reward and info of the last step."""
+    for _ in range(steps):
+        _, reward, _, _, info = env.step(STILL)
+    return reward, info
+
+
+def test_standing_on_the_spot_is_the_only_full_reward() -> None:
+    env = start("cube_1", (0.1, -0.15))
+    env.world.teleport("cube_1", np.array([0.1, -0.15, 0.7627]))
+    reward, info = wait(env)
+    assert info["success"] and reward == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("position", "why"),
+    [
+        ((0.1, -0.10, 0.7626), "5 cm aside"),
+        ((-0.2, -0.15, 0.7626), "elsewhere"),
+        ((0.22, -0.14, 0.78), "in the bowl"),
+    ],
+)
+def test_standing_elsewhere_is_no_success(position, why) -> None:
+    env = start("cube_1", (0.1, -0.15))
+    env.world.teleport("cube_1", np.array(position))
+    reward, info = wait(env)
+    assert not info["success"] and reward < 0.7, why
+
+
+def test_hovering_over_the_spot_is_no_success() -> None:
+    env = start("cube_1", (0.1, -0.15))
+    env.world.teleport("cube_1", np.array([0.1, -0.15, 0.85]))
+    _, reward, _, _, info = env.step(STILL)
+    assert not info["success"] and reward < 1
+
+
+def test_moving_through_the_spot_is_no_success() -> None:
+    env = start("cube_1", (0.1, -0.15))
+    world = env.world
+    world.teleport("cube_1", np.array([0.1, -0.15, 0.7627]))
+    world.data.qvel[world._object_dof[world.index("cube_1")][0]] = 0.1
+    desired = env.task.desired(world, env.episode)
+    achieved = env.task.achieved(world, env.episode, desired)
+    assert env.task.terms(world, env.episode, achieved, desired)["success"] == 0.0
+
+
+def test_being_held_on_the_spot_is_no_success() -> None:
+    env = start("cube_1", (0.1, -0.15))
+    env.world.teleport("cube_1", np.array([0.1, -0.15, 0.7627]))
+    assert wait(env)[1]["success"]
+    hand = env.world.data.site_xpos[env.world.tcp].copy()
+    env.task.region = lambda world, episode: replace(  # the spot, moved up to the hand
+        PickPlace.region(env.task, world, episode), center=hand
+    )
+    closed = np.array([0.0, 0, 0, 0, -1])
+    for _ in range(15):
+        env.world.teleport("cube_1", hand, yaw_quaternion(env.world.mount.yaw))
+        env.step(closed)
+    for _ in range(5):
+        _, reward, _, _, info = env.step(closed)
+    assert env.world.touched("cube_1") == (True, True, True)
+    assert info["reward_terms"]["place"] == 1.0
+    assert not info["success"] and reward == pytest.approx(1 - WEIGHTS["success"])
+
+
+def test_resting_in_the_bowl_is_success() -> None:
+    env = start("cube_1", "bowl_1")
+    env.world.teleport("cube_1", np.array([0.24, -0.15, 0.79]))
+    reward, info = wait(env)
+    assert info["success"] and reward == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(
+    ("position", "why"),
+    [((0.22, -0.25, 0.7626), "beside the bowl"), ((-0.05, 0.12, 0.80), "in the mug instead")],
+)
+def test_resting_outside_the_bowl_is_no_success(position, why) -> None:
+    env = start("cube_1", "bowl_1")
+    env.world.teleport("cube_1", np.array(position))
+    assert not wait(env)[1]["success"], why
+
+
+def test_lying_across_the_rim_is_no_success() -> None:
+    stick = toy_object("stick_1", (0.3, 0.02, 0.02), (-0.3, -0.2), mass=0.05)
+    env = start("stick_1", "bowl_1", toy_scene((*toy_objects(), stick)))
+    env.world.teleport("stick_1", np.array([0.22, -0.14, 0.811]))
+    _, info = wait(env)
+    assert info["reward_terms"]["place"] == 1.0 and not info["success"]
+
+
+def test_the_goal_follows_its_container() -> None:
+    env = start("cube_1", "bowl_1")
+    env.world.teleport("bowl_1", np.array([0.3, -0.1, 0.77]))
+    env.world.teleport("cube_1", np.array([0.3, -0.1, 0.79]))
+    assert wait(env)[1]["success"]
+
+
+def test_reward_rises_along_the_way() -> None:
+    env = start("cube_1", (0.2, 0.1))
+    world, rewards = env.world, []
+    desired = env.task.desired(world, env.episode)
+    for xyz in [(-0.15, -0.1, 0.763), (-0.15, -0.1, 0.83), (0.0, 0.0, 0.83), (0.2, 0.1, 0.83),
+                (0.2, 0.1, 0.78), (0.2, 0.1, 0.763)]:  # fmt: skip
+        world.teleport("cube_1", np.array(xyz))
+        achieved = env.task.achieved(world, env.episode, desired)
+        terms = env.task.terms(world, env.episode, achieved, desired)
+        assert all(0 <= v <= 1 for v in terms.values())
+        rewards.append(sum(WEIGHTS[k] * v for k, v in terms.items() if k not in ("reach", "grasp")))
+    assert rewards == sorted(rewards) and rewards[-1] == pytest.approx(0.75)
+
+
+def test_weights_sum_to_one() -> None:
+    assert sum(WEIGHTS.values()) == pytest.approx(1.0)
+
+
+def test_targets_and_spots_are_drawn_from_what_can_be_done() -> None:
+    env = make_env(toy_scene())
+    targets, goals = set(), set()
+    for seed in range(40):
+        env.reset(seed=seed)
+        episode, world = env.episode, env.world
+        targets.add(episode.target)
+        goals.add(episode.goal)
+        if episode.spot is not None:
+            assert world.mount.reaches(episode.spot[None])[0]
+            for other in world.scene.objects:
+                if other.name != episode.target:
+                    gap = np.linalg.norm(other.pose.position[:2] - episode.spot[:2])
+                    assert gap > other.scale[:2].min() / 2 + 0.03
+    assert targets == {"cube_1", "can_1", "mug_1", "bowl_1", "bottle_1"}  # not the heavy box
+    assert goals == {"spot", "bowl_1", "mug_1"}
+
+
+def test_what_something_stands_on_is_no_target() -> None:
+    bowl, cube = toy_objects()[3], toy_objects()[0]
+    above = replace(cube, placement=replace(cube.placement, on="bowl_1", inside=True))
+    env = make_env(toy_scene((bowl, above)))
+    assert {env.reset(seed=k)[1]["target"] for k in range(6)} == {"cube_1"}
+
+
+def test_the_instruction_tells_alike_things_apart() -> None:
+    def mug(k: int, x: float):
+        return toy_object(f"mug_{k}", (0.07, 0.07, 0.09), (x, 0.0))
+
+    two = toy_scene((mug(1, 0.2), mug(2, -0.2)))
+    assert [refer(two, o) for o in two.objects] == ["the right mug", "the left mug"]
+    three = toy_scene((mug(1, 0.2), mug(2, -0.2), mug(3, 0.0)))
+    assert refer(three, three.objects[2]) == "the second mug from the left"
+    planned = tuple(
+        PlannedObject(f"mug_{k}", "mug", "mug", {"color": c}) for k, c in ((1, "red"), (2, "blue"))
+    )
+    plan = ScenePlan("two mugs", PlannedTable(), planned)
+    assert refer(two.replace(plan=plan), two.objects[0]) == "the red mug"
+
+
+def test_a_hindsight_goal_is_met_by_what_was_achieved() -> None:
+    env = make_env(toy_scene(), observation="goal", reward="sparse")
+    seen, _ = env.reset(seed=0)
+    achieved = seen["achieved_goal"]
+    assert env.compute_reward(achieved, seen["desired_goal"], None) == -1.0
+    assert env.compute_reward(achieved, achieved, None) == 0.0
+    moved = achieved.copy()
+    moved[0] += achieved[3] + 0.01
+    assert env.compute_reward(moved, achieved, None) == -1.0
+
+
+def test_resetting_leaves_the_scene_where_it_settled() -> None:
+    env = start("cube_1", "bowl_1")
+    before = {name: env.world.position(name) for name in env.world.names}
+    env.world.step(20 * SUBSTEPS)
+    for name, position in before.items():
+        assert np.linalg.norm(env.world.position(name) - position) < 2e-3, name
