@@ -117,11 +117,12 @@ def _settings(root: ET.Element) -> None:
     option = ET.SubElement(
         root, "option", timestep="0.002", integrator="implicitfast", cone="elliptic"
     )
-    ET.SubElement(option, "flag", sleep="enable", multiccd="disable")
+    ET.SubElement(option, "flag", sleep="enable")
     visual = ET.SubElement(root, "visual")
     ET.SubElement(visual, "global", offwidth="2048", offheight="2048")
     ET.SubElement(visual, "headlight", ambient=".45 .45 .45", diffuse=".3 .3 .3", specular="0 0 0")
-    ET.SubElement(visual, "quality", shadowsize="2048")
+    ET.SubElement(visual, "quality", shadowsize="4096")
+    ET.SubElement(visual, "map", shadowclip="2")
     default = ET.SubElement(root, "default")
     drawn = ET.SubElement(default, "default", {"class": "visual"})
     ET.SubElement(drawn, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0")
@@ -131,7 +132,7 @@ def _settings(root: ET.Element) -> None:
 
 def _surroundings(world: ET.Element, scene: Scene) -> None:
     ET.SubElement(
-        world, "geom", name=FLOOR, type="plane", size="0 0 0.05", rgba=".93 .93 .92 1",
+        world, "geom", name=FLOOR, type="plane", size="4 4 0.05", rgba=".93 .93 .92 1",
         condim="4", solref="0.01 1",
     )  # fmt: skip
     ET.SubElement(

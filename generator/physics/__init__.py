@@ -1,0 +1,1 @@
+"""Bodies and their motion: mass, convex parts, separation, seating, settling, the gate."""

@@ -1,0 +1,131 @@
+"""Convex decomposition of meshes that come without convex parts (Sec. 3.4), by CoACD.
+
+X. Wei et al., "Approximate convex decomposition for 3D meshes with collision-aware concavity and
+tree search", SIGGRAPH 2022. It is a blocking C call, so it runs in a child process with a time
+limit, on a mesh reduced to about a thousand faces, once per mesh: results are kept by content.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import subprocess
+import sys
+import tempfile
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import platformdirs
+from jaxtyping import Float, Int
+
+from ..errors import SceneError
+from ..scene import ConvexPart, Mesh
+from .inertia import closed, welded
+
+MOST_FACES = 1200
+"""Meshes are reduced to this many faces: CoACD's time grows with them."""
+
+_CHILD = """
+import sys, numpy as np, coacd
+coacd.set_log_level("error")
+mesh = np.load(sys.argv[1])
+hulls = coacd.run_coacd(
+    coacd.Mesh(mesh["vertices"], mesh["faces"]), threshold=0.06, max_convex_hull=24,
+    preprocess_mode=sys.argv[3], preprocess_resolution=30, resolution=300, mcts_nodes=5,
+    mcts_iterations=20, mcts_max_depth=1, decimate=True, max_ch_vertex=48, seed=0,
+)
+np.savez(sys.argv[2], *[vertices for vertices, _ in hulls])
+"""
+
+
+def decompose(
+    mesh: Mesh,
+    scale: Float[np.ndarray, "3"],
+    *,
+    seconds: float = 60.0,
+    cache: Path | None = None,
+) -> tuple[ConvexPart, ...]:
+    """Return convex parts of a canonical mesh, in the canonical frame.
+
+    The work is done at the proportions of ``scale``. Results are kept in ``cache`` (by default a
+    folder of the user's cache); where that cannot be written they are not kept.
+
+    Raises:
+        SceneError: CoACD failed or took longer than ``seconds``.
+    """
+    proportions = np.round(np.asarray(scale, float) / np.max(scale), 3).clip(1e-3)
+    vertices, faces = welded(mesh)
+    digest = hashlib.sha256(_CHILD.encode())
+    for array in (vertices, faces, proportions):
+        digest.update(array.tobytes())
+    kept = (cache or _user_cache()) / f"{digest.hexdigest()[:24]}.npz"
+    hulls = _read(kept) if kept.is_file() else None
+    if not hulls:
+        hulls = _coacd(vertices * proportions, faces, seconds)
+        _keep(kept, hulls)
+    return tuple(ConvexPart((hull / proportions).clip(-0.5, 0.5)) for hull in hulls)
+
+
+def _coacd(
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], seconds: float
+) -> list[Float[np.ndarray, "k 3"]]:
+    """Run CoACD in a child process on a reduced mesh."""
+    vertices, faces = _reduced(vertices, faces)
+    mode = "off" if closed(faces) else "on"
+    with tempfile.TemporaryDirectory() as folder:
+        given, made = Path(folder) / "mesh.npz", Path(folder) / "hulls.npz"
+        np.savez(given, vertices=vertices, faces=faces)
+        command = [sys.executable, "-c", _CHILD, str(given), str(made), mode]
+        try:
+            subprocess.run(command, check=True, capture_output=True, timeout=seconds)
+        except subprocess.TimeoutExpired as error:
+            raise SceneError(
+                f"Convex decomposition of {len(faces)} faces took longer than {seconds:g} s. "
+                "Give the model convex parts, or a simpler mesh."
+            ) from error
+        except subprocess.CalledProcessError as error:
+            said = error.stderr.decode(errors="replace").strip().splitlines()[-1:]
+            raise SceneError(f"Convex decomposition failed: {' '.join(said)}") from error
+        hulls = _read(made)
+    if not hulls:
+        raise SceneError("Convex decomposition found no solid piece. Give the model convex parts.")
+    return hulls
+
+
+def _reduced(
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
+    """Reduce to ``MOST_FACES`` by quadric error."""
+    if len(faces) <= MOST_FACES:
+        return vertices, faces
+    import fast_simplification
+
+    fewer, simpler = fast_simplification.simplify(
+        vertices.astype(np.float32), faces.astype(np.int32), target_count=MOST_FACES
+    )
+    return fewer.astype(np.float64), simpler.astype(np.int64)
+
+
+def _read(path: Path) -> list[Float[np.ndarray, "k 3"]] | None:
+    """Return the hulls kept at ``path``; None if what is there is no such file."""
+    try:
+        with np.load(path, allow_pickle=False) as arrays:
+            hulls = [np.asarray(arrays[key], np.float64) for key in arrays.files]
+    except (OSError, ValueError, zipfile.BadZipFile):
+        return None
+    sound = all(h.ndim == 2 and h.shape[1] == 3 and np.isfinite(h).all() for h in hulls)
+    return hulls if sound else None
+
+
+def _keep(path: Path, hulls: list[Float[np.ndarray, "k 3"]]) -> None:
+    """Keep hulls for the next time, if the cache can be written: it only saves time."""
+    with contextlib.suppress(OSError):
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as part:
+            np.savez(part, *hulls)
+        Path(part.name).replace(path)
+
+
+def _user_cache() -> Path:
+    return Path(platformdirs.user_cache_dir("tabletopgen")) / "hulls"

@@ -1,0 +1,61 @@
+"""Convex parts in metres: the model's own, scaled, or a convex decomposition of its mesh."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+
+from ..geometry import quaternion_matrix
+from ..scene import ConvexPart, Model, Object, Pose
+
+THINNEST = 4e-4
+"""No part is thinner than this along an axis, metres; thinner ones grow about their middle."""
+
+
+def scaled(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
+    """Return a canonical part in metres at ``scale``, rounded to a micrometre."""
+    vertices = part.vertices * scale
+    low, high = vertices.min(0), vertices.max(0)
+    thin = high - low < THINNEST
+    if thin.any():
+        side = np.where(vertices > (low + high) / 2, 0.5, -0.5) * THINNEST
+        vertices = np.where(thin, (low + high) / 2 + side, vertices)
+    if thin.any() and _flat(vertices):
+        corners = [vertices + np.where(thin, sign * THINNEST / 2, 0.0) for sign in (-1, 1)]
+        vertices = np.concatenate(corners)
+    return ConvexPart(vertices.round(6), part.kind, part.axis)
+
+
+def model_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart, ...]:
+    """Return the collision shape of ``model`` at ``scale`` (its extent in metres).
+
+    Raises:
+        SceneError: the mesh has no parts and cannot be decomposed.
+    """
+    from .decomposition import decompose
+
+    parts = model.parts or decompose(model.mesh, scale)
+    return tuple(scaled(part, scale) for part in parts)
+
+
+def lowest(thing: Object) -> float:
+    """Return the height of an upright object's lowest collision point over its origin."""
+    return min(float(part.vertices[:, 2].min()) for part in thing.parts)
+
+
+def highest(thing: Object) -> float:
+    """Return the height of an upright object's highest collision point over its origin."""
+    return max(float(part.vertices[:, 2].max()) for part in thing.parts)
+
+
+def base(thing: Object, pose: Pose) -> Float[np.ndarray, "n 2"]:
+    """Return the world x, y of what an upright object stands on, its lowest tenth, and its com."""
+    points = np.concatenate([part.vertices for part in thing.parts])
+    cut = points[:, 2].min() + 0.1 * np.ptp(points[:, 2])
+    points = np.concatenate([points[points[:, 2] <= cut], thing.com[None]])
+    return (points @ quaternion_matrix(pose.quaternion).T)[:, :2] + pose.position[:2]
+
+
+def _flat(vertices: Float[np.ndarray, "n 3"]) -> bool:
+    spread = np.linalg.svd(vertices - vertices.mean(0), compute_uv=False)
+    return bool(spread[-1] < 1e-5)

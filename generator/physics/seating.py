@@ -1,0 +1,136 @@
+"""Where things come to stand: heights by contact of the real shapes, spots that are free."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+from jaxtyping import Float
+
+from ..geometry import inside_margin
+from ..scene import TABLE, Object, Pose, Scene
+from .parts import base, highest, lowest
+from .separation import TOLERANCE, ancestry, with_poses
+from .simulation import ON_TABLE, Simulation
+
+_GOLDEN = np.pi * (3 - np.sqrt(5))
+_GAP = 2e-4  # objects start this far above what they stand on, metres
+
+
+def seat_on_table(thing: Object, height: float) -> Object:
+    """Return the object upright with its lowest point just above ``height``."""
+    x, y, _ = thing.pose.position
+    return replace(thing, pose=Pose([x, y, height + _GAP - lowest(thing)], thing.pose.quaternion))
+
+
+def seat_stacked(scene: Scene) -> Scene:
+    """Lower each stacked object onto, or into, its support; lowest supports first.
+
+    It is let down from above at its own place; if that is taken, or an object meant to go *into*
+    a container would stay on its rim, at the nearest place on the support that does better.
+    """
+    chains = ancestry(scene.objects)
+    order = sorted(range(len(chains)), key=lambda i: (len(chains[i]), i))
+    for i in order:
+        if len(chains[i]) > 1:
+            scene = _seat(scene, i, chains)
+    return scene
+
+
+def nearest_free(scene: Scene, name: str) -> Pose | None:
+    """Return the nearest pose on the table where ``name`` overlaps nothing, or None."""
+    index = [o.name for o in scene.objects].index(name)
+    thing = scene.objects[index]
+    simulation = Simulation(scene)
+    simulation.place([o.pose for o in scene.objects])
+    z = scene.table.height + _GAP - lowest(thing)
+    size = float(np.linalg.norm(np.ptp(scene.table.outline, axis=0)))
+    for offset in spiral(size, size / 40):
+        pose = Pose([*(thing.pose.position[:2] + offset), z], thing.pose.quaternion)
+        if inside_margin(base(thing, pose), scene.table.outline).min() < 0:
+            continue
+        simulation.positions[index] = pose.position
+        if _depth(simulation, index) <= TOLERANCE:
+            return pose
+    return None
+
+
+def spiral(radius: float, spacing: float) -> Iterator[Float[np.ndarray, "2"]]:
+    """Yield offsets from zero outwards, evenly spread (a sunflower), up to ``radius``."""
+    for k in range(int((radius / spacing) ** 2) + 1):
+        yield spacing * np.sqrt(k) * np.array([np.cos(k * _GOLDEN), np.sin(k * _GOLDEN)])
+
+
+def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
+    thing = scene.objects[index]
+    support = scene.objects[chains[index][1]]
+    settled = [
+        k for k in range(len(chains))
+        if k != index and (len(chains[k]), k) < (len(chains[index]), index)
+    ]  # fmt: skip
+    present = [scene.objects[k] for k in settled]
+    loose = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in [*present, thing])
+    simulation = Simulation(scene.replace(objects=loose))
+    simulation.place([o.pose for o in loose])
+    rim = support.pose.position[2] + highest(support)
+    reach = float(np.min(support.scale[:2])) / 2
+    wanted = rim + _GAP if not thing.placement.inside else rim - 0.3 * _sinks(thing, support)
+    best: tuple[float, np.ndarray] | None = None
+    for offset in spiral(reach, reach / 5):
+        xy = thing.pose.position[:2] + offset
+        z = _lower(
+            simulation,
+            xy,
+            rim - lowest(thing) + 0.002,
+            -np.ptp([highest(support), lowest(support)]),
+        )
+        if z is None:
+            continue
+        bottom = z + lowest(thing)
+        if best is None or bottom < best[0] - 1e-3:
+            best = (bottom, np.array([*xy, z]))
+        if bottom <= wanted:
+            break
+    if best is None:
+        return scene
+    poses = [o.pose for o in scene.objects]
+    poses[index] = Pose(best[1], thing.pose.quaternion)
+    return scene.replace(objects=with_poses(scene.objects, poses))
+
+
+def _sinks(thing: Object, support: Object) -> float:
+    """How deep ``thing`` could go into ``support`` at most, metres."""
+    return min(float(np.ptp([highest(support), lowest(support)])), 0.1)
+
+
+def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> float | None:
+    """Let the last object down at ``xy`` until it touches; None if it is not even free on top."""
+    last = len(simulation.scene.objects) - 1
+
+    def free(z: float) -> bool:
+        simulation.positions[last] = [*xy, z]
+        return _depth(simulation, last, table=True) <= 1e-6
+
+    if not free(top):
+        return None
+    z, step = top, 4e-3
+    while z > top + fall and free(z - step):
+        z -= step
+    low, high = z - step, z
+    while high - low > 1e-4:
+        middle = (low + high) / 2
+        low, high = (low, middle) if free(middle) else (middle, high)
+    return high + _GAP
+
+
+def _depth(simulation: Simulation, index: int, *, table: bool = False) -> float:
+    """Return how deep object ``index`` overlaps others."""
+    return max(
+        (
+            depth
+            for (a, b), depth in simulation.contacts().deepest().items()
+            if index in (a, b) and (table or a != ON_TABLE)
+        ),
+        default=0.0,
+    )

@@ -1,0 +1,197 @@
+"""Separating overlapping objects by the least displacement (Sec. 3.4), horizontally.
+
+Each overlapping pair gives a *cut*: along the direction u in which the pair comes apart soonest,
+object b must move at least t metres relative to object a. Together with the table's edges the cuts
+form a small quadratic program, ``min Σ |d_i|²`` subject to ``u · (D_b - D_a) >= t``, where d_i is
+an object's own displacement and D_i adds that of what it stands on. New overlaps give new cuts
+until none is left.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from ..geometry import quaternion_yaw
+from ..scene import TABLE, Object, Pose, Scene
+from .parts import base
+from .simulation import Simulation
+
+TOLERANCE = 2e-4
+"""Overlaps shallower than this, metres, are contact."""
+
+_ROUNDS = 40
+_SWEEPS = 400
+
+
+@dataclass(frozen=True, eq=False)
+class Cut:
+    """``direction · (D_b - D_a) >= distance``; ``a`` None stands for the table."""
+
+    a: int | None
+    b: int
+    direction: Float[np.ndarray, "2"]
+    distance: float
+
+
+def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
+    """Move overlapping objects apart on the table, what stands on them with them.
+
+    Objects that support one another (directly or through others) are not pushed apart. ``clearance``
+    is the gap left between objects that had overlapped, metres.
+
+    Returns:
+        The scene with new poses, and the names of objects that still overlap another.
+    """
+    chains = ancestry(scene.objects)
+    start = [o.pose for o in scene.objects]
+    simulation = Simulation(scene)
+    cuts = _edge_cuts(scene)
+    poses = start
+    pairs: list[tuple[int, int]] = []
+    for _ in range(_ROUNDS):
+        poses = _moved(start, _least_squares(cuts, chains))
+        simulation.place(poses)
+        pairs = _overlapping(simulation, chains)
+        if not pairs:
+            break
+        now = scene.replace(objects=with_poses(scene.objects, poses))
+        for a, b in pairs:
+            direction, distance = least_push(now.objects[a], now.objects[b], now, clearance)
+            already = (poses[b].position - start[b].position) - (
+                poses[a].position - start[a].position
+            )
+            cuts.append(Cut(a, b, direction, distance + float(direction @ already[:2])))
+    stuck = sorted({scene.objects[i].name for pair in pairs for i in pair})
+    return scene.replace(objects=with_poses(scene.objects, poses)), tuple(stuck)
+
+
+def ancestry(objects: Sequence[Object]) -> list[tuple[int, ...]]:
+    """Return for each object itself and what it stands on, down to the table."""
+    index = {o.name: i for i, o in enumerate(objects)}
+    chains = []
+    for i, _ in enumerate(objects):
+        chain = [i]
+        while (below := objects[chain[-1]].placement.on) != TABLE:
+            chain.append(index[below])
+        chains.append(tuple(chain))
+    return chains
+
+
+def with_poses(objects: Sequence[Object], poses: Sequence[Pose]) -> tuple[Object, ...]:
+    """Return the objects at other poses."""
+    from dataclasses import replace
+
+    return tuple(replace(o, pose=p) for o, p in zip(objects, poses, strict=True))
+
+
+def least_push(
+    a: Object, b: Object, scene: Scene, clearance: float
+) -> tuple[Float[np.ndarray, "2"], float]:
+    """Return the horizontal direction and distance by which ``b`` soonest gets clear of ``a``.
+
+    Candidate directions are the normals of both boxes' sides and sixteen around; the distance
+    along each is measured on the collision shapes, to 0.1 mm.
+    """
+    from dataclasses import replace
+
+    alone = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in (a, b))
+    pair = Simulation(scene.replace(objects=alone))
+    pair.place([a.pose, b.pose])
+    origin = pair.positions[1].copy()
+
+    def clear(direction: np.ndarray, distance: float) -> bool:
+        pair.positions[1] = origin + [*(distance * direction), 0.0]
+        return pair.contacts().deepest().get((0, 1), 0.0) <= 1e-6
+
+    angles = [quaternion_yaw(o.pose.quaternion) + k * np.pi / 2 for o in (a, b) for k in range(4)]
+    apart = b.pose.position[:2] - a.pose.position[:2]
+    angles += [*(np.arange(16) * np.pi / 8), float(np.arctan2(apart[1], apart[0]))]
+    ways = np.column_stack([np.cos(angles), np.sin(angles)])
+    far = 2e-3
+    while not (free := [u for u in ways if clear(u, far)]):
+        far *= 1.5
+    best, reached = free[0], far
+    for direction in free:
+        if not clear(direction, reached - 1e-4):
+            continue
+        low, high = 0.0, reached
+        while high - low > 1e-4:
+            middle = (low + high) / 2
+            low, high = (low, middle) if clear(direction, middle) else (middle, high)
+        best, reached = direction, high
+    return best, reached + clearance
+
+
+# ------------------------------------------------------------------------------------- the program
+
+
+def _least_squares(
+    cuts: Sequence[Cut], chains: Sequence[tuple[int, ...]]
+) -> Float[np.ndarray, "n 2"]:
+    """Return each object's total displacement D: Hildreth's method on the dual, warm from zero."""
+    count = len(chains)
+    member = np.zeros((count, count))
+    for i, chain in enumerate(chains):
+        member[i, list(chain)] = 1.0
+    if not cuts:
+        return np.zeros((count, 2))
+    rows = []
+    for cut in cuts:
+        weights = member[cut.b] - (member[cut.a] if cut.a is not None else 0.0)
+        rows.append(np.outer(weights, cut.direction).ravel())
+    matrix, bounds = np.array(rows), np.array([cut.distance for cut in cuts])
+    gram = matrix @ matrix.T
+    dual = np.zeros(len(cuts))
+    for _ in range(_SWEEPS):
+        change = 0.0
+        for k in range(len(cuts)):
+            step = max(-dual[k], (bounds[k] - gram[k] @ dual) / gram[k, k])
+            dual[k] += step
+            change = max(change, abs(step))
+        if change < 1e-7:
+            break
+    return member @ (matrix.T @ dual).reshape(count, 2)
+
+
+def _edge_cuts(scene: Scene) -> list[Cut]:
+    """Return the cuts that keep what stands on the table within its outline.
+
+    A base wider than the table keeps its centre of mass inside instead.
+    """
+    outline = scene.table.outline
+    edges = np.roll(outline, -1, axis=0) - outline
+    inward = np.column_stack([-edges[:, 1], edges[:, 0]])
+    inward /= np.linalg.norm(inward, axis=1, keepdims=True)
+    level = np.einsum("kj,kj->k", inward, outline)
+    cuts = []
+    for i, thing in enumerate(scene.objects):
+        if thing.placement.on != TABLE:
+            continue
+        stands = base(thing, thing.pose)
+        width = np.ptp(outline @ inward.T, axis=0) - np.ptp(stands @ inward.T, axis=0)
+        points = np.where(width[:, None] > 0, (stands @ inward.T).min(0)[:, None],
+                          (stands[-1] @ inward.T)[:, None])[:, 0]  # fmt: skip
+        short = level - points
+        cuts += [Cut(None, i, inward[k], float(short[k])) for k in range(len(level))]
+    return cuts
+
+
+def _overlapping(
+    simulation: Simulation, chains: Sequence[tuple[int, ...]]
+) -> list[tuple[int, int]]:
+    return [
+        (a, b)
+        for (a, b), depth in sorted(simulation.contacts().deepest().items())
+        if a >= 0 and depth > TOLERANCE and a not in chains[b] and b not in chains[a]
+    ]
+
+
+def _moved(poses: Sequence[Pose], shifts: Float[np.ndarray, "n 2"]) -> list[Pose]:
+    return [
+        Pose(p.position + [*shift, 0.0], p.quaternion)
+        for p, shift in zip(poses, shifts, strict=True)
+    ]

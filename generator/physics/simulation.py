@@ -1,0 +1,136 @@
+"""A scene in MuJoCo: poses in and out, contacts by object, time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from ..mjcf import FLOOR, scene_spec
+from ..scene import Pose, Scene
+
+ON_TABLE = -1
+"""Index of the table among a scene's objects, in contacts."""
+
+ON_FLOOR = -2
+"""Index of the floor."""
+
+
+@dataclass(frozen=True, eq=False)
+class Contacts:
+    """Pairs of touching bodies (object indices, ``ON_TABLE``, ``ON_FLOOR``), lower index first.
+
+    ``distance`` is negative where they overlap, metres. One pair may occur many times.
+    """
+
+    pairs: Int[np.ndarray, "n 2"]
+    distance: Float[np.ndarray, "n"]
+
+    def deepest(self) -> Mapping[tuple[int, int], float]:
+        """Return each pair's deepest overlap (positive metres); pairs that only touch give 0."""
+        found: dict[tuple[int, int], float] = {}
+        for (a, b), distance in zip(self.pairs.tolist(), self.distance.tolist(), strict=True):
+            found[a, b] = max(found.get((a, b), 0.0), -distance)
+        return found
+
+
+class Simulation:
+    """One compiled scene and its state, without sleeping: nothing is at rest by decree."""
+
+    def __init__(self, scene: Scene) -> None:
+        import mujoco
+
+        self.scene = scene
+        self.model = scene_spec(scene, visuals=False).compile()
+        self.model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
+        self.data = mujoco.MjData(self.model)
+        bodies = [self.model.body(o.name).id for o in scene.objects]
+        owner = np.full(self.model.nbody, ON_TABLE)
+        owner[bodies] = np.arange(len(bodies))
+        self._owner = owner[self.model.geom_bodyid]
+        self._owner[self.model.geom(FLOOR).id] = ON_FLOOR
+        self._undamped = self.model.dof_damping.copy()
+
+    @property
+    def poses(self) -> tuple[Pose, ...]:
+        """The objects' poses now, in the scene's order."""
+        return tuple(
+            Pose(q[:3], q[3:] / np.linalg.norm(q[3:])) for q in self.data.qpos.reshape(-1, 7)
+        )
+
+    @property
+    def positions(self) -> Float[np.ndarray, "n 3"]:
+        """Centres of the objects' boxes, metres; writing moves them."""
+        return self.data.qpos.reshape(-1, 7)[:, :3]
+
+    @property
+    def centers_of_mass(self) -> Float[np.ndarray, "n 3"]:
+        """The objects' centres of mass in the world, as of the last step or contact search."""
+        return self.data.xipos[self.model.nbody - len(self.scene.objects) :]
+
+    def place(self, poses: Iterable[Pose]) -> None:
+        """Put the objects at ``poses``, at rest, at time 0."""
+        import mujoco
+
+        mujoco.mj_resetData(self.model, self.data)
+        rows = [np.concatenate([p.position, p.quaternion]) for p in poses]
+        self.data.qpos[:] = np.concatenate(rows) if rows else []
+
+    def contacts(self, margin: float = 0.0) -> Contacts:
+        """Return what touches, or comes within ``margin`` metres, exact in depth.
+
+        Only objects count: the table stands on the floor unmentioned.
+        """
+        import mujoco
+
+        model, data = self.model, self.data
+        flags = model.opt.disableflags
+        model.opt.disableflags = flags | int(mujoco.mjtDisableBit.mjDSBL_MULTICCD)
+        model.geom_margin[:] = model.body_margin[:] = margin / 2
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        mujoco.mj_collision(model, data)
+        model.opt.disableflags = flags
+        model.geom_margin[:] = model.body_margin[:] = 0.0
+        pairs = np.sort(self._owner[data.contact.geom].reshape(-1, 2), axis=1)
+        return Contacts(pairs, np.array(data.contact.dist, float))
+
+    def run(self, seconds: float, damping: float = 0.0) -> None:
+        """Simulate; ``damping`` is the rate (1/s) at which free motion dies out."""
+        import mujoco
+
+        inertia = np.stack([self.model.body_mass] * 3 + [*self.model.body_inertia.T], axis=1)
+        start = self.model.nbody - len(self.scene.objects)
+        self.model.dof_damping[:] = self._undamped + damping * inertia[start:].ravel()
+        mujoco.mj_step(self.model, self.data, round(seconds / self.model.opt.timestep))
+        self.model.dof_damping[:] = self._undamped
+
+    def speeds(self) -> Float[np.ndarray, "n 2"]:
+        """Return each object's linear (m/s) and angular (rad/s) speed."""
+        velocity = self.data.qvel.reshape(-1, 2, 3)
+        return np.linalg.norm(velocity, axis=2)
+
+
+def supported(contacts: Contacts, count: int) -> Bool[np.ndarray, "n"]:
+    """Whether each object is held by the table or floor through a chain of touching objects."""
+    held = {ON_TABLE, ON_FLOOR}
+    links = {(a, b) for a, b in contacts.pairs.tolist()}
+    while True:
+        more = {x for a, b in links if (a in held) != (b in held) for x in (a, b)} - held
+        if not more:
+            return np.array([i in held for i in range(count)], bool)
+        held |= more
+
+
+def turned(before: Iterable[Pose], after: Iterable[Pose]) -> Float[np.ndarray, "n"]:
+    """Return the angle between two orientations of each object, radians."""
+    dots = [abs(float(a.quaternion @ b.quaternion)) for a, b in zip(before, after, strict=True)]
+    return 2 * np.arccos(np.clip(dots, 0.0, 1.0))
+
+
+def shifted(before: Iterable[Pose], after: Iterable[Pose]) -> Float[np.ndarray, "n"]:
+    """Return the distance between two positions of each object, metres."""
+    pairs = zip(before, after, strict=True)
+    return np.array([np.linalg.norm(b.position - a.position) for a, b in pairs], float)

@@ -1,0 +1,292 @@
+"""3D scene assembly (Sec. 3.4): models with their poses and scales become bodies that rest.
+
+The paper imports the canonical models m_i with (r_i, t_i, s_i) into a simulator, gives each a
+collision shape by convex decomposition, and enables gravity and friction. Here that is: convex
+parts, volume-true inertia, least-displacement separation, seating by contact, settling in MuJoCo,
+and a gate that records whether the result is sound.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float
+
+from ..errors import InputError, choices
+from ..geometry import convex_outline, yaw_quaternion
+from ..physics.gate import Limits, fallen, judge
+from ..physics.inertia import body_mass
+from ..physics.parts import lowest, model_parts
+from ..physics.seating import nearest_free, seat_on_table, seat_stacked
+from ..physics.separation import TOLERANCE, ancestry, separate, with_poses
+from ..physics.settling import leaning, settle
+from ..physics.simulation import Simulation, shifted
+from ..scene import (
+    TABLE,
+    ConvexPart,
+    Model,
+    Object,
+    Placement,
+    Pose,
+    Provenance,
+    Report,
+    Scene,
+    ScenePlan,
+    Table,
+    View,
+)
+
+
+@dataclass(frozen=True)
+class AssemblyConfig:
+    """Settings of the assembly.
+
+    clearance: gap left between objects that had overlapped, metres.
+    settle_seconds: longest time given to come to rest.
+    topple: an object that leans more than this after settling (radians) has toppled; it is set up
+        again on a weighted foot.
+    attempts: how often settling is tried.
+    drop_failing: leave out objects that cannot be freed or made to stand, instead of recording a
+        failure.
+    limits: what the gate demands.
+    """
+
+    clearance: float = 1e-3
+    settle_seconds: float = 4.0
+    topple: float = float(np.deg2rad(30.0))
+    attempts: int = 4
+    drop_failing: bool = False
+    limits: Limits = Limits()
+
+
+def assemble(
+    models: Mapping[str, Model],
+    placements: Sequence[Placement],
+    table_model: Model,
+    table_scale: Float[np.ndarray, "3"],
+    *,
+    provenance: Provenance,
+    name: str,
+    config: AssemblyConfig | None = None,
+    view: View | None = None,
+    plan: ScenePlan | None = None,
+) -> Scene:
+    """Assemble a scene from canonical models and their placements.
+
+    Args:
+        models: canonical models by object name.
+        placements: r_i, t_i, s_i and the support of each object, world frame.
+        table_model: canonical model of the table.
+        table_scale: the table's extent in metres.
+        provenance: where the scene comes from; warnings of this stage are added to it.
+        name: name of the scene.
+        config: settings.
+        view: the reference image's camera; None keeps the scene's default.
+        plan: what the text asked for, kept with the scene.
+
+    Returns:
+        The settled scene with its report. The report may have failed; publishing checks it.
+
+    Raises:
+        InputError: a placement without a model, or on something that is not there.
+        SceneError: a mesh has no convex parts and cannot be decomposed.
+    """
+    config = config or AssemblyConfig()
+    table = _table(table_model, np.asarray(table_scale, float))
+    objects = tuple(_object(_model(models, p.name), p) for p in _checked(placements))
+    scene = Scene(name, table, objects, provenance, plan=plan)
+    if view is not None:
+        scene = scene.replace(view=view)
+
+    arranged, stuck = arrange(scene, config)
+    rested, unstable = rest(arranged, config)
+    failing = {*stuck, *unstable}
+    if config.drop_failing and failing:
+        scene, arranged, dropped = _without(scene, failing), _without(arranged, failing), failing
+        rested, unstable = rest(arranged, config)
+    else:
+        dropped = set()
+    return _recorded(scene, arranged, rested, stuck, unstable, dropped, config)
+
+
+def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
+    """Free a scene of overlaps: stand, separate, stack, separate again, at last relocate.
+
+    Returns the scene and the names of objects for which there is no free place.
+    """
+    height = scene.table.height
+    standing = [o if o.placement.on != TABLE else seat_on_table(o, height) for o in scene.objects]
+    scene = scene.replace(objects=tuple(standing))
+    roots = tuple(o for o in scene.objects if o.placement.on == TABLE)
+    apart, _ = separate(scene.replace(objects=roots), config.clearance)
+    scene = seat_stacked(_carried(scene, {o.name: o.pose for o in apart.objects}))
+    scene, stuck = separate(scene, config.clearance)
+    taken = []
+    for name in sorted(stuck, key=lambda n: float(np.prod(scene.object(n).scale[:2]))):
+        if scene.object(name).placement.on != TABLE or not overlapping(scene, name):
+            continue
+        place = nearest_free(scene, name)
+        if place is None:
+            taken.append(name)
+        else:
+            scene = _carried(scene, {name: place})
+    return scene, tuple(taken)
+
+
+def rest(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
+    """Settle a scene; what topples is stood up again on a weighted foot and settled once more.
+
+    Returns the scene at rest and the names of objects that would not stand.
+    """
+    footed: set[str] = set()
+    while True:
+        poses = settle(scene, config.settle_seconds)
+        down = _toppled(scene, poses, config.topple)
+        if down <= footed or len(footed) >= len(scene.objects):
+            return scene.replace(objects=with_poses(scene.objects, poses)), tuple(sorted(down))
+        footed |= down
+        objects = tuple(on_foot(o) if o.name in down else o for o in scene.objects)
+        scene = scene.replace(objects=objects)
+
+
+def on_foot(thing: Object) -> Object:
+    """Return the object with a flat box under it and its weight drawn down to a third.
+
+    The foot spans the object's box and is a thirtieth of its height, 2 mm at least.
+    """
+    half = thing.scale / 2
+    thick = max(2e-3, float(thing.scale[2]) / 30)
+    low, high = lowest(thing), lowest(thing) + thick
+    corners = [[x, y, z] for x in (-half[0], half[0]) for y in (-half[1], half[1])
+               for z in (low, high)]  # fmt: skip
+    com = np.array([0.0, 0.0, low + min(thing.com[2] - low, float(thing.scale[2]) / 3)])
+    return replace(thing, parts=(*thing.parts, ConvexPart(np.array(corners), "box")), com=com)
+
+
+# ------------------------------------------------------------------------------------------ bodies
+
+
+def _table(model: Model, scale: Float[np.ndarray, "3"]) -> Table:
+    parts = model_parts(model, scale)
+    points = np.concatenate([p.vertices for p in parts])
+    top = points[points[:, 2] > points[:, 2].max() - 0.01]
+    return Table(model, scale, parts, convex_outline(top[:, :2]), model.physics.friction)
+
+
+def _object(model: Model, placement: Placement) -> Object:
+    parts = model_parts(model, placement.scale)
+    weighed = body_mass(model.mesh, placement.scale, model.physics, parts)
+    pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
+    return Object(
+        placement.name, model, placement, parts, weighed.mass, weighed.com, weighed.inertia,
+        model.physics.friction, pose,
+    )  # fmt: skip
+
+
+def _model(models: Mapping[str, Model], name: str) -> Model:
+    if name not in models:
+        raise InputError(f"No model for the placed object {name!r}." + choices(name, models))
+    return models[name]
+
+
+def _checked(placements: Sequence[Placement]) -> Sequence[Placement]:
+    """Check that what things stand on is there, and that no thing stands on itself."""
+    on = {p.name: p.on for p in placements}
+    for name, below in on.items():
+        seen = {name}
+        while below != TABLE:
+            if below not in on:
+                raise InputError(f"{name!r} stands on unknown {below!r}." + choices(below, on))
+            if below in seen:
+                raise InputError(f"{name!r} stands on itself, by way of {sorted(seen)}.")
+            seen.add(below)
+            below = on[below]
+    return placements
+
+
+# -------------------------------------------------------------------------------------- the scene
+
+
+def overlapping(scene: Scene, name: str) -> bool:
+    """Whether ``name`` overlaps another object by more than contact."""
+    index = [o.name for o in scene.objects].index(name)
+    simulation = Simulation(scene)
+    simulation.place([o.pose for o in scene.objects])
+    deep = simulation.contacts().deepest().items()
+    return any(index in pair and pair[0] >= 0 and depth > TOLERANCE for pair, depth in deep)
+
+
+def _carried(scene: Scene, places: Mapping[str, Pose]) -> Scene:
+    """Put objects at new places, and what stands on them along."""
+    chains = ancestry(scene.objects)
+    poses = []
+    for chain, thing in zip(chains, scene.objects, strict=True):
+        root = scene.objects[next((k for k in chain if scene.objects[k].name in places), chain[0])]
+        shift = places[root.name].position - root.pose.position if root.name in places else 0.0
+        poses.append(Pose(thing.pose.position + shift, thing.pose.quaternion))
+    return scene.replace(objects=with_poses(scene.objects, poses))
+
+
+def _toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
+    """Return what leans too far, though it should stand, and what left the table."""
+    simulation = Simulation(scene)
+    simulation.place(poses)
+    simulation.contacts()
+    gone = set(fallen(simulation))
+    lean = leaning(poses)
+    return {
+        thing.name
+        for k, thing in enumerate(scene.objects)
+        if k in gone
+        or (
+            lean[k] > limit
+            and not thing.placement.inside
+            and any(part.kind != "ellipsoid" for part in thing.parts)
+        )
+    }
+
+
+def _without(scene: Scene, names: set[str]) -> Scene:
+    """Return the scene without ``names`` and all that stands on them."""
+    objects = scene.objects
+    chains = ancestry(objects)
+    kept = [o for o, c in zip(objects, chains, strict=True)
+            if not any(objects[k].name in names for k in c)]  # fmt: skip
+    return scene.replace(objects=tuple(kept))
+
+
+def _recorded(
+    wanted: Scene,
+    arranged: Scene,
+    rested: Scene,
+    stuck: Sequence[str],
+    unstable: Sequence[str],
+    dropped: set[str],
+    config: AssemblyConfig,
+) -> Scene:
+    """Judge the scene; where something still creeps, let it settle on from there."""
+    poses = [[o.pose for o in scene.objects] for scene in (wanted, arranged)]
+    moved = [np.linalg.norm((b.position - a.position)[:2]) for a, b in zip(*poses, strict=True)]
+    report = Report(
+        0.0, 0.0, 0.0, moved=float(max(moved, default=0.0)), dropped=tuple(sorted(dropped))
+    )
+    scene = rested
+    for _ in range(config.attempts):
+        settling = shifted(poses[1], [o.pose for o in scene.objects])
+        report = replace(report, settling=float(settling.max(initial=0.0)))
+        report = judge(scene.replace(report=report), config.limits)
+        if report.passed:
+            break
+        later = settle(scene, config.settle_seconds)
+        scene = scene.replace(objects=with_poses(scene.objects, later))
+    else:
+        report = judge(scene.replace(report=report), config.limits)
+    warnings = (
+        *(f"{name} has no free place on the table" for name in stuck),
+        *(f"{name} would not stand" for name in unstable),
+        *(f"{name} was left out" for name in sorted(dropped)),
+    )
+    provenance = replace(scene.provenance, warnings=scene.provenance.warnings + warnings)
+    return scene.replace(report=report, provenance=provenance)
