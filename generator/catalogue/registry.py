@@ -11,12 +11,16 @@ import numpy as np
 
 from ..errors import InputError, choices
 from ..scene import Model
-from . import craft, dining, lab, tools, toys, vanity
+from . import bakery, craft, dining, food, lab, tools, toys, vanity
 from .category import Category, model_of
 from .look import Look
 
 CATEGORIES: Mapping[str, Category] = MappingProxyType(
-    {c.key: c for module in (dining, tools, toys, craft, vanity, lab) for c in module.CATEGORIES}
+    {
+        c.key: c
+        for module in (dining, food, bakery, tools, toys, craft, vanity, lab)
+        for c in module.CATEGORIES
+    }
 )
 """Every category by key."""
 
