@@ -99,6 +99,7 @@ class World:
         self.base_rotation = rotation_z(self.mount.yaw)
         self.base_position = np.asarray(self.mount.position, float)
         self._start = self._start_qpos()
+        self._commanded = np.array(HOME_CTRL[:7])
 
     # ------------------------------------------------------------------------------------ state
 
@@ -116,13 +117,23 @@ class World:
         mujoco.mj_resetData(self.model, self.data)
         self.data.qpos[:] = self._start
         self.data.ctrl[self.actuators] = HOME_CTRL
+        self._commanded = self.data.ctrl[self.actuators[:7]]
         mujoco.mj_forward(self.model, self.data)
 
     def step(self, substeps: int) -> None:
-        """Simulate ``substeps`` steps of ``TIMESTEP`` seconds."""
+        """Simulate ``substeps`` steps of ``TIMESTEP`` seconds.
+
+        The arm's servo commands move evenly from the last call's to those in ``data.ctrl``, as a
+        real controller interpolates: commands that jump at 20 Hz shake loose what the hand holds.
+        """
         import mujoco
 
-        mujoco.mj_step(self.model, self.data, substeps)
+        servos = self.actuators[:7]
+        wanted = self.data.ctrl[servos]
+        for command in np.linspace(self._commanded, wanted, substeps + 1)[1:]:
+            self.data.ctrl[servos] = command
+            mujoco.mj_step(self.model, self.data)
+        self._commanded = wanted
 
     def teleport(
         self,

@@ -13,6 +13,7 @@ carry      over what is in the way, to above the goal
 lower      until the object stands, or hangs as deep in the container as the fingers allow
 release    open
 retreat    straight up, then stay
+stuck      stand still: the object has come to lie where no grasp reaches it
 =========  =====================================================================================
 """
 
@@ -37,7 +38,7 @@ if TYPE_CHECKING:
     from ..env import TabletopEnv
 
 Phase = Literal[
-    "approach", "descend", "close", "lift", "carry", "lower", "release", "retreat"
+    "approach", "descend", "close", "lift", "carry", "lower", "release", "retreat", "stuck"
 ]
 
 _GAIN, _TURN_GAIN = 0.3, 0.4
@@ -48,7 +49,7 @@ _SLIP = 0.03
 _MOVED = 0.015
 _PATIENCE: dict[Phase, int] = {
     "approach": 70, "descend": 40, "close": 14, "lift": 30, "carry": 80, "lower": 45,
-    "release": 8, "retreat": 10_000,
+    "release": 8, "retreat": 60, "stuck": 60,
 }  # fmt: skip
 
 
@@ -86,7 +87,11 @@ class PickPlaceExpert:
         """Plan for the episode that has just begun."""
         self.attempts = 0
         self._failed: tuple[Grasp, ...] = ()
-        self._begin()
+        if not self._begin():
+            raise SceneError(
+                f"The expert finds no grasp of {self._env.episode.target!r} in scene "
+                f"{self._env.world.scene.name!r} that the arm can reach; choose another target."
+            )
 
     # ------------------------------------------------------------------------------------ acting
 
@@ -98,7 +103,7 @@ class PickPlaceExpert:
 
     def _approach(self, late: bool) -> Float[np.ndarray, "5"]:
         if late or self._has_moved():
-            self._begin(failed=late)
+            return self._retry(failed=late)
         grasp = self._plan.grasp
         above = grasp.point + [0, 0, _HOVER]
         near = np.linalg.norm((self._tool - above)[:2]) < _FINE
@@ -109,8 +114,7 @@ class PickPlaceExpert:
     def _descend(self, late: bool) -> Float[np.ndarray, "5"]:
         grasp = self._plan.grasp
         if self._has_moved():
-            self._begin()
-            return self._travel(self._plan.grasp.point + [0, 0, _HOVER], grasp.opening, depth=TIP)
+            return self._retry(failed=False)
         low = self._tool[2] - grasp.point[2] < 0.004
         if low or late:
             return self._enter("close")
@@ -168,8 +172,8 @@ class PickPlaceExpert:
 
     # ---------------------------------------------------------------------------------- planning
 
-    def _begin(self, failed: bool = False) -> None:
-        """Choose the best grasp that the arm can reach, and approach it."""
+    def _begin(self, failed: bool = False) -> bool:
+        """Choose the best grasp that the arm can reach and approach it, or be stuck."""
         world, name = self._env.world, self._env.episode.target
         if failed:
             self._failed = (*self._failed, self._plan.grasp)
@@ -179,11 +183,9 @@ class PickPlaceExpert:
             if yaw is not None:
                 self._plan = Plan(grasp, yaw, world.position(name))
                 self._enter("approach")
-                return
-        raise SceneError(
-            f"The expert finds no grasp of {name!r} in scene {world.scene.name!r} that the arm "
-            "can reach; choose another target."
-        )
+                return True
+        self.phase, self._steps = "stuck", 0
+        return False
 
     def _reachable_yaw(self, grasp: Grasp) -> float | None:
         """Return the hand's yaw (base frame) that reaches the grasp most comfortably, if any."""
@@ -205,11 +207,15 @@ class PickPlaceExpert:
                     best = stretch, yaw
         return None if best is None else best[1]
 
-    def _retry(self) -> Float[np.ndarray, "5"]:
-        """Give this grasp up and begin again."""
-        self._begin(failed=True)
-        grasp = self._plan.grasp
-        return self._travel(grasp.point + [0, 0, _HOVER], grasp.opening, depth=TIP)
+    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
+        if late:
+            return self._retry(failed=False)
+        return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
+
+    def _retry(self, failed: bool = True) -> Float[np.ndarray, "5"]:
+        """Plan again, this grasp being to blame or not, and let go for this step."""
+        self._begin(failed)
+        return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
     def _goal(self) -> Float[np.ndarray, "3"]:
         """Return where the tool has to be for the object to be let go, world frame."""

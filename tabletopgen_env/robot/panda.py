@@ -161,18 +161,37 @@ def _add_hand(spec: mujoco.MjSpec, link7: mujoco.MjsBody) -> None:
         _collide(
             finger, f"{name}_shaft", type=box, size=[0.0105, 0.0095, 0.017], pos=[0, 0.0165, 0.018]
         )
-        _collide(
-            finger,
-            f"{name}_pad",
-            type=box,
-            size=[0.0095, 0.006, 0.0093],
-            pos=[0, 0.006, 0.0445],
-            condim=4,
-            friction=[1.3, 0.02, 1e-4],
-            priority=1,
-            solref=[0.01, 1],
-            solimp=[0.95, 0.99, 0.001, 0.5, 2],
-        )
+        _add_pad(finger)
+
+
+def _add_pad(finger: mujoco.MjsBody) -> None:
+    """Give a finger its pad: six knobs, and behind them a box that closes the gaps.
+
+    A sphere touches whatever it meets in one point that moves smoothly, so six of them hold like
+    a soft pad; a single box meets curved things in a point that jumps from edge to edge, and what
+    it holds wanders out of the hand.
+    """
+    import mujoco
+
+    grip: dict[str, Any] = {
+        "condim": 4,
+        "friction": [1.3, 0.01, 1e-4],
+        "priority": 1,
+        "solref": [0.01, 1],
+        "solimp": [0.95, 0.99, 0.001, 0.5, 2],
+    }
+    places = [(x, 0.005, z) for x in (-0.0055, 0.0055) for z in (0.0385, 0.0437, 0.0489)]
+    for i, place in enumerate(places):
+        knob = mujoco.mjtGeom.mjGEOM_SPHERE
+        _collide(finger, f"{finger.name}_pad_{i}", type=knob, size=[0.005, 0, 0], pos=place, **grip)
+    _collide(
+        finger,
+        f"{finger.name}_pad",
+        type=mujoco.mjtGeom.mjGEOM_BOX,
+        size=[0.0095, 0.0053, 0.0093],
+        pos=[0, 0.0067, 0.0445],
+        **grip,
+    )
 
 
 def _add_camera(hand: mujoco.MjsBody) -> None:

@@ -61,7 +61,7 @@ def test_joints_and_actuators_are_in_menageries_order_with_frankas_limits(
 
 def test_it_is_light(model: mujoco.MjModel) -> None:
     assert model.mesh_facenum.sum() < 3000
-    assert (model.geom_contype > 0).sum() <= 20
+    assert (model.geom_contype > 0).sum() <= 32
     assert model.camera(WRIST_CAMERA).id >= 0
 
 
