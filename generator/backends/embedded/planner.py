@@ -1,0 +1,260 @@
+"""Text to scene plan (Sec. 3, Fig. 20) by rules and data: an English grammar, synonyms, themes."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...catalogue import CATEGORIES
+from ...errors import InputError
+from ...scene import PlannedObject, PlannedTable, Relation, RelationKind, ScenePlan
+from . import lexicon, relations
+from .furniture import plan_table
+from .grammar import chunks
+from .statements import Draft, Reader, Reading
+from .themes import DEFAULT_TABLES, THEMES, Theme
+from .vocabulary import (
+    COLORS,
+    DEFINITE,
+    FILLERS,
+    FOREIGN,
+    MATERIALS,
+    NUMBERS,
+    PEOPLE,
+    PLACES,
+    STATES,
+    STYLES,
+    VAGUE,
+    VERBS,
+)
+
+MAX_CHARACTERS = 2000
+"""Longest text the planner reads."""
+
+EXAMPLE = "'a laptop, a red mug to the right of it and two books on a wooden desk'"
+_ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
+    "and", "on", "in", "with", "of", "left", "right", "behind", "front", "next", "between",
+    *NUMBERS, *VAGUE,
+}  # fmt: skip
+_PEOPLE = re.compile(
+    rf"\b(?:(?:set |laid )?for ({'|'.join(PEOPLE)})(?: (?:people|persons|guests|diners|children|kids))?"
+    r"(?=\s*(?:[.,;]|$|with|and|on|in|at))"
+    rf"|({'|'.join(PEOPLE)})[ -](?:person|seat|seater))\b"
+)
+
+
+def plan_scene(prompt: str, seed: int) -> ScenePlan:
+    """Plan the tabletop scene that an English text describes.
+
+    Explicit objects, counts, attributes and relations are kept exactly. A text that only names a
+    kind of table ("an office desk"), or stays vague ("some tools"), is filled up to seven objects
+    with what belongs there. A word outside the catalogue becomes a "generic" object with a
+    warning. The same text and seed give the same plan.
+
+    Raises:
+        InputError: empty, too long or not English; nothing for a table in it; impossible counts
+            or contradicting relations.
+    """
+    _check_text(prompt)
+    rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
+    text = " ".join(lexicon.tokens(prompt))
+    people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
+    words = _PEOPLE.sub(" ", text).split()
+    reading = Reader(rng).read(chunks(words))
+    theme = _theme(words)
+    _check_content(prompt, reading, theme)
+    objects = _plan_objects(reading)
+    name = theme or _default_theme(reading, empty=not objects)
+    table = plan_table(reading, THEMES[name] if name else None, rng)
+    if name and (not objects or (reading.vague and len(objects) < 6)):
+        target = 7 if not objects else min(7, len(objects) + 3)
+        objects = _fill(objects, THEMES[name], target, reading.excluded, rng, people)
+    objects, doubts = relations.checked(objects)
+    style = next((word for word in words if word in STYLES), "plain")
+    warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown(objects), *doubts]))
+    return ScenePlan(prompt, table, tuple(objects), style, warnings)
+
+
+# ------------------------------------------------------------------------------------- checks
+
+
+def _check_text(prompt: str) -> None:
+    if not isinstance(prompt, str) or not prompt.strip():
+        raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
+    if len(prompt) > MAX_CHARACTERS:
+        raise InputError(
+            f"The text has {len(prompt)} characters; at most {MAX_CHARACTERS} are read. "
+            "Describe one table in a few sentences."
+        )
+    letters = [c for c in prompt if c.isalpha()]
+    if not letters:
+        raise InputError(f"The text holds no words. Describe a tabletop, for example {EXAMPLE}.")
+    latin = sum(bool(re.fullmatch("[a-z]+", "".join(lexicon.tokens(c)) or "-")) for c in letters)
+    words = [w for w in lexicon.tokens(prompt) if w.isalpha()]
+    known = _ENGLISH | lexicon.vocabulary()
+    english = sum(w in known or lexicon.singular(w) in known for w in words)
+    foreign = sum(w in FOREIGN for w in words)
+    if latin < 0.7 * len(letters) or not english or foreign > english - foreign:
+        raise InputError(
+            "The embedded planner reads English and recognised none here. Write in English, for "
+            f"example {EXAMPLE}, or choose another reasoner backend that reads your language."
+        )
+
+
+def _check_content(prompt: str, reading: Reading, theme: str | None) -> None:
+    known = any(draft.category for draft in reading.objects)
+    if known or reading.table or theme:
+        return
+    words = ", ".join(repr(draft.noun) for draft in reading.objects[:4])
+    found = f" (of {words} none is known)" if words else ""
+    raise InputError(
+        f"No object and no kind of table was found in {prompt.strip()[:60]!r}{found}. Name things "
+        f"and the table they are on, for example {EXAMPLE}, or a kind of table: 'an office desk'."
+    )
+
+
+def _unknown(objects: Sequence[PlannedObject]) -> list[str]:
+    nouns = dict.fromkeys(o.noun for o in objects if o.category == "generic")
+    return [
+        f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
+        for noun in nouns
+    ]
+
+
+# -------------------------------------------------------------------------------------- themes
+
+
+def _theme(words: Sequence[str]) -> str | None:
+    """Return the theme whose longest phrase occurs in the text."""
+    text = f" {' '.join(words)} "
+    singular = f" {' '.join(lexicon.singular(w) for w in words)} "
+    found = [
+        (len(phrase), name)
+        for name, theme in THEMES.items()
+        for phrase in theme.words
+        if f" {phrase} " in text or f" {phrase} " in singular
+    ]
+    return max(found, key=lambda pair: pair[0])[1] if found else None
+
+
+def _default_theme(reading: Reading, *, empty: bool) -> str | None:
+    """Return what a table named without a theme is likely to be; a "table" only if bare."""
+    heads = [noun.words[-1] for noun in reading.table if noun.kind == "table"]
+    heads = [head for head in heads if empty or head not in ("table", "tabletop")]
+    return next((DEFAULT_TABLES[head] for head in heads if head in DEFAULT_TABLES), None)
+
+
+def _fill(
+    objects: list[PlannedObject],
+    theme: Theme,
+    target: int,
+    excluded: set[str],
+    rng: np.random.Generator,
+    people: int,
+) -> list[PlannedObject]:
+    """Add a theme's things and their functional relations until there are ``target`` objects."""
+    things = [_thing(entry) for entry in theme.things]
+    if not objects and people > 1 and any(key == "plate" for key, _, _ in things):
+        return _place_settings(people, theme, excluded)
+    core = [t for t in things[: theme.core]] if not objects else []
+    others = [t for t in things if t not in core]
+    order = [others[i] for i in rng.permutation(len(others))]
+    count = target if objects else int(rng.integers(max(theme.core, target - 2), target + 1))
+    present = Counter(o.category for o in objects)
+    out = list(objects)
+    for key, kind, to in [*core, *order]:
+        if len(out) >= count:
+            break
+        if key is None or key in excluded or present[key]:
+            continue
+        goal = to if to == "table" else next((o.name for o in out if o.category == to), None)
+        if kind in ("on", "in") and goal is None:
+            continue
+        relation = (Relation(kind, goal),) if kind and goal else ()
+        out.append(PlannedObject(f"{key}_1", key.replace("_", " "), key, {}, relation))
+        present[key] += 1
+    return out
+
+
+def _thing(entry: str) -> tuple[str | None, RelationKind | None, str | None]:
+    """Read "mug right_of laptop" into category keys; None for what the catalogue lacks."""
+    words = entry.split()
+    at = next((i for i, w in enumerate(words) if w in relations.KINDS), len(words))
+    key = lexicon.category_of(tuple(words[:at]))
+    if at == len(words):
+        return key, None, None
+    to = words[at + 1 :]
+    return key, relations.kind(words[at]), (
+        "table" if to == ["table"] else lexicon.category_of(tuple(to))
+    )
+
+
+def _place_settings(people: int, theme: Theme, excluded: set[str]) -> list[PlannedObject]:
+    """Lay a table: a plate, cutlery and a glass for each, at most four people."""
+    setting = (("plate", None), ("fork", "left_of"), ("knife", "right_of"), ("glass", "behind"))
+    out: list[PlannedObject] = []
+    edges: tuple[RelationKind, ...] = ("in_front_of", "behind", "left_of", "right_of")
+    for person in range(people):
+        side = edges[person] if people <= 2 else edges[person % 4]
+        for word, where in setting[: 4 if people < 3 else 3]:
+            key = lexicon.category_of((word,))
+            if key is None or key in excluded:
+                continue
+            relation = Relation(side) if where is None else Relation(
+                relations.kind(where), f"plate_{person + 1}"
+            )
+            out.append(PlannedObject(f"{key}_{person + 1}", word, key, {}, (relation,)))
+    for word in ("candle", "salt shaker"):
+        key = lexicon.category_of(tuple(word.split()))
+        if key is not None and key not in excluded and word.split()[0] in " ".join(theme.things):
+            out.append(PlannedObject(f"{key}_1", word, key, {}, (Relation("center"),)))
+    return out
+
+
+# ------------------------------------------------------------------------------------- objects
+
+
+def _plan_objects(reading: Reading) -> list[PlannedObject]:
+    """Name the drafted objects and turn references into names."""
+    drafts = [d for d in reading.objects if not d.category or d.category not in reading.excluded]
+    taken: Counter[str] = Counter()
+    names: dict[int, str] = {}
+    for draft in drafts:
+        stem = draft.category or re.sub(r"[^a-z0-9]+", "_", draft.noun).strip("_") or "object"
+        stem = "object" if stem == "table" else stem
+        taken[stem] += 1
+        names[id(draft)] = f"{stem}_{taken[stem]}"
+    return [
+        PlannedObject(
+            names[id(d)], d.noun, d.category or "generic", dict(d.attributes),
+            tuple(
+                Relation(relations.kind(kind), names[id(to)] if isinstance(to, Draft) else to)
+                for kind, to in d.relations
+                if isinstance(to, str) or id(to) in names
+            ),
+            _size(d),
+        )
+        for d in drafts
+    ]  # fmt: skip
+
+
+GENERIC_SIZE = (0.1, 0.08, 0.09)
+"""Extent in metres of an object nothing is known about."""
+
+_SIZE_FACTORS = {"tiny": 0.45, "small": 0.7, "large": 1.5, "huge": 2.0}
+
+
+def _size(draft: Draft) -> tuple[float, float, float] | None:
+    """Return the extent a text fixes: a length in it, or the guess for an unknown thing."""
+    known = CATEGORIES[draft.category].size if draft.category else GENERIC_SIZE
+    if draft.lengths:
+        longest = float(np.clip(draft.lengths[0], 0.01, 0.6))
+        factor = longest / max(known)
+    elif draft.category:
+        return None
+    else:
+        factor = _SIZE_FACTORS.get(draft.attributes.get("size", ""), 1.0)
+    return float(known[0] * factor), float(known[1] * factor), float(known[2] * factor)

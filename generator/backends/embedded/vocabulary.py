@@ -1,0 +1,406 @@
+"""The words the text planner reads: numbers, relations, colours, tables, synonyms. Data only."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+
+def _table(text: str) -> Mapping[str, str]:
+    """Read lines of ``key: word, word`` into a mapping from each word to its key."""
+    entries: dict[str, str] = {}
+    for line in text.strip().splitlines():
+        key, words = line.split(":")
+        entries |= {word.strip(): key.strip() for word in words.split(",")}
+    return MappingProxyType(entries)
+
+
+def _pairs(text: str) -> tuple[tuple[str, str], ...]:
+    """Read the same lines into (word, key) pairs; a word may have several meanings, best first."""
+    lines = [line.split(":") for line in text.strip().splitlines()]
+    return tuple((word.strip(), key.strip()) for key, words in lines for word in words.split(","))
+
+
+def _words(text: str) -> frozenset[str]:
+    return frozenset(text.split())
+
+
+NUMBERS: Mapping[str, int] = MappingProxyType(
+    {
+        "a": 1, "an": 1, "one": 1, "single": 1, "another": 1, "two": 2, "three": 3, "four": 4,
+        "five": 5, "six": 6, "seven": 7, "eight": 8, "nine": 9, "ten": 10, "eleven": 11,
+        "twelve": 12, "thirteen": 13, "fourteen": 14, "fifteen": 15, "sixteen": 16,
+        "seventeen": 17, "eighteen": 18, "nineteen": 19, "twenty": 20, "thirty": 30, "forty": 40,
+        "fifty": 50, "sixty": 60, "hundred": 100, "hundreds": 200, "thousand": 1000,
+        "thousands": 2000, "million": 1_000_000, "millions": 2_000_000, "dozen": 12, "pair": 2,
+        "couple": 2, "trio": 3, "both": 2, "dozens": 36,
+    }
+)  # fmt: skip
+"""Number words; "half a dozen", "two hundred" and "three pairs" are multiplied by the grammar."""
+
+VAGUE: Mapping[str, tuple[int, int]] = MappingProxyType(
+    {
+        "some": (2, 3), "few": (3, 3), "several": (3, 4), "many": (5, 6), "various": (3, 4),
+        "multiple": (3, 4), "lots": (5, 6), "assorted": (3, 4), "different": (2, 3),
+        "numerous": (5, 6), "plenty": (4, 5),
+    }
+)  # fmt: skip
+"""Vague amounts: the lowest and highest number they stand for."""
+
+DEFINITE = _words("the this that these those its his her my your their our")
+PRONOUNS = _words("it them itself themselves")
+OTHERS = _words("other second")
+GROUP_NOUNS = _words(
+    "set stack pile group row bunch collection piece pieces slice slices stacks piles sets pair "
+    "pairs bundle handful heap assortment variety number lot selection cluster type types kind "
+    "kinds arrangement array"
+)
+STACKED = _words("stack stacks pile piles heap")
+
+RELATIONS = _table(
+    """
+    left_of: to the left of, on the left of, on the left side of, at the left of, left of, on the left hand side of, to the left side of, in the left of, on the left part of, at the left side of
+    right_of: to the right of, on the right of, on the right side of, at the right of, right of, on the right hand side of, to the right side of, in the right of, on the right part of, at the right side of
+    left_of it: to its left, on its left
+    right_of it: to its right, on its right
+    left_of table: on the left, at the left, to the left, on the left side, on the left hand side
+    right_of table: on the right, at the right, to the right, on the right side, on the right hand side
+    in_front_of: in front of, at the front of, ahead of, before
+    in_front_of it: in front of it
+    in_front_of table: in front, at the front, in the foreground
+    behind: behind, in back of, at the back of, across from, beyond, at the rear of
+    behind table: at the back, in the back, in the background, at the rear, further back
+    next_to: next to, beside, near, close to, adjacent to, alongside, along side, by, nearby, against, leaning against, leaning on, around, surrounding, together with, not far from, along, touching, opposite, surrounded by, flanked by, by the side of, at the side of
+    between: between, in between, amid, among
+    on: on, on top of, atop, upon, onto, on top, above, over, over the top of, resting on top of, stacked on, stacked on top of, balanced on
+    in: in, inside, inside of, within, into
+    under: under, beneath, underneath, below, under neath
+    center: in the middle of, in the center of, in the centre of, at the center of, at the centre of, at the middle of, on the middle of, in the very middle of, on the center of, on the centre of
+    center table: in the middle, in the center, in the centre, at the center, at the centre, as the centerpiece, as a centerpiece, as centerpiece, centrally, centered
+    edge: at the edge of, on the edge of, near the edge of, at the corner of, in the corner of, on the corner of, near the corner of, at the end of, by the edge of, along the edge of, close to the edge of, at one end of, at the far end of, in one corner of
+    edge table: at the edge, on the edge, near the edge, at the corner, in the corner, on the corner, in one corner, at one end
+    """
+)  # fmt: skip
+"""Phrases to relation kinds. After a blank: the target they carry themselves, "it" or "table"."""
+
+CARRIES = _table(
+    """
+    with: with, has, have, having, featuring, including, includes, bearing, plus a, carrying, along with, decorated with, set with, equipped with, covered with, covered in, topped with
+    hold: containing, contains, holding, holds, filled with, full of, contain, hold, that holds, stuffed with
+    without: without, no, not, except, excluding, minus, free of, lacking
+    """
+)  # fmt: skip
+"""Phrases by which a thing brings others along ("a bowl containing two apples")."""
+
+COLORS = _words(
+    "white cream ivory beige black charcoal gray grey silver red crimson maroon pink coral orange "
+    "amber gold golden yellow mustard olive lime green sage mint teal turquoise cyan blue navy "
+    "indigo purple violet lavender magenta brown tan terracotta copper bronze brass clear "
+    "transparent"
+)
+SHADES = _words("dark light pale deep bright")
+MATERIALS = _words(
+    "wood wooden oak walnut pine beech maple cherry mahogany birch bamboo teak ebony steel "
+    "stainless metal metallic aluminum aluminium iron brass copper bronze chrome ceramic porcelain "
+    "glass plastic marble stone granite stoneware clay fabric cloth linen cotton felt wool leather "
+    "paper cardboard rubber concrete wicker enamel silver gold"
+)
+SIZES: Mapping[str, str] = _table(
+    """
+    tiny: tiny, mini, miniature, minuscule
+    small: small, little, short, compact, smaller, thin, slim
+    large: large, big, tall, long, wide, larger, thick, oversized, bigger
+    huge: huge, giant, enormous, gigantic, massive
+    """
+)
+STATES = _words(
+    "open closed empty full half fresh ripe folded lit old new antique vintage rusty broken used "
+    "worn steaming hot cold sliced stacked burning potted framed lidded striped spotted patterned "
+    "checkered handmade modern rustic elegant simple cute colorful colourful colored coloured "
+    "shiny matte matching beautiful nice clean dirty tidy messy cluttered cozy cosy minimalist "
+    "round circular square rectangular oval triangular flat heavy soft decorative classic typical "
+    "traditional fancy plain delicate pretty lovely standard ordinary wireless mechanical "
+    "electric digital portable retro toy uncapped spiral sharp dull neat neatly"
+)
+"""Describing words that are kept as an object's "state" or ignored; never objects themselves."""
+
+STYLES = _words(
+    "modern rustic vintage minimalist cozy cosy elegant messy cluttered tidy retro scandinavian "
+    "industrial bohemian classic traditional simple antique futuristic victorian japanese"
+)
+
+TABLE_NOUNS = _words(
+    "table desk workbench bench counter countertop nightstand vanity tabletop sideboard "
+    "worktop worktable tabletops tables desks desktop workstation workspace"
+)
+OUTLINES = _table(
+    """
+    round: round, circular, circle
+    oval: oval, elliptical, ellipse
+    square: square
+    triangle: triangular, triangle, three cornered
+    slatted: slatted, slats, slat, plank, planked
+    rectangle: rectangular, rectangle, long
+    """
+)
+TABLE_MATERIALS = _table(
+    """
+    oak: oak, wood, wooden
+    walnut: walnut
+    pine: pine
+    beech: beech
+    maple: maple
+    cherry: cherry
+    mahogany: mahogany
+    birch: birch
+    bamboo: bamboo
+    teak: teak
+    ebony: ebony
+    steel: steel, metal, metallic, stainless, stainless steel
+    aluminum: aluminum, aluminium
+    iron: iron
+    brass: brass
+    copper: copper
+    marble: marble, stone, granite, concrete
+    glass: glass
+    plastic: plastic, laminate, lacquered, painted
+    """
+)
+LEGS = _table(
+    """
+    tapered: tapered
+    splayed: splayed, angled, slanted
+    trestle: trestle, trestles
+    pedestal: pedestal
+    hairpin: hairpin
+    metal: metal, steel, iron
+    straight: straight, wooden, square
+    """
+)
+
+PARTS = _words(
+    "leg legs handle handles lid lids top tops surface drawer drawers stripe stripes dot dots "
+    "cap caps edge edges corner corners side sides base pattern patterns finish color colour "
+    "shape label labels rim wheels wheel logo cover covers front back left right middle center "
+    "centre centerpiece spout feet frame"
+)
+"""Parts and aspects of things; never objects of their own."""
+
+PLACES = _words(
+    "floor room kitchen office workshop studio bedroom home house garage laboratory restaurant "
+    "cafe bathroom garden balcony window wall school classroom kindergarten nursery scene image "
+    "picture photo photograph view background foreground day morning evening afternoon night "
+    "dinner lunch supper party style person people guest guests child children kid work use "
+    "way things thing stuff items item objects object everything something life still "
+    "arrangement place setup light sunlight corner date time ground shelf hand light "
+    "distance order place reach lighting hours hour world programmer student artist writer"
+)
+"""Words for where, when and what it is about; no objects."""
+
+VAGUE_THINGS = _words("things thing stuff items item objects object everything supplies etc")
+
+VERBS = _words(
+    "is are was were be been being am sits sit sitting stands stand standing lies lie lying lays "
+    "rests rest resting placed put located positioned arranged lays laid leaning hangs hanging "
+    "facing faces stays stay kept left seen visible appear appears make create generate show draw "
+    "give build design render me want need would like please imagine shows showing depicts "
+    "there here which who where when while then so also just only very really quite too as if "
+    "i we you he she they can could should will shall may must do does did let us stacked "
+    "partially slightly directly right just closely carefully all each every either neither "
+    "ready prepared scattered spread surrounded used using ready made painted looks look slightly "
+    "next goes go belongs up down out off away lined piled"
+)
+FILLERS = _words("of from for at to as or than about onto through per via during after until")
+
+FOREIGN = _words(
+    "le la les un une des du et sur avec dans est der die das und auf ein eine einen einem mit "
+    "im den dem ist el los las una unos y con en sobre mesa il lo gli uno e di sul sulla nella "
+    "tavolo een het op met van de naast bord um uma o os com na no em da do mesa og pa et bordet "
+    "med ett en och pa bord na stole stol i ja poydalla tisch table"
+) - _words("table i no do")
+"""Frequent words of other European languages, to tell them from English."""
+
+PEOPLE: Mapping[str, int] = MappingProxyType(
+    {"one": 1, "two": 2, "three": 3, "four": 4, "1": 1, "2": 2, "3": 3, "4": 4}
+)
+
+SUBSTANCES = _words(
+    "water tea coffee milk juice wine beer soup cereal sugar salt pepper flour rice pasta jam "
+    "honey soda lemonade cocoa chocolate butter oil sauce paint ink salad soil sand"
+)
+"""What vessels hold; it becomes the vessel's "state", unless it is an object itself."""
+
+SYNONYMS = _pairs(
+    """
+    mug: beer mug, tea mug, tankard, travel mug
+    teacup: tea cup, cappuccino cup, espresso cup
+    cup: paper cup, tumbler
+    glass: water glass, drinking glass, juice glass, beer glass, glass of water, glass of milk, glass of juice, drink, tumbler
+    wine glass: goblet, wineglass, champagne glass, stemware, chalice
+    bottle: water bottle, bottle of water, plastic bottle, beer bottle, soda bottle, flagon
+    wine bottle: bottle of wine, wine, champagne bottle
+    can: soda can, tin can, beer can, coke, coke can, soda, pop can, cola
+    bowl: basin, fruit bowl, cereal bowl, salad bowl, soup bowl, mixing bowl, dish, ramen bowl
+    plate: dinner plate, dish, side plate, dessert plate, platter
+    fork: dinner fork, salad fork
+    knife: table knife, butter knife, kitchen knife, chef's knife, chefs knife, steak knife, paring knife
+    spoon: teaspoon, tablespoon, soup spoon, wooden spoon, ladle
+    teapot: tea pot, tea kettle
+    kettle: electric kettle, coffee pot
+    pot: saucepan, cooking pot, sauce pan, stockpot, casserole
+    pan: frying pan, skillet
+    salt shaker: salt, salt cellar, salt and pepper shaker, shaker
+    pepper shaker: pepper, pepper mill, pepper grinder
+    cutting board: chopping board, breadboard, bread board, butcher block
+    napkin: serviette, cloth napkin, paper napkin
+    candle: tea light, tealight, pillar candle
+    vase: flower vase, flower, bouquet, rose, tulip, bouquet of flowers, vase of flowers
+    plant: potted plant, houseplant, house plant, succulent, cactus, flower pot, flowerpot, plant pot
+    apple: red apple, green apple
+    orange: mandarin, tangerine, clementine, grapefruit
+    lemon: lime
+    banana: plantain
+    pear: avocado
+    bread: loaf, loaf of bread, baguette, bread loaf
+    tomato: cherry tomato
+    donut: doughnut, bagel
+    egg: boiled egg
+    cake: cupcake, muffin, pie
+    croissant: pastry
+    jar: jam jar, honey jar, jam, honey, mason jar, cookie jar, glass jar, spice jar, marmalade
+    carton: milk carton, milk, carton of milk, juice carton, juice box
+    cereal box: box of cereal, cereal
+    laptop: notebook computer, macbook, laptop computer, computer
+    monitor: screen, display, computer screen, computer monitor, tv
+    keyboard: computer keyboard
+    mouse: computer mouse, wireless mouse, gaming mouse
+    mousepad: mouse pad, mouse mat
+    phone: smartphone, cell phone, mobile phone, mobile, iphone, cellphone, telephone
+    tablet: ipad, e reader, ereader
+    headphones: headset, headphone, earphones
+    speaker: loudspeaker, bluetooth speaker
+    lamp: desk lamp, table lamp, reading lamp, night lamp, lantern
+    book: novel, textbook, paperback, hardcover, cookbook, hardback, magazine, dictionary, journal
+    notebook: notepad, note pad, sketchbook, diary, notepad, planner, sketch book, writing pad
+    pen: ballpoint pen, fountain pen, ballpoint, biro
+    pencil: crayon, colored pencil, coloured pencil
+    marker: highlighter, felt tip pen, felt pen, sharpie
+    eraser: rubber
+    ruler: measuring stick
+    scissors: pair of scissors, shears
+    stapler: staple gun
+    tape: adhesive tape, scotch tape, sticky tape, tape dispenser, roll of tape, duct tape, masking tape
+    tape measure: measuring tape
+    glue: glue bottle, glue stick, bottle of glue
+    pencil holder: pen holder, pencil cup, pen cup, desk organizer, brush holder
+    pencil case: pencil pouch
+    clock: alarm clock, desk clock
+    watch: wristwatch, wrist watch
+    glasses: eyeglasses, reading glasses, spectacles, sunglasses
+    calculator: pocket calculator
+    camera: photo camera
+    box: cardboard box, gift box, wooden box, package, parcel, storage box, carton box, tissue box
+    tray: serving tray, wooden tray
+    basket: fruit basket, bread basket, wicker basket
+    paper: sheet of paper, document, sheet, letter, papers
+    sticky notes: post it note, sticky note, post it, note
+    photo frame: picture frame, framed photo, framed picture
+    globe: desk globe
+    hammer: claw hammer, mallet
+    screwdriver: phillips screwdriver
+    wrench: spanner, adjustable wrench
+    pliers: pair of pliers, cutters
+    drill: power drill, cordless drill, electric drill
+    saw: hand saw, handsaw
+    toolbox: tool box
+    nut: bolt, screw
+    paintbrush: paint brush, artist brush
+    paint jar: pot of paint, paint, paint pot, paint can
+    toy car: model car, car, race car, racing car, toy truck, model truck, truck, matchbox car
+    toy train: model train
+    toy block: building cube, wooden cube, wood block
+    toy robot: robot toy, doll, model figure
+    teddy bear: stuffed bear, stuffed toy, plush bear
+    ball: tennis ball, baseball, toy ball, rubber ball
+    building brick: lego block
+    puzzle cube: rubiks cube, rubik s cube
+    playing cards: card, pack of playing cards, deck of playing cards
+    die: game die
+    hairbrush: hair brush
+    hand mirror: vanity mirror, makeup mirror
+    makeup compact: eyeshadow, foundation, eye shadow
+    cream jar: jar of face cream, hand cream
+    soap dispenser: soap bottle, shampoo bottle
+    ring box: jewellery box, jewelry case
+    perfume bottle: bottle of perfume
+    beaker: measuring beaker
+    flask: volumetric flask
+    test tube rack: test tube holder
+    reagent bottle: chemical
+    petri dish: petri plate
+    sugar bowl: sugar, bowl of sugar
+    pitcher: jug, water jug, carafe, milk jug, creamer
+    whisk: egg beater
+    spatula: turner
+    rolling pin: roller
+    remote: remote control, tv remote
+    coaster: drink coaster, beer mat
+    cookie: biscuit
+    controller: game controller, gamepad, joystick
+    """
+)  # fmt: skip
+"""Words to a catalogue word (key, noun or alias), beside the catalogue's own aliases."""
+
+COLLECTIVES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "tools": ("hammer", "screwdriver", "wrench", "pliers"),
+        "hand tools": ("hammer", "screwdriver", "wrench", "pliers"),
+        "cutlery": ("fork", "knife", "spoon"),
+        "silverware": ("fork", "knife", "spoon"),
+        "utensils": ("fork", "knife", "spoon"),
+        "cooking utensils": ("spatula", "spoon", "whisk"),
+        "kitchen utensils": ("spatula", "spoon", "whisk"),
+        "stationery": ("pen", "notebook", "stapler", "tape"),
+        "office supplies": ("pen", "notebook", "stapler", "tape"),
+        "school supplies": ("pencil", "notebook", "ruler", "eraser"),
+        "art supplies": ("paintbrush", "paint tube", "paint palette", "pencil"),
+        "craft supplies": ("scissors", "glue", "yarn ball", "thread spool"),
+        "sewing supplies": ("scissors", "thread spool", "button tin"),
+        "painting supplies": ("paintbrush", "paint tube", "paint palette"),
+        "fruit": ("apple", "banana", "orange"),
+        "fruits": ("apple", "banana", "orange"),
+        "vegetables": ("tomato", "lemon", "avocado"),
+        "toys": ("toy car", "toy block", "teddy bear", "rubber duck"),
+        "cosmetics": ("lipstick", "cream jar", "nail polish", "makeup compact"),
+        "makeup": ("lipstick", "nail polish", "makeup compact"),
+        "toiletries": ("toothbrush cup", "soap dispenser", "cream jar"),
+        "lab equipment": ("beaker", "flask", "test tube rack"),
+        "laboratory equipment": ("beaker", "flask", "test tube rack"),
+        "glassware": ("glass", "wine glass", "glass"),
+        "lab glassware": ("beaker", "flask", "test tube rack"),
+        "laboratory glassware": ("beaker", "flask", "test tube rack"),
+        "dishes": ("plate", "bowl", "mug"),
+        "tableware": ("plate", "bowl", "glass"),
+        "crockery": ("plate", "bowl", "mug"),
+        "dinnerware": ("plate", "bowl", "glass"),
+        "condiments": ("salt shaker", "pepper shaker", "jar"),
+        "spices": ("salt shaker", "pepper shaker", "jar"),
+        "snacks": ("donut", "cookie", "can"),
+        "food": ("bread", "apple", "bowl"),
+        "drinks": ("glass", "can", "bottle"),
+        "electronics": ("laptop", "phone", "headphones"),
+        "gadgets": ("phone", "headphones", "tablet"),
+        "games": ("playing cards", "die", "puzzle cube"),
+        "supplies": ("pen", "notebook", "tape"),
+        "accessories": ("glasses", "watch", "phone"),
+        "place setting": ("plate", "fork", "knife", "glass"),
+        "place settings": ("plate", "fork", "knife", "glass"),
+        "table setting": ("plate", "fork", "knife", "glass"),
+        "tea set": ("teapot", "teacup", "teacup", "saucer"),
+        "tea service": ("teapot", "teacup", "teacup", "saucer"),
+        "coffee set": ("kettle", "cup", "cup"),
+        "salt and pepper": ("salt shaker", "pepper shaker"),
+        "salt and pepper shakers": ("salt shaker", "pepper shaker"),
+    }
+)
+"""Words for mixed groups, and what they stand for."""
