@@ -12,8 +12,9 @@ proportion, as a position to go to.
 ========================  =====================================================================
 
 Increments add to a *commanded* pose that starts at the robot's own and is never more than 4 cm
-and 0.4 rad (``ee_delta``) or 0.2 rad (``joint_delta``) ahead of it, so pushing against the table does not wind
-up. The servos' viscous lag is compensated, so the arm follows in free space within millimetres.
+and 0.4 rad (``ee_delta``) or 0.2 rad (``joint_delta``) ahead of it, so pushing against the table
+does not wind up. The servos' viscous lag is compensated, so that the arm follows in free space
+within millimetres.
 """
 
 from __future__ import annotations
@@ -183,7 +184,7 @@ class EndEffectorDelta:
         """Advance the commanded pose by ``action`` and the commanded joints after it."""
         real = world.to_base(world.data.site_xpos[world.tcp])
         ahead = np.clip(self._point + EE_STEP * action[:3] - real, -EE_LEASH, EE_LEASH)
-        self._point = np.clip(real + ahead, *WORKSPACE)
+        self._point = np.clip(real + ahead, WORKSPACE[0], WORKSPACE[1])
         hand = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)
         turned = float(np.arctan2(hand[1, 0], hand[0, 0]))
         turn_ahead = wrap(self._yaw + EE_TURN * action[3] - turned)

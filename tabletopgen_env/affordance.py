@@ -113,8 +113,9 @@ def opening(obj: Object) -> Opening | None:
     centre that lies at least ``WALL_DEPTH`` below the rim, the highest surface around it.
     """
     low, high = (f(collision_points(obj), axis=0) for f in (np.min, np.max))
-    xs, ys = (np.linspace(low[k], high[k], _GRID + 1)[:-1] + (high - low)[k] / _GRID / 2 for k in (0, 1))
-    x, y = np.meshgrid(xs, ys, indexing="ij")
+    cell = (high - low)[:2] / _GRID
+    middles = low[:2] + cell * (np.arange(_GRID)[:, None] + 0.5)
+    x, y = np.meshgrid(*middles.T, indexing="ij")
     top = top_surface(obj.parts, np.column_stack([x.ravel(), y.ravel()])).reshape(x.shape)
     rim = float(np.quantile(top[np.isfinite(top)], 0.98))
     inner = _hollow(np.isfinite(top) & (top < rim - WALL_DEPTH), np.isfinite(top))
@@ -124,13 +125,14 @@ def opening(obj: Object) -> Opening | None:
     if rim - floor < WALL_DEPTH:
         return None
     center = np.array([x[inner].mean(), y[inner].mean()])
-    cell = (high - low)[:2] / _GRID
     spans = np.array([np.ptp(x[inner]), np.ptp(y[inner])]) + cell
     wall = float(((high - low)[:2] - spans).min() / 2)
     return Opening(center, spans / 2, floor, rim, wall, floor - float(low[2]))
 
 
-def _hollow(below: Bool[np.ndarray, "g g"], solid: Bool[np.ndarray, "g g"]) -> Bool[np.ndarray, "g g"]:
+def _hollow(
+    below: Bool[np.ndarray, "g g"], solid: Bool[np.ndarray, "g g"]
+) -> Bool[np.ndarray, "g g"]:
     """Return the largest connected region of ``below`` that never reaches the solid's border."""
     from scipy import ndimage
 

@@ -10,6 +10,7 @@ import numpy as np
 from generator.errors import InputError, SceneError, choices
 
 from .actions import SUBSTEPS, ActionMode, checked, controller
+from .composition import FRONT_CAMERA
 from .observations import (
     ObservationMode,
     flat_state,
@@ -22,7 +23,7 @@ from .robot.panda import Panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .tasks.pick_place import GOAL_WEIGHTS, WEIGHTS, Episode, PickPlace
 from .window import Window
-from .world import FRONT_CAMERA, World, WorldCache
+from .world import World, WorldCache
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

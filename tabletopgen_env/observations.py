@@ -51,8 +51,9 @@ from jaxtyping import Float
 
 from generator.errors import InputError, choices
 
+from .composition import FRONT_CAMERA, WRIST_CAMERA
 from .robot.panda import HOME_CTRL
-from .world import FRONT_CAMERA, WRIST_CAMERA, World
+from .world import World
 
 if TYPE_CHECKING:
     from collections.abc import Callable

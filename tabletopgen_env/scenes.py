@@ -7,7 +7,6 @@ that a seeded environment sees the same tables again.
 
 from __future__ import annotations
 
-import glob
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +14,7 @@ from typing import Protocol, runtime_checkable
 
 import numpy as np
 
-from generator.errors import BundleError, InputError
+from generator.errors import InputError
 from generator.scene import Scene
 
 STARTER = "starter"

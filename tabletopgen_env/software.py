@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .world import World
 
 _ROUND = 24  # sides of a drawn cylinder
+_TILES = 24  # tiles along each side of a drawn floor
 _FLOOR = 3.0  # half size of a drawn infinite plane, metres
 _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
@@ -66,9 +67,7 @@ class SoftwareDrawer:
         items = [item for shape in self._shapes[world] if (item := _item(world, shape))]
         view = model_camera(world, camera, *self._size)
         background = (115, 140, 166)
-        return render(
-            items, view, background=background, supersample=samples, shadows=self._full
-        )
+        return render(items, view, background=background, supersample=samples, shadows=self._full)
 
 
 def _item(world: World, shape: Shape) -> Item | None:
@@ -110,9 +109,7 @@ def visible_shapes(model: mujoco.MjModel) -> list[Shape]:
     return shapes
 
 
-def _triangles(
-    model: mujoco.MjModel, k: int
-) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
+def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
     """Return vertices (n, 3), faces (m, 3) and uv (n, 2) of geom ``k`` in its own frame."""
     import mujoco
 
@@ -120,10 +117,7 @@ def _triangles(
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
         return _mesh(model, int(model.geom_dataid[k]))
     if kind == mujoco.mjtGeom.mjGEOM_PLANE:
-        half = np.where(size[:2] > 0, np.minimum(size[:2], _FLOOR), _FLOOR)
-        x, y = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]).T * half[:, None]
-        vertices = np.column_stack([x, y, np.zeros(4)])
-        faces = np.array([[0, 1, 2], [0, 2, 3]])
+        vertices, faces = _tiles(np.where(size[:2] > 0, np.minimum(size[:2], _FLOOR), _FLOOR))
     elif kind == mujoco.mjtGeom.mjGEOM_BOX:
         vertices, faces = _hull(np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T * size)
     elif kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
@@ -142,6 +136,16 @@ def _triangles(
     else:
         return None
     return vertices, faces, np.zeros((len(vertices), 2))
+
+
+def _tiles(half: Float[np.ndarray, "2"]) -> tuple[np.ndarray, np.ndarray]:
+    """Return a floor as tiles, since triangles that reach behind the camera are not drawn."""
+    edge = np.linspace(-1, 1, _TILES + 1)
+    grid = np.stack(np.meshgrid(edge * half[0], edge * half[1], indexing="ij"), -1).reshape(-1, 2)
+    first = (np.arange(_TILES)[:, None] * (_TILES + 1) + np.arange(_TILES)).ravel()
+    a, b, c, d = first, first + _TILES + 1, first + _TILES + 2, first + 1
+    faces = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+    return np.column_stack([grid, np.zeros(len(grid))]), faces
 
 
 def _hull(points: Float[np.ndarray, "n 3"]) -> tuple[np.ndarray, np.ndarray]:

@@ -21,9 +21,7 @@ LEAST_WAY = 0.12
 _TRIES = 400
 
 
-def free_spot(
-    world: World, name: str, rng: np.random.Generator
-) -> Float[np.ndarray, "2"] | None:
+def free_spot(world: World, name: str, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
     """Draw a point (x, y) of the table where an object can stand clear of everything, in reach.
 
     The point keeps ``LEAST_WAY`` from where the object stands. None if 400 draws found none.

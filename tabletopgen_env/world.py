@@ -19,11 +19,12 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from generator.errors import SceneError, choices
-from generator.geometry import Camera, rotation_z, view_rotation, yaw_quaternion
-from generator.scene import Scene, View
+from generator.geometry import rotation_z
+from generator.scene import Scene
 
 from .affordance import Opening, collision_points, footprint, opening, why_not_graspable
-from .robot.mount import Mount, add_pedestal
+from .composition import MARKER, PREFIX, compose
+from .robot.mount import Mount
 from .robot.panda import (
     ACTUATORS,
     ARM_JOINTS,
@@ -37,21 +38,6 @@ from .scenes import SceneRef
 
 if TYPE_CHECKING:
     import mujoco
-
-PREFIX = "panda/"
-"""Prefix of every name that belongs to the robot."""
-
-FRONT_CAMERA = "front"
-"""Name of the camera that looks at table and robot from across the table."""
-
-WRIST_CAMERA = PREFIX + "wrist"
-"""Name of the camera on the hand."""
-
-MARKER = "goal"
-"""Name of the body and the geom that mark a free goal spot."""
-
-TIMESTEP = 0.002
-"""Simulation step, seconds."""
 
 
 class World:
@@ -74,7 +60,7 @@ class World:
 
         self.scene = scene
         self.mount = mount or Mount.beside(scene)
-        self.model = _compose(scene, robot, self.mount).compile()
+        self.model = compose(scene, robot, self.mount).compile()
         self.data = mujoco.MjData(self.model)
         self.names: tuple[str, ...] = tuple(o.name for o in scene.objects)
         model = self.model
@@ -248,60 +234,6 @@ class WorldCache:
                 on_drop(self._worlds.popitem(last=False)[1])
         self._worlds.move_to_end(ref.key)
         return world
-
-
-def _compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
-    """Return the specification of ``scene`` with ``robot`` at ``mount``."""
-    import mujoco
-
-    from generator.mjcf import scene_spec
-
-    spec = scene_spec(scene)
-    spec.option.timestep = TIMESTEP
-    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
-    spec.option.impratio = 10  # what the gripper holds does not creep
-    spec.option.noslip_iterations = 0
-    spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
-    # Several contacts a pair: on one alone flat things rock on hulls, and never fall asleep.
-    spec.option.disableflags &= ~int(mujoco.mjtDisableBit.mjDSBL_MULTICCD)
-    spec.visual.global_.offwidth = spec.visual.global_.offheight = 2048
-    frame = spec.worldbody.add_frame(pos=mount.position, quat=yaw_quaternion(mount.yaw))
-    arm = robot.spec()
-    arm.assets = {**spec.assets, **arm.assets}  # MuJoCo warns of a child without assets
-    spec.attach(arm, prefix=PREFIX, frame=frame)
-    add_pedestal(spec, mount)
-    _add_front_camera(spec, scene, mount)
-    marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
-    marker.add_geom(
-        name=MARKER,
-        type=mujoco.mjtGeom.mjGEOM_CYLINDER,
-        size=[0.04, 0.0008, 0],
-        rgba=[0.1, 0.85, 0.25, 0.0],
-        contype=0,
-        conaffinity=0,
-        group=1,
-    )
-    return spec
-
-
-def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
-    """Return the camera across the table from the robot, 35 degrees above the horizon."""
-    base = np.asarray(mount.position, float)
-    target = np.array([0.25 * base[0], 0.25 * base[1], scene.table.height + 0.12])
-    view = View(mount.yaw + np.pi / 2, np.deg2rad(35.0), np.deg2rad(45.0))
-    span = float(np.linalg.norm(scene.table.scale[:2]))
-    return Camera.looking_at(target, view, 0.9 + 0.75 * span, width, height)
-
-
-def _add_front_camera(spec: mujoco.MjSpec, scene: Scene, mount: Mount) -> None:
-    camera = front_camera(scene, mount, 4, 3)
-    right, down, _ = view_rotation(View(mount.yaw + np.pi / 2, np.deg2rad(35.0), camera.fov))
-    spec.worldbody.add_camera(
-        name=FRONT_CAMERA,
-        pos=camera.position,
-        xyaxes=[*right, *-down],
-        fovy=float(np.rad2deg(camera.fov)),
-    )
 
 
 def _gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:

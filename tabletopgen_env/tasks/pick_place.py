@@ -36,14 +36,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from generator.errors import InputError, SceneError, choices
-from generator.geometry import inside_margin
-from generator.scene import Object
-
-from ..affordance import Opening, is_upright, resting_height
-from ..language import refer
-from ..robot.mount import reachable
-from ..workspace import free_spot
+from .episode import Episode, draw_episode
 
 if TYPE_CHECKING:
     from ..world import World
@@ -57,9 +50,6 @@ GOAL_WEIGHTS: Mapping[str, float] = MappingProxyType({"place": 0.5, "success": 0
 """Weights when only the achieved and the desired goal are known."""
 
 _FAR = 3.0  # metres; positions in goal vectors are clipped to it
-SPOT = "spot"
-"""Name of the goal that is a marked free spot."""
-
 SPOT_RADIUS, SPOT_HEIGHT = 0.04, 0.03
 """How far from the marked spot the target may stand, along the table and in height, metres."""
 
@@ -72,35 +62,7 @@ LIFT = 0.08
 INSIDE = 0.005
 """How far below the rim the lowest point of what is in a container lies at least, metres."""
 
-ROOM = 0.025
-"""Room that a container must leave around what is put into it, metres."""
-
 _UPRIGHT = np.cos(np.deg2rad(30.0))
-
-
-@dataclass(frozen=True, eq=False)
-class Episode:
-    """What one episode asks for.
-
-    target: the object to move. container: the object to put it into, or None. spot: the marked
-    point on the table in the world frame, or None. opening: the container's hollow. rest: height
-    of the target's centre over what it stands on. start: the centre's height at the start (world).
-    height: the target's height as it stands, metres.
-    """
-
-    target: str
-    container: str | None
-    spot: Float[np.ndarray, "3"] | None
-    opening: Opening | None
-    rest: float
-    start: float
-    height: float
-    instruction: str
-
-    @property
-    def goal(self) -> str:
-        """The container's name, or "spot"."""
-        return self.container or SPOT
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,8 +82,6 @@ class PickPlace:
 
     marker_radius = SPOT_RADIUS
 
-    # --------------------------------------------------------------------------------- sampling
-
     def sample(
         self,
         world: World,
@@ -129,38 +89,8 @@ class PickPlace:
         target: str | None = None,
         goal: str | tuple[float, float] | None = None,
     ) -> Episode:
-        """Draw a target and a goal, or take those given.
-
-        Args:
-            world: the world, at its start.
-            rng: draws.
-            target: an object's name.
-            goal: a container's name, "spot" for a drawn free spot, or a point (x, y) of the table
-                in the world frame.
-
-        Raises:
-            SceneError: nothing can be grasped and put anywhere; says why for each object.
-            InputError: what was asked for does not exist.
-        """
-        reasons = {o.name: _unfit(world, o) for o in world.scene.objects}
-        fit = [name for name, reason in reasons.items() if reason is None]
-        if target is not None:
-            if target not in reasons:
-                raise InputError(f"No object {target!r} to move." + choices(str(target), reasons))
-            fit = [target]
-        elif isinstance(goal, str) and goal != SPOT:
-            container = world.scene.object(goal)
-            fit = [n for n in fit if _fits(world, world.scene.object(n), container)]
-        for k in rng.permutation(len(fit)):
-            episode = _draw_goal(world, rng, world.scene.object(fit[k]), goal)
-            if episode is not None:
-                return episode
-            reasons[fit[k]] = "no container that it fits and no free spot in reach"
-        listed = "; ".join(f"{n}: {why}" for n, why in reasons.items() if why) or "it has no objects"
-        raise SceneError(
-            f"Scene {world.scene.name!r} offers nothing to pick and place ({listed}). "
-            "Use other scenes, or choose with reset(options={'target': ..., 'goal': ...})."
-        )
+        """Draw a target and a goal, or take those given; see ``draw_episode``."""
+        return draw_episode(world, rng, target, goal)
 
     # ------------------------------------------------------------------------------------- goals
 
@@ -258,78 +188,3 @@ class PickPlace:
             "place": place,
             "success": success,
         }
-
-
-# --------------------------------------------------------------------------------- what can be asked
-
-
-def _unfit(world: World, obj: Object) -> str | None:
-    """Return why ``obj`` cannot be a target, or None."""
-    if reason := world.ungraspable[obj.name]:
-        return reason
-    if not reachable(world.mount, obj.pose.position):
-        return "out of the robot's reach"
-    loaded = [o.name for o in world.scene.objects if o.placement.on == obj.name]
-    return f"{loaded[0]} stands on it" if loaded else None
-
-
-def _draw_goal(
-    world: World, rng: np.random.Generator, obj: Object, goal: str | tuple[float, float] | None
-) -> Episode | None:
-    """Return an episode that moves ``obj``, or None if there is nowhere to put it."""
-    if isinstance(goal, str) and goal != SPOT:
-        return _into(world, obj, world.scene.object(goal))
-    if goal is not None and goal != SPOT:
-        return _onto(world, obj, np.asarray(goal, float))
-    fitting = [o for o in world.scene.objects if goal is None and _fits(world, obj, o)]
-    if fitting and rng.random() < 0.5:
-        return _into(world, obj, fitting[int(rng.integers(len(fitting)))])
-    spot = free_spot(world, obj.name, rng)
-    if spot is not None:
-        return _onto(world, obj, spot)
-    return _into(world, obj, fitting[0]) if fitting else None
-
-
-def _fits(world: World, obj: Object, container: Object) -> bool:
-    """Return whether ``obj`` goes into ``container``, which stands free, upright and in reach."""
-    if container.name == obj.name or obj.placement.on == container.name:
-        return False
-    if not (container.model.container and is_upright(container)):
-        return False
-    if not reachable(world.mount, container.pose.position):
-        return False
-    hollow = world.openings[container.name]
-    across = np.sort(obj.scale)[:2] + ROOM
-    return hollow is not None and bool((across <= 2 * np.sort(hollow.semi)).all())
-
-
-def _into(world: World, obj: Object, container: Object) -> Episode:
-    hollow = world.openings[container.name]
-    if hollow is None or container.name == obj.name:
-        raise InputError(f"{container.name!r} is no container to put {obj.name!r} into.")
-    text = f"put {refer(world.scene, obj)} into {refer(world.scene, container)}"
-    return _episode(world, obj, text, container=container.name, hollow=hollow)
-
-
-def _onto(world: World, obj: Object, xy: Float[np.ndarray, "2"]) -> Episode:
-    table = world.scene.table
-    if xy.shape != (2,) or not np.isfinite(xy).all():
-        raise InputError(f"A goal spot is two finite numbers (x, y), got {xy.tolist()}.")
-    if inside_margin(xy, table.outline)[0] < 0:
-        raise InputError(f"The goal spot {xy.tolist()} is not on the table.")
-    text = f"move {refer(world.scene, obj)} to the marked spot"
-    return _episode(world, obj, text, spot=np.array([*xy, table.height]))
-
-
-def _episode(
-    world: World,
-    obj: Object,
-    instruction: str,
-    container: str | None = None,
-    spot: Float[np.ndarray, "3"] | None = None,
-    hollow: Opening | None = None,
-) -> Episode:
-    start = float(world.position(obj.name)[2])
-    rest = start - world.lowest(obj.name)
-    height = resting_height(obj)
-    return Episode(obj.name, container, spot, hollow, rest, start, height, instruction)

@@ -9,10 +9,10 @@ import sys
 import gymnasium as gym
 import numpy as np
 import pytest
+from toy import toy_object, toy_objects, toy_scene
 
 from generator.errors import InputError, SceneError
 from tabletopgen_env.env import GoalTabletopEnv, TabletopEnv, make_env
-from toy import toy_object, toy_objects, toy_scene
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
 from stable_baselines3.common.env_checker import check_env as sb3_check_env
+from toy import toy_object, toy_scene, toy_table
 
 from tabletopgen_env.env import make_env
 from tabletopgen_env.observations import MODES, SLOTS
-from toy import toy_object, toy_scene, toy_table
 
 ACTIONS = ("ee_delta", "joint_delta")
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from toy import toy_object, toy_objects, toy_scene
 
 from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan
@@ -13,7 +14,6 @@ from tabletopgen_env.actions import SUBSTEPS
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.language import refer
 from tabletopgen_env.tasks.pick_place import WEIGHTS, PickPlace
-from toy import toy_object, toy_objects, toy_scene
 
 STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
 

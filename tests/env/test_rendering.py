@@ -1,0 +1,145 @@
+"""Pictures: with GL where there is any, in software everywhere, and the two agree."""
+
+from __future__ import annotations
+
+import sys
+
+import numpy as np
+import pytest
+from toy import toy_scene
+
+from generator.errors import BackendError, InputError
+from tabletopgen_env import rendering
+from tabletopgen_env.composition import FRONT_CAMERA, WRIST_CAMERA
+from tabletopgen_env.env import make_env
+from tabletopgen_env.rendering import GlDrawer, drawer
+from tabletopgen_env.software import SoftwareDrawer, visible_shapes
+
+
+def has_gl() -> bool:
+    try:
+        drawer("gl", 8, 8).close()
+    except BackendError:
+        return False
+    return True
+
+
+needs_gl = pytest.mark.skipif(not has_gl(), reason="no OpenGL here")
+
+
+@pytest.fixture(scope="module")
+def world():
+    env = make_env(toy_scene())
+    env.reset(seed=0, options={"goal": (0.1, -0.15), "target": "cube_1"})
+    return env.world
+
+
+@pytest.mark.parametrize("renderer", [pytest.param("gl", marks=needs_gl), "software", "auto"])
+def test_render_modes(renderer) -> None:
+    for mode, shape, dtype in (
+        ("rgb_array", (60, 80, 3), np.uint8),
+        ("depth_array", (60, 80), np.float32),
+    ):
+        env = make_env(toy_scene(), render_mode=mode, renderer=renderer, render_size=(60, 80))
+        env.reset(seed=0)
+        picture = env.render()
+        assert picture.shape == shape and picture.dtype == dtype
+        assert picture[np.isfinite(picture)].std() > 0.05
+        env.close()
+
+
+@needs_gl
+@pytest.mark.parametrize("camera", [FRONT_CAMERA, WRIST_CAMERA])
+def test_gl_and_software_see_the_same(world, camera) -> None:
+    gl, soft = drawer("gl", 96, 128), drawer("software", 96, 128)
+    a, b = gl.depth(world, camera), soft.depth(world, camera)
+    near = (a < 2.0) & (b < 2.0)
+    assert near.mean() > 0.05
+    assert np.quantile(np.abs(a[near] - b[near]), 0.95) < 0.005
+    assert ((a < 2.0) == (b < 2.0)).mean() > 0.98
+    colors = gl.rgb(world, camera)[near].astype(float), soft.rgb(world, camera)[near].astype(float)
+    assert np.abs(colors[0] - colors[1]).mean() < 60
+    gl.close()
+
+
+def test_depth_is_the_distance_along_the_optical_axis(world) -> None:
+    depth = drawer("software", 120, 160).depth(world, "top")
+    camera = world.data.cam_xpos[world.model.camera("top").id]
+    on_table = np.abs(depth - (camera[2] - 0.74)) < 1e-3
+    assert on_table.mean() > 0.2
+
+
+def test_the_marker_shows_the_spot_and_only_then(world) -> None:
+    soft = drawer("software", 120, 160)
+    shown = soft.rgb(world, "top").astype(int)
+    world.show_marker(None, 0.04)
+    hidden = soft.rgb(world, "top").astype(int)
+    world.show_marker(np.array([0.1, -0.15, 0.74]), 0.04)
+    changed = (shown != hidden).any(2)
+    assert 5 < changed.sum() < 400
+    greener = shown[changed] - hidden[changed]
+    assert (greener[:, 1] > greener[:, 0]).all()
+
+
+def test_every_visible_geom_becomes_triangles_that_face_outwards(world) -> None:
+    shapes = visible_shapes(world.model)
+    drawn = {shape.geom for shape in shapes}
+    visible = set(np.flatnonzero(world.model.geom_group < 3))
+    assert drawn == visible
+    pedestal = next(s for s in shapes if world.model.geom(s.geom).name == "pedestal_column")
+    a, b, c = (pedestal.vertices[pedestal.faces[:, k]] for k in range(3))
+    assert (np.einsum("fi,fi->f", np.cross(b - a, c - a), a + b + c) > 0).all()
+
+
+def test_without_gl_auto_falls_back_and_gl_names_the_packages(monkeypatch) -> None:
+    monkeypatch.setattr(rendering, "_gl_modules", lambda: ("mujoco.no_such_gl",))
+    assert isinstance(drawer("auto", 8, 8), SoftwareDrawer)
+    with pytest.raises(BackendError, match=r"libegl1 libgl1 libgl1-mesa-dri.*libosmesa6"):
+        drawer("gl", 8, 8)
+
+
+def test_egl_is_chosen_only_without_display_and_wish(monkeypatch) -> None:
+    monkeypatch.setattr(sys, "platform", "linux")
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "MUJOCO_GL"):
+        monkeypatch.delenv(name, raising=False)
+    assert rendering._gl_modules() == ("mujoco.egl", "mujoco.osmesa")
+    monkeypatch.setenv("MUJOCO_GL", "osmesa")
+    assert rendering._gl_modules() == ("mujoco.gl_context",)
+    monkeypatch.delenv("MUJOCO_GL")
+    monkeypatch.setenv("DISPLAY", ":0")
+    assert rendering._gl_modules() == ("mujoco.gl_context",)
+
+
+@needs_gl
+def test_closing_frees_and_refuses_to_go_on(world) -> None:
+    gl = drawer("gl", 16, 16)
+    assert isinstance(gl, GlDrawer)
+    gl.rgb(world, FRONT_CAMERA)
+    gl.close()
+    gl.close()
+    with pytest.raises(InputError, match="closed"):
+        gl.rgb(world, FRONT_CAMERA)
+
+
+@needs_gl
+def test_many_scenes_share_one_drawer() -> None:
+    scenes = [toy_scene(name=f"toy_{k}") for k in range(6)]
+    env = make_env(scenes, render_mode="rgb_array", render_size=(32, 32), renderer="gl", cache=2)
+    pictures = []
+    for seed in range(8):
+        env.reset(seed=seed)
+        pictures.append(env.render())
+    assert all(picture.std() > 10 for picture in pictures)
+    env.close()
+
+
+def test_human_mode_without_a_display_says_so_once(monkeypatch) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(sys, "platform", "linux")
+    env = make_env(toy_scene(), render_mode="human")
+    with pytest.warns(UserWarning, match="needs a display") as caught:
+        env.reset(seed=0)
+        env.step(env.action_space.sample())
+    assert len(caught) == 1
+    env.close()
