@@ -105,7 +105,7 @@ class PickPlaceExpert:
         if late or self._has_moved():
             return self._retry(failed=late)
         grasp = self._plan.grasp
-        above = grasp.point + [0, 0, _HOVER]
+        above = grasp.point + _up(_HOVER)
         near = np.linalg.norm((self._tool - above)[:2]) < _FINE
         if near and abs(self._turn_left()) < _TURNED and self._tool[2] < above[2] + _NEAR:
             return self._enter("descend")
@@ -130,7 +130,7 @@ class PickPlaceExpert:
         return self._go(self._plan.grasp.point, 0.0)
 
     def _lift(self, late: bool) -> Float[np.ndarray, "5"]:
-        target = self._plan.grasp.point + [0, 0, _LIFT]
+        target = self._plan.grasp.point + _up(_LIFT)
         if self._has_slipped():
             return self._retry()
         if self._tool[2] > target[2] - _NEAR or late:
@@ -140,7 +140,7 @@ class PickPlaceExpert:
     def _carry(self, late: bool) -> Float[np.ndarray, "5"]:
         if self._has_slipped():
             return self._retry()
-        goal = self._goal() + [0, 0, 0.04]
+        goal = self._goal() + _up(0.04)
         away = float(np.linalg.norm((self._tool - goal)[:2]))
         if late or (away < 0.008 and self._tool[2] < goal[2] + _NEAR):
             return self._enter("lower")
@@ -197,7 +197,7 @@ class PickPlaceExpert:
             down = np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])
             stretch = 0.0
             for height in (0.0, _HOVER):
-                found = solve_ik(world.to_base(grasp.point + [0, 0, height]), down, iterations=40)
+                found = solve_ik(world.to_base(grasp.point + _up(height)), down, iterations=40)
                 inside = np.minimum(found.joints - LOWER, UPPER - found.joints).min()
                 if not found.solved or inside < 0.05:
                     break
@@ -224,8 +224,8 @@ class PickPlaceExpert:
         region = self._env.task.region(world, episode)
         bottom = self._object[2] - world.lowest(episode.target)
         if episode.spot is not None:
-            resting = region.center[:2].tolist() + [episode.spot[2] + bottom + 0.004]
-            return np.array(resting) - offset
+            resting = np.array([*region.center[:2], episode.spot[2] + bottom + 0.004])
+            return resting - offset
         hollow, container = episode.opening, episode.container
         assert hollow is not None and container is not None
         base = world.position(container)[2]
@@ -319,3 +319,7 @@ class PickPlaceExpert:
         spin = np.clip(turn * _TURN_GAIN / EE_TURN, -1.0, 1.0)
         wide = 2 * opening / (2 * franka.FINGER_STROKE) - 1 if opening > 0 else -1.0
         return np.array([*step, spin, np.clip(wide, -1.0, 1.0)])
+
+
+def _up(height: float) -> Float[np.ndarray, "3"]:
+    return np.array([0.0, 0.0, height])

@@ -142,9 +142,7 @@ def _along(
             yield Grasp(point, angle, room, float(width), score)
 
 
-def _runs(
-    strip: Float[np.ndarray, "k n"], floor: float
-) -> Iterator[tuple[float, int, int, float]]:
+def _runs(strip: Float[np.ndarray, "k n"], floor: float) -> Iterator[tuple[float, int, int, float]]:
     """Yield (tip height, first cell, last cell, quality) of runs that can be straddled."""
     top = float(strip.max())
     if not np.isfinite(top):

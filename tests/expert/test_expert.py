@@ -1,0 +1,96 @@
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from toy import toy_object, toy_scene
+
+from generator.errors import InputError, SceneError
+from tabletopgen_env.env import make_env
+from tabletopgen_env.expert.expert import PickPlaceExpert
+
+
+def episode(env: Any, seed: int, **options: Any) -> tuple[bool, list[np.ndarray], PickPlaceExpert]:
+    env.reset(seed=seed, options=options)
+    expert = PickPlaceExpert(env)
+    expert.reset()
+    actions: list[np.ndarray] = []
+    for _ in range(200):
+        actions.append(expert.act())
+        info = env.step(actions[-1])[4]
+        if info["success"]:
+            return True, actions, expert
+    return False, actions, expert
+
+
+@pytest.fixture(scope="module")
+def env() -> Any:
+    made = make_env(toy_scene())
+    yield made
+    made.close()
+
+
+@pytest.mark.parametrize(
+    ("target", "goal"),
+    [
+        ("cube_1", "bowl_1"),
+        ("can_1", "spot"),
+        ("mug_1", "bowl_1"),
+        ("bottle_1", "spot"),
+        ("bowl_1", "spot"),
+        ("cube_1", "mug_1"),
+    ],
+)
+def test_it_solves_every_kind_of_goal(env: Any, target: str, goal: str) -> None:
+    solved, actions, expert = episode(env, 3, target=target, goal=goal)
+    assert solved, expert.phase
+    stacked = np.array(actions)
+    assert stacked.dtype == np.float32
+    assert (np.abs(stacked) <= 1).all()
+
+
+def test_same_seed_same_actions(env: Any) -> None:
+    first, second = (episode(env, 7)[1] for _ in range(2))
+    np.testing.assert_array_equal(first, second)
+
+
+def test_it_goes_after_an_object_that_is_moved_away(env: Any) -> None:
+    env.reset(seed=1, options={"target": "cube_1", "goal": "bowl_1"})
+    expert = PickPlaceExpert(env)
+    expert.reset()
+    for step in range(200):
+        if step == 15:
+            env.world.teleport("cube_1", np.array([-0.25, -0.05, 0.7625]))
+        if env.step(expert.act())[4]["success"]:
+            break
+    else:
+        pytest.fail(f"not solved, {expert.phase}")
+    assert expert.attempts == 2
+
+
+def test_it_picks_up_again_what_it_lost(env: Any) -> None:
+    env.reset(seed=1, options={"target": "cube_1", "goal": "bowl_1"})
+    expert = PickPlaceExpert(env)
+    expert.reset()
+    lost = False
+    for _ in range(200):
+        action = expert.act()
+        if expert.phase == "carry" and not lost:
+            env.world.teleport("cube_1", np.array([-0.2, 0.0, 0.7625]))
+            lost = True
+        if env.step(action)[4]["success"]:
+            break
+    else:
+        pytest.fail(f"not solved, {expert.phase}")
+    assert lost and expert.attempts == 2
+
+
+def test_it_says_when_nothing_can_be_done() -> None:
+    block = toy_object("block", (0.1, 0.1, 0.1), (0.0, 0.0))
+    env = make_env(toy_scene((block, toy_object("cube", (0.04, 0.04, 0.04), (0.2, 0.0)))))
+    env.reset(seed=0, options={"target": "block", "goal": (-0.2, 0.0)})
+    with pytest.raises(SceneError, match="no grasp of 'block'"):
+        PickPlaceExpert(env).reset()
+    with pytest.raises(InputError, match="ee_delta"):
+        PickPlaceExpert(make_env(toy_scene(), action="joint_delta"))
