@@ -1,1 +1,17 @@
-"""The store of scene bundles: starter bundles shipped here, and a user cache."""
+"""The store of scene bundles: starter bundles shipped here, and a user cache.
+
+Bundles are found by name, digest, glob or path, in this order of places: the ``cache`` argument,
+the environment variable ``TABLETOPGEN_CACHE``, the starter bundles of this package, the user's
+cache folder. New ones go to the first of them that is not the package's own. A bundle is published
+by one rename, so readers and writers need no lock.
+"""
+
+from .store import STARTER as STARTER
+from .store import add as add
+from .store import clear as clear
+from .store import entries as entries
+from .store import find as find
+from .store import remove as remove
+from .store import roots as roots
+from .store import user_root as user_root
+from .store import verify as verify

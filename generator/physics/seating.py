@@ -79,12 +79,7 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
     best: tuple[float, np.ndarray] | None = None
     for offset in spiral(reach, reach / 5):
         xy = thing.pose.position[:2] + offset
-        z = _lower(
-            simulation,
-            xy,
-            rim - lowest(thing) + 0.002,
-            -np.ptp([highest(support), lowest(support)]),
-        )
+        z = _lower(simulation, xy, rim - lowest(thing) + 0.002, highest(support) - lowest(support))
         if z is None:
             continue
         bottom = z + lowest(thing)
@@ -101,7 +96,7 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
 
 def _sinks(thing: Object, support: Object) -> float:
     """How deep ``thing`` could go into ``support`` at most, metres."""
-    return min(float(np.ptp([highest(support), lowest(support)])), 0.1)
+    return min(highest(support) - lowest(support), 0.1)
 
 
 def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> float | None:
@@ -115,7 +110,7 @@ def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> f
     if not free(top):
         return None
     z, step = top, 4e-3
-    while z > top + fall and free(z - step):
+    while z > top - fall and free(z - step):
         z -= step
     low, high = z - step, z
     while high - low > 1e-4:

@@ -10,7 +10,7 @@ until none is left.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float
@@ -40,8 +40,8 @@ class Cut:
 def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
     """Move overlapping objects apart on the table, what stands on them with them.
 
-    Objects that support one another (directly or through others) are not pushed apart. ``clearance``
-    is the gap left between objects that had overlapped, metres.
+    Objects that support one another (directly or through others) are not pushed apart.
+    ``clearance`` is the gap left between objects that had overlapped, metres.
 
     Returns:
         The scene with new poses, and the names of objects that still overlap another.
@@ -83,8 +83,6 @@ def ancestry(objects: Sequence[Object]) -> list[tuple[int, ...]]:
 
 def with_poses(objects: Sequence[Object], poses: Sequence[Pose]) -> tuple[Object, ...]:
     """Return the objects at other poses."""
-    from dataclasses import replace
-
     return tuple(replace(o, pose=p) for o, p in zip(objects, poses, strict=True))
 
 
@@ -96,15 +94,13 @@ def least_push(
     Candidate directions are the normals of both boxes' sides and sixteen around; the distance
     along each is measured on the collision shapes, to 0.1 mm.
     """
-    from dataclasses import replace
-
     alone = tuple(replace(o, placement=replace(o.placement, on=TABLE)) for o in (a, b))
     pair = Simulation(scene.replace(objects=alone))
     pair.place([a.pose, b.pose])
     origin = pair.positions[1].copy()
 
     def clear(direction: np.ndarray, distance: float) -> bool:
-        pair.positions[1] = origin + [*(distance * direction), 0.0]
+        pair.positions[1] = origin + np.append(distance * direction, 0.0)
         return pair.contacts().deepest().get((0, 1), 0.0) <= 1e-6
 
     angles = [quaternion_yaw(o.pose.quaternion) + k * np.pi / 2 for o in (a, b) for k in range(4)]
@@ -192,6 +188,6 @@ def _overlapping(
 
 def _moved(poses: Sequence[Pose], shifts: Float[np.ndarray, "n 2"]) -> list[Pose]:
     return [
-        Pose(p.position + [*shift, 0.0], p.quaternion)
+        Pose(p.position + np.append(shift, 0.0), p.quaternion)
         for p, shift in zip(poses, shifts, strict=True)
     ]

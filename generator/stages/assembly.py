@@ -9,7 +9,7 @@ and a gate that records whether the result is sound.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from jaxtyping import Float
@@ -58,7 +58,7 @@ class AssemblyConfig:
     topple: float = float(np.deg2rad(30.0))
     attempts: int = 4
     drop_failing: bool = False
-    limits: Limits = Limits()
+    limits: Limits = field(default_factory=Limits)
 
 
 def assemble(

@@ -1,0 +1,169 @@
+"""Finding, adding and removing bundles."""
+
+from __future__ import annotations
+
+import fnmatch
+import os
+import re
+import shutil
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import platformdirs
+
+from generator.errors import BundleError, StorageError, choices
+
+if TYPE_CHECKING:
+    from generator.scene import Scene
+
+STARTER = "starter"
+"""What to ask :func:`find` for to get every bundle shipped with the package."""
+
+VARIABLE = "TABLETOPGEN_CACHE"
+"""Environment variable naming a folder of bundles."""
+
+_SHIPPED = Path(__file__).parent / "starter"
+_DIGEST = re.compile(r"[0-9a-f]{6,12}")
+_BUNDLE = re.compile(r"(?P<name>.+)-(?P<digest>[0-9a-f]{12})")
+
+
+def user_root(cache: str | Path | None = None) -> Path:
+    """Return where new bundles go: ``cache``, else TABLETOPGEN_CACHE, else the user's cache."""
+    chosen = cache or os.environ.get(VARIABLE)
+    return Path(chosen) if chosen else Path(platformdirs.user_cache_dir("tabletopgen")) / "scenes"
+
+
+def roots(cache: str | Path | None = None) -> tuple[Path, ...]:
+    """Return the folders searched, first match wins; those that do not exist are left out."""
+    wanted = [cache, os.environ.get(VARIABLE), _SHIPPED, user_root(cache)]
+    paths = dict.fromkeys(Path(p) for p in wanted if p)
+    return tuple(p for p in paths if p.is_dir())
+
+
+def entries(cache: str | Path | None = None) -> list[Path]:
+    """Return every bundle of the store, by name; one shadowed by an earlier place is left out."""
+    found: dict[str, Path] = {}
+    for root in roots(cache):
+        for path in _bundles(root):
+            found.setdefault(path.name, path)
+    return [found[name] for name in sorted(found)]
+
+
+def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
+    """Return the bundles that ``wanted`` names, sorted by folder name.
+
+    Args:
+        wanted: a scene's name, a folder's name, a digest or its first 6 digits, a glob on folder
+            names ("office*"), a path or a glob of paths, or "starter" for all that are shipped.
+        cache: a folder of bundles to search first.
+
+    Raises:
+        BundleError: nothing fits; the message names the nearest match and what there is.
+    """
+    text = str(wanted)
+    if text == STARTER:
+        found = list(_bundles(_SHIPPED))
+    else:
+        found = _by_path(Path(wanted).expanduser()) or _by_name(text, entries(cache))
+    if not found:
+        places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
+        names = {_stem(path) for path in entries(cache)}
+        raise BundleError(f"No bundle fits {text!r} in {places}." + choices(text, names))
+    return sorted(found, key=lambda p: p.name)
+
+
+def add(scene: Scene, cache: str | Path | None = None, **options: Any) -> Path:
+    """Publish a scene in the store; ``options`` are those of ``generator.bundle.save``."""
+    from generator.bundle import save
+
+    return save(scene, user_root(cache), **options)
+
+
+def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
+    """Remove one bundle; return where it was.
+
+    Raises:
+        BundleError: ``wanted`` fits none or several.
+        StorageError: the bundle is shipped with the package, or cannot be removed.
+    """
+    found = find(wanted, cache)
+    if len(found) > 1:
+        names = ", ".join(p.name for p in found[:8])
+        raise BundleError(f"{wanted!r} fits {len(found)} bundles: {names}. Name one.")
+    path = found[0]
+    if path.resolve().is_relative_to(_SHIPPED.resolve()):
+        raise StorageError(f"{path.name} is shipped with the package and is not removed.")
+    _discard(path)
+    return path
+
+
+def clear(cache: str | Path | None = None) -> int:
+    """Remove every bundle of the user's store (see :func:`user_root`); return how many.
+
+    Raises:
+        StorageError: the folder holds something that is not a bundle; then nothing is removed.
+    """
+    root = user_root(cache)
+    if not root.is_dir():
+        return 0
+    found = list(_bundles(root))
+    foreign = sorted({p.name for p in root.iterdir() if not p.name.startswith(".staging-")}
+                     - {p.name for p in found})  # fmt: skip
+    if foreign or root.resolve() == _SHIPPED.resolve():
+        raise StorageError(
+            f"{root} is not only a store of bundles: it holds {foreign[:5] or 'the starters'}. "
+            "Nothing was removed; remove bundles one by one, or choose another folder."
+        )
+    for path in found:
+        _discard(path)
+    return len(found)
+
+
+def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
+    """Return what is wrong with each bundle of the store, by folder name; empty lists are good."""
+    from generator.bundle import verify as verify_bundle
+
+    return {path.name: verify_bundle(path) for path in entries(cache)}
+
+
+def _bundles(root: Path) -> Iterator[Path]:
+    if root.is_dir():
+        for path in sorted(root.iterdir()):
+            if _BUNDLE.fullmatch(path.name) and (path / "scene.json").is_file():
+                yield path
+
+
+def _by_path(path: Path) -> list[Path]:
+    """Return the bundle at a path, the bundles in a folder, or those a glob of paths fits."""
+    if (path / "scene.json").is_file():
+        return [path]
+    if len(path.parts) > 1:
+        if path.is_dir():
+            return list(_bundles(path))
+        anchor = Path(path.anchor) if path.is_absolute() else Path()
+        pattern = str(path.relative_to(path.anchor)) if path.is_absolute() else str(path)
+        return [p for p in sorted(anchor.glob(pattern)) if (p / "scene.json").is_file()]
+    return []
+
+
+def _by_name(text: str, known: list[Path]) -> list[Path]:
+    exact = [p for p in known if text in (p.name, _stem(p))]
+    digest = [p for p in known if _DIGEST.fullmatch(text) and p.name[-12:].startswith(text)]
+    return exact or digest or [p for p in known if fnmatch.fnmatchcase(p.name, text)]
+
+
+def _stem(path: Path) -> str:
+    named = _BUNDLE.fullmatch(path.name)
+    return named["name"] if named else path.name
+
+
+def _discard(path: Path) -> None:
+    """Take a bundle away by one rename, then delete it: no reader meets half of it."""
+    try:
+        grave = Path(tempfile.mkdtemp(prefix=".staging-", dir=path.parent))
+        path.rename(grave / path.name)
+        shutil.rmtree(grave)
+    except OSError as error:
+        raise StorageError(f"{path} cannot be removed: {error.strerror or error}.") from error

@@ -1,0 +1,8 @@
+"""Bundles: a scene as a folder that anyone can load, and back."""
+
+from .folder import MOST_BYTES as MOST_BYTES
+from .folder import SCHEMA as SCHEMA
+from .folder import is_bundle as is_bundle
+from .folder import load as load
+from .folder import save as save
+from .folder import verify as verify

@@ -1,0 +1,248 @@
+"""Bundles: a scene as a folder that anyone can load, and back.
+
+``<name>-<digest12>/`` holds ``scene.json`` (the truth: every value, the report, and size and sha256
+of each file), ``scene.xml`` (derived; loads in plain MuJoCo), ``meshes/``, ``textures/`` and
+pictures. A bundle is *published or absent*: it is built in a staging folder beside its place and
+put there by one rename. The digest is that of ``scene.json``, which names all else by content, so
+the same scene gives the same folder, byte for byte.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import shutil
+import stat
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path, PurePosixPath
+from typing import Any
+
+import numpy as np
+from jaxtyping import UInt8
+
+from ..errors import BundleError, SceneError, StorageError
+from ..mjcf import document, encode_png
+from ..scene import Scene
+from .encoding import decode_scene, dumps, encode_scene, loads
+
+SCHEMA = 1
+"""Version of ``scene.json``; other versions are refused."""
+
+MOST_BYTES = 256 * 2**20
+"""No file of a bundle may be larger."""
+
+MOST_FILES = 4096
+
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
+_FOLDER = re.compile(r".*-([0-9a-f]{12})")
+_PICTURE = re.compile(r"[a-z][a-z0-9_]*")
+
+
+def save(
+    scene: Scene,
+    folder: str | Path,
+    *,
+    images: Mapping[str, UInt8[np.ndarray, "h w c"] | bytes] | None = None,
+    allow_failed: bool = False,
+) -> Path:
+    """Publish ``scene`` as a bundle inside ``folder``; return the bundle's path.
+
+    Args:
+        scene: the scene; numbers are rounded (lengths to 0.1 micrometre) as they are written.
+        folder: made if missing.
+        images: pictures by file stem ("reference", "preview", ...), as pixels or PNG bytes.
+        allow_failed: publish although the scene's report failed or is missing.
+
+    Raises:
+        SceneError: the report failed or is missing.
+        StorageError: the folder cannot be written, or the disk is full.
+    """
+    _check_publishable(scene, allow_failed)
+    files = {
+        f"{_checked_stem(stem)}.png": image if isinstance(image, bytes) else encode_png(image)
+        for stem, image in (images or {}).items()
+    }
+    payload, meshes = encode_scene(scene)
+    files |= meshes
+    rounded = decode_scene(payload, files.__getitem__)
+    files["scene.xml"] = document(rounded).xml.encode()
+    listed = {name: _fingerprint(content) for name, content in sorted(files.items())}
+    truth = dumps({"schema": SCHEMA, **payload, "files": listed})
+    digest = hashlib.sha256(truth).hexdigest()[:12]
+    try:
+        return _publish(Path(folder), f"{scene.name}-{digest}", files | {"scene.json": truth})
+    except OSError as error:
+        raise StorageError(
+            f"The bundle of {scene.name!r} cannot be written to {folder}: "
+            f"{error.strerror or error}. Free space there, or choose another folder."
+        ) from error
+
+
+def load(path: str | Path) -> Scene:
+    """Read a bundle back, every file checked against its recorded size and hash.
+
+    Raises:
+        BundleError: there is no bundle, it is damaged or unsafe, or from another schema.
+    """
+    folder = Path(path)
+    payload = _read_truth(folder)
+    listed = payload["files"]
+    contents = {name: _read_listed(folder, name, entry) for name, entry in listed.items()}
+    if "scene.xml" not in contents:
+        raise BundleError(f"{folder} lists no scene.xml; make the bundle again.")
+
+    def file(name: Any) -> bytes:
+        if name not in contents:
+            raise BundleError(f"{folder}: scene.json uses {name!r}, which it does not list.")
+        return contents[name]
+
+    try:
+        return decode_scene(payload, file)
+    except BundleError:
+        raise
+    except (ValueError, TypeError, KeyError, IndexError, AttributeError, OverflowError) as error:
+        raise BundleError(
+            f"{folder}: scene.json holds no sound scene ({type(error).__name__}: {error}). "
+            "Make the bundle again."
+        ) from error
+
+
+def verify(path: str | Path) -> list[str]:
+    """Return what is wrong with a bundle on disk: nothing, or one reason.
+
+    Files that ``scene.json`` does not list are reported too; loading ignores them.
+    """
+    folder = Path(path)
+    try:
+        load(folder)
+        listed = {*_read_truth(folder)["files"], "scene.json"}
+    except BundleError as error:
+        return [str(error)]
+    found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
+    return [
+        f"{folder} holds {name}, which scene.json does not list" for name in sorted(found - listed)
+    ]
+
+
+def is_bundle(path: Path) -> bool:
+    """Whether ``path`` looks like a bundle: a folder with a ``scene.json``."""
+    return not path.name.startswith(".") and (path / "scene.json").is_file()
+
+
+# ----------------------------------------------------------------------------------------- writing
+
+
+def _check_publishable(scene: Scene, allow_failed: bool) -> None:
+    if not _NAME.fullmatch(scene.name) or len(scene.name) > 80:
+        raise SceneError(
+            f"A scene called {scene.name!r} cannot be a folder's name; use at most 80 letters, "
+            "digits, '.', '_' and '-'."
+        )
+    if allow_failed:
+        return
+    if scene.report is None:
+        raise SceneError(
+            f"Scene {scene.name!r} was never judged; see generator.physics.gate.judge."
+        )
+    if not scene.report.passed:
+        raise SceneError(
+            f"Scene {scene.name!r} failed its physical gate: {'; '.join(scene.report.failures)}. "
+            "Pass allow_failed=True to publish it all the same."
+        )
+
+
+def _checked_stem(stem: str) -> str:
+    if not _PICTURE.fullmatch(stem):
+        raise SceneError(f"A picture cannot be called {stem!r}; use small letters, digits and '_'.")
+    return stem
+
+
+def _fingerprint(content: bytes) -> dict[str, Any]:
+    return {"bytes": len(content), "sha256": hashlib.sha256(content).hexdigest()}
+
+
+def _publish(folder: Path, name: str, files: Mapping[str, bytes]) -> Path:
+    """Write ``files`` into a staging folder and rename it to ``folder / name``."""
+    folder.mkdir(parents=True, exist_ok=True)
+    target = folder / name
+    staging = Path(tempfile.mkdtemp(prefix=".staging-", dir=folder))
+    try:
+        for path, content in files.items():
+            place = staging / path
+            place.parent.mkdir(exist_ok=True)
+            place.write_bytes(content)
+        staging.chmod(0o755)
+        if target.exists() and verify(target):
+            target.rename(staging / ".damaged")
+        try:
+            staging.replace(target)
+        except OSError:
+            if verify(target):  # else another writer published the same bytes first
+                raise
+    finally:
+        shutil.rmtree(staging, ignore_errors=True)
+        shutil.rmtree(target / ".damaged", ignore_errors=True)
+    return target
+
+
+# ----------------------------------------------------------------------------------------- reading
+
+
+def _read_truth(folder: Path) -> dict[str, Any]:
+    """Return the checked content of ``scene.json``."""
+    if not folder.is_dir():
+        raise BundleError(f"There is no bundle at {folder}.")
+    raw = _read(folder, "scene.json", MOST_BYTES)
+    payload = loads(raw, str(folder))
+    schema = payload.get("schema")
+    if schema != SCHEMA:
+        raise BundleError(
+            f"{folder} has schema {schema!r}; this version reads schema {SCHEMA}. "
+            "Install a matching tabletopgen, or make the bundle again."
+        )
+    if dumps(payload) != raw:
+        raise BundleError(f"{folder}: scene.json was changed after it was written.")
+    named = _FOLDER.fullmatch(folder.resolve().name)
+    if named and named[1] != hashlib.sha256(raw).hexdigest()[:12]:
+        raise BundleError(f"{folder}: scene.json does not have the digest in the folder's name.")
+    files = payload.get("files")
+    if not isinstance(files, dict) or len(files) > MOST_FILES:
+        raise BundleError(f"{folder}: scene.json must list at most {MOST_FILES} files.")
+    return payload
+
+
+def _read_listed(folder: Path, name: str, entry: Any) -> bytes:
+    """Read one listed file and compare it with its entry."""
+    if not isinstance(entry, dict) or not isinstance(entry.get("bytes"), int):
+        raise BundleError(f"{folder}: scene.json lists {name!r} without size and sha256.")
+    size = entry["bytes"]
+    if not 0 <= size <= MOST_BYTES:
+        raise BundleError(f"{folder}: {name} has {size} bytes; at most {MOST_BYTES} are read.")
+    content = _read(folder, name, size)
+    if _fingerprint(content) != entry:
+        raise BundleError(f"{folder}: {name} was changed after it was written.")
+    return content
+
+
+def _read(folder: Path, name: str, limit: int) -> bytes:
+    """Read a plain file inside ``folder``: no way out of it, no links, no more than ``limit``."""
+    path = PurePosixPath(name)
+    if path.is_absolute() or ".." in path.parts or "\\" in name or ":" in name or not path.parts:
+        raise BundleError(f"{folder}: the path {name!r} leaves the bundle; it was not opened.")
+    place = folder
+    try:
+        for part in path.parts:
+            place = place / part
+            status = place.lstat()
+            if stat.S_ISLNK(status.st_mode):
+                raise BundleError(f"{folder}: {name} is a link; a bundle holds plain files only.")
+        if not stat.S_ISREG(status.st_mode):
+            raise BundleError(f"{folder}: {name} is not a plain file.")
+        if status.st_size > limit:
+            raise BundleError(f"{folder}: {name} is {status.st_size} bytes, not {limit}.")
+        return place.read_bytes()
+    except FileNotFoundError as error:
+        raise BundleError(f"{folder}: {name} is missing. Make or copy the bundle again.") from error
+    except OSError as error:
+        raise BundleError(f"{folder}: {name} cannot be read: {error.strerror}.") from error
