@@ -25,10 +25,22 @@ _PALETTE = 8
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """The surface points of an atlas' texels, in the object frame."""
+    """Points on an object's surface with their unit normals, in the object frame."""
 
     point: Float[np.ndarray, "t 3"]
     normal: Float[np.ndarray, "t 3"]
+
+    def at(self, index: np.ndarray) -> Surface:
+        """Return some of the points."""
+        return Surface(self.point[index], self.normal[index])
+
+    def mirrored(self, plane: Float[np.ndarray, "4"]) -> Surface:
+        """Return the points reflected about a plane (unit normal, offset)."""
+        n = plane[:3]
+        away = (self.point @ n - plane[3])[:, None]
+        return Surface(
+            self.point - 2 * away * n, self.normal - 2 * (self.normal @ n)[:, None] * n
+        )
 
 
 def opaque_colors(
@@ -50,27 +62,38 @@ def surface_of(atlas: Atlas, vertices: Float[np.ndarray, "n 3"]) -> Surface:
     return Surface(point, face_normals(placed, atlas.faces)[atlas.face])
 
 
-def visible(
-    surface: Surface,
-    vertices: Float[np.ndarray, "n 3"],
-    faces: Int[np.ndarray, "m 3"],
-    projection: Projection,
-) -> Bool[np.ndarray, "t"]:
-    """Tell which surface points the camera sees well, the mesh itself being the only occluder."""
-    corners = projection.corners(vertices, faces)
-    owner, _, near = rasterise(corners, projection.width, projection.height)
-    near = near.reshape(projection.height, projection.width)
-    near = cv2.dilate(near, np.ones((3, 3)), borderType=cv2.BORDER_REPLICATE)
-    sight = projection.position - surface.point
-    cosine = (surface.normal * sight).sum(1) / np.linalg.norm(sight, axis=1)
-    pixel = np.floor(projection.project(surface.point)).astype(int)
-    x = pixel[:, 0].clip(0, projection.width - 1)
-    y = pixel[:, 1].clip(0, projection.height - 1)
-    depth = projection.to_camera(surface.point)[:, 2]
-    size = float(np.linalg.norm(np.ptp(vertices, axis=0)))
-    front = 1.0 / np.maximum(near[y, x], 1e-9)
-    slack = 0.012 * size / np.maximum(cosine, 0.15)
-    return (cosine > _GRAZING) & (depth < front + np.minimum(slack, 0.06 * size))
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """What the camera sees of a mesh: ``near`` is the largest 1/depth around each crop pixel."""
+
+    projection: Projection
+    near: Float[np.ndarray, "h w"]
+    size: float
+
+    @classmethod
+    def of(
+        cls,
+        vertices: Float[np.ndarray, "n 3"],
+        faces: Int[np.ndarray, "m 3"],
+        projection: Projection,
+    ) -> Sight:
+        """Look at a mesh in the object frame."""
+        corners = projection.corners(vertices, faces)
+        near = rasterise(corners, projection.width, projection.height)[2]
+        near = near.reshape(projection.height, projection.width)
+        near = cv2.dilate(near, np.ones((3, 3)), borderType=cv2.BORDER_REPLICATE)
+        return cls(projection, near, float(np.linalg.norm(np.ptp(vertices, axis=0))))
+
+    def sees(self, surface: Surface) -> Bool[np.ndarray, "t"]:
+        """Tell which points are seen well: on the nearest surface, and not at a grazing angle."""
+        view, pixel = self.projection, np.floor(self.projection.project(surface.point)).astype(int)
+        line = view.position - surface.point
+        cosine = (surface.normal * line).sum(1) / np.linalg.norm(line, axis=1)
+        x, y = pixel[:, 0].clip(0, view.width - 1), pixel[:, 1].clip(0, view.height - 1)
+        front = 1.0 / np.maximum(self.near[y, x], 1e-9)
+        depth = view.to_camera(surface.point)[:, 2]
+        slack = np.minimum(0.012 / np.maximum(cosine, 0.15), 0.06) * self.size
+        return (cosine > _GRAZING) & (np.abs(depth - front) < slack)
 
 
 def sample(
@@ -126,36 +149,6 @@ def _palette(base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return spatial.cKDTree(table).query(base)[1], table
 
 
-def mirrored(
-    surface: Surface,
-    seen: Bool[np.ndarray, "t"],
-    planes: tuple[Float[np.ndarray, "4"], ...],
-    reach: float,
-) -> Int[np.ndarray, "t"]:
-    """Return per texel a seen texel at its mirrored place (itself if seen), or -1.
-
-    ``planes`` are (unit normal, offset) in the object frame, tried in order; pairs of them
-    compose. ``reach`` is how far the mirrored place may miss the surface.
-    """
-    match = np.where(seen, np.arange(len(seen)), -1)
-    if not seen.any():
-        return match
-    index = np.flatnonzero(seen)
-    weight = 4 * reach
-    tree = spatial.cKDTree(np.hstack([surface.point[index], weight * surface.normal[index]]))
-    turns = [(p,) for p in planes] + [(p, q) for i, p in enumerate(planes) for q in planes[i + 1 :]]
-    for turn in turns:
-        todo = np.flatnonzero(match < 0)
-        point, normal = surface.point[todo], surface.normal[todo]
-        for plane in turn:
-            point = point - 2 * (point @ plane[:3] - plane[3])[:, None] * plane[:3]
-            normal = normal - 2 * (normal @ plane[:3])[:, None] * plane[:3]
-        gap, found = tree.query(np.hstack([point, weight * normal]), distance_upper_bound=2 * reach)
-        hit = np.isfinite(gap)
-        match[todo[hit]] = index[found[hit]]
-    return match
-
-
 def paint(
     vertices: Float[np.ndarray, "n 3"],
     faces: Int[np.ndarray, "m 3"],
@@ -164,37 +157,65 @@ def paint(
     planes: tuple[Float[np.ndarray, "4"], ...],
     size: int = 384,
 ) -> tuple[Atlas, UInt8[np.ndarray, "s s 3"]]:
-    """Unwrap a mesh (vertices in the object frame) and paint all of it from one crop."""
+    """Unwrap a mesh (vertices in the object frame) and paint all of it from one crop.
+
+    ``planes`` are those of the object's supposed mirror symmetries.
+    """
     atlas = unwrap(vertices, faces, size)
     surface = surface_of(atlas, vertices)
     image, _ = opaque_colors(crop)
-    seen = visible(surface, vertices, faces, projection)
-    colors = sample(image, projection.project(surface.point))
-    painted = fill_hidden(surface, seen, colors, planes, float(np.ptp(vertices, axis=0).max()))
-    return atlas, lay_out(atlas, painted)
+    sight = Sight.of(vertices, faces, projection)
+    colors, known = seen_colors(surface, sight, image, planes)
+    return atlas, lay_out(atlas, fill_nearest(surface, known, colors, sight.size))
 
 
-def fill_hidden(
+def seen_colors(
     surface: Surface,
-    seen: Bool[np.ndarray, "t"],
+    sight: Sight,
+    image: UInt8[np.ndarray, "h w 3"],
+    planes: tuple[Float[np.ndarray, "4"], ...] = (),
+) -> tuple[Float[np.ndarray, "t 3"], Bool[np.ndarray, "t"]]:
+    """Return the picture's colours of the points it shows, and which they are.
+
+    A hidden point takes the colour of its mirror image about one of ``planes``, or about two of
+    them in turn, if that is seen.
+    """
+    colors = np.zeros((len(surface.point), 3))
+    known = np.zeros(len(surface.point), bool)
+    turns = [(), *((p,) for p in planes)]
+    turns += [(p, q) for i, p in enumerate(planes) for q in planes[i + 1 :]]
+    for turn in turns:
+        todo = np.flatnonzero(~known)
+        moved = surface.at(todo)
+        for plane in turn:
+            moved = moved.mirrored(plane)
+        hit = sight.sees(moved)
+        colors[todo[hit]] = sample(image, sight.projection.project(moved.point[hit]))
+        known[todo[hit]] = True
+    return colors, known
+
+
+def fill_nearest(
+    surface: Surface,
+    known: Bool[np.ndarray, "t"],
     colors: Float[np.ndarray, "t 3"],
-    planes: tuple[Float[np.ndarray, "4"], ...],
     size: float,
 ) -> Float[np.ndarray, "t 3"]:
-    """Return all texels' colours from those seen, by mirroring, then by nearness."""
-    if not seen.any():
+    """Give unknown points the middle colour of known ones near by and facing alike.
+
+    What faces down gets the object's middle colour, darkened.
+    """
+    if known.all() or not known.any():
         return colors
-    match = mirrored(surface, seen, planes, 0.02 * size)
-    painted = colors[np.maximum(match, 0)]
-    lost = np.flatnonzero(match < 0)
-    if len(lost):
-        index = np.flatnonzero(seen)
-        tree = spatial.cKDTree(np.hstack([surface.point[index], 0.3 * size * surface.normal[index]]))
-        asked = np.hstack([surface.point[lost], 0.3 * size * surface.normal[lost]])
-        near = tree.query(asked, k=min(12, len(index)))[1].reshape(len(lost), -1)
-        painted[lost] = np.median(colors[index[near]], axis=1)
-        under = lost[surface.normal[lost, 2] < -0.7]
-        painted[under] = np.median(colors[seen], 0) * 0.8
+    painted = colors.copy()
+    index = np.flatnonzero(known)
+    index = index[:: max(1, len(index) // 4000)]
+    lost = np.flatnonzero(~known)
+    scaled = np.hstack([surface.point, 0.3 * size * surface.normal])
+    near = spatial.cKDTree(scaled[index]).query(scaled[lost], k=min(5, len(index)))[1]
+    painted[lost] = np.median(colors[index[near.reshape(len(lost), -1)]], axis=1)
+    under = lost[surface.normal[lost, 2] < -0.7]
+    painted[under] = np.median(colors[known], 0) * 0.8
     return painted
 
 

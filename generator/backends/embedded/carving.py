@@ -14,6 +14,7 @@ from jaxtyping import Bool, Float
 from scipy import optimize
 
 from ...geometry import rotation_z
+from .framing import frame_to_mask, proportion_gap, simplex
 from .projection import Projection, fill_hull, mask_iou
 from .solids import Posed, Solid, box, heightfield, prism, revolution, simplify_profile, upright
 
@@ -23,31 +24,6 @@ _CIRCLE = np.column_stack(
 _UNIT_BOX = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (0.0, 1.0)])
 
 Mask = Bool[np.ndarray, "h w"]
-
-
-def _image_box(pixels: Float[np.ndarray, "n 2"]) -> tuple[np.ndarray, np.ndarray]:
-    low, high = pixels.min(0), pixels.max(0)
-    return (low + high) / 2, high - low
-
-
-def frame_to_mask(
-    vertices: Float[np.ndarray, "n 3"], projection: Projection, mask: Mask
-) -> tuple[float, Float[np.ndarray, "3"]]:
-    """Return the scale and shift that make a shape's picture fill the mask's box as it can.
-
-    The shift is parallel to the image plane, the scale makes the areas of the boxes agree.
-    """
-    ys, xs = np.nonzero(mask)
-    wanted, size = _image_box(np.array([[xs.min(), ys.min()], [xs.max() + 1, ys.max() + 1]]))
-    scale, shift = float(np.sqrt(mask.sum())) / max(float(np.ptp(vertices, axis=0).max()), 1e-9), np.zeros(3)
-    for _ in range(4):
-        center, have = _image_box(projection.project(vertices * scale + shift))
-        scale *= float(np.sqrt(np.prod(size) / max(np.prod(have), 1e-9)))
-        center, have = _image_box(projection.project(vertices * scale + shift))
-        depth = float(np.linalg.norm(projection.position)) / projection.focal
-        step = (wanted - center) * depth
-        shift = shift + step[0] * projection.rotation[0] + step[1] * projection.rotation[1]
-    return scale, shift
 
 
 # ---------------------------------------------------------------------------------------- boxes
@@ -87,7 +63,7 @@ def fit_box(
     starts = sorted(grid, key=loss)[:4]
     found = [
         optimize.minimize(loss, s, method="Nelder-Mead",
-                          options={"maxfev": 110, "initial_simplex": _simplex(s, (0.15, 0.2, 0.25))})
+                          options={"maxfev": 110, "initial_simplex": simplex(s, (0.15, 0.2, 0.25))})
         for s in starts
     ]
     best = min(found, key=lambda r: r.fun).x
@@ -96,20 +72,6 @@ def fit_box(
     if width < 1:
         return Posed("box", box(scale, scale * width, scale * height), yaw + np.pi / 2, shift)
     return Posed("box", box(scale * width, scale, scale * height), yaw, shift)
-
-
-def _simplex(start: np.ndarray, steps: tuple[float, ...]) -> np.ndarray:
-    return np.concatenate([start[None], start + np.diag(steps)])
-
-
-def proportion_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:
-    """Return how far two extents' proportions are apart: mean absolute log ratio, at most 1.5.
-
-    The two horizontal sides are compared in order of length; overall size does not count.
-    """
-    rows = [np.log(np.array([max(v[0], v[1]), min(v[0], v[1]), v[2]])) for v in (a, b)]
-    gap = (rows[0] - rows[0].mean()) - (rows[1] - rows[1].mean())
-    return float(min(np.abs(gap).mean(), 1.5))
 
 
 # ----------------------------------------------------------------------------------- revolution

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
+from ...catalogue import Category, category
+from ...errors import InputError
 from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
 from ...scene import Instance, Model, Physics, SizePrior, View
 from . import baking, carving
+from .framing import proportion_gap
+from .likeness import Likeness, fit_likeness, painted
 from .projection import Projection, mask_iou
 from .solids import Posed
 
 _WORKING = 150  # longer side of the silhouettes that are compared, pixels
+_ALIKE = 0.6  # silhouette overlap below which a catalogue shape is not what the picture shows
 
 
 @dataclass(frozen=True)
@@ -29,8 +35,38 @@ class Modeler:
         projection = Projection.of_instance(instance, view)
         small = projection.resized(_WORKING)
         mask = small_mask(instance, small)
+        category = known_category(instance, size)
+        if category is not None:
+            found = fit_likeness(
+                category, self.seed, instance.crop, mask, small, instance.occluded
+            )
+            if found.iou >= _ALIKE:
+                return likeness_model(found, instance, projection, size, self.texture)
         posed = best_solid(mask, small, size)
         return solid_model(posed, instance, projection, size, self.texture)
+
+
+def known_category(instance: Instance, size: SizePrior) -> Category | None:
+    """Return the catalogue's category for an instance's label or its prior's name, if any."""
+    for word in (instance.label, size.name.rstrip("_0123456789")):
+        try:
+            return category(word)
+        except InputError:
+            continue
+    return None
+
+
+def likeness_model(
+    found: Likeness, instance: Instance, projection: Projection, size: SizePrior, texture: int
+) -> Model:
+    """Return the catalogue model of a likeness with the crop's proportions and colours."""
+    return dataclasses.replace(
+        found.model,
+        name=instance.label,
+        label=instance.label,
+        mesh=painted(found, instance.crop, projection, texture),
+        size=metric(found.extent, size),
+    )
 
 
 def small_mask(instance: Instance, small: Projection) -> Bool[np.ndarray, "h w"]:
@@ -60,7 +96,7 @@ def score(posed: Posed, mask: Bool[np.ndarray, "h w"], small: Projection, size: 
     """Return how well a solid explains the picture: silhouette overlap less what it costs."""
     iou = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
     price = {"box": 0.0, "revolution": 0.0, "prism": 0.03, "upright": 0.04, "carved": 0.05}
-    gap = carving.proportion_gap(np.ptp(posed.solid.vertices, axis=0), size.extent)
+    gap = proportion_gap(np.ptp(posed.solid.vertices, axis=0), size.extent)
     return iou - price[posed.kind] - 0.04 * gap
 
 
