@@ -86,15 +86,15 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
 
     Raises:
         BundleError: ``wanted`` fits none or several.
-        StorageError: the bundle is shipped with the package, or cannot be removed.
+        StorageError: the bundle is not in the user's store, or cannot be removed.
     """
     found = find(wanted, cache)
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:8])
         raise BundleError(f"{wanted!r} fits {len(found)} bundles: {names}. Name one.")
-    path = found[0]
-    if path.resolve().is_relative_to(_SHIPPED.resolve()):
-        raise StorageError(f"{path.name} is shipped with the package and is not removed.")
+    path, root = found[0], user_root(cache)
+    if path.resolve().parent != root.resolve() or root.resolve() == _SHIPPED.resolve():
+        raise StorageError(f"{path} is not in the store {root}; only what is there is removed.")
     _discard(path)
     return path
 

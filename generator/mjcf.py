@@ -180,7 +180,7 @@ class _Assets:
     def _add(self, tag: str, name: str, **attributes: str) -> str:
         if name not in self._named:
             self._named.add(name)
-            ET.SubElement(self._element, tag, name=name, **attributes)
+            ET.SubElement(self._element, tag, {"name": name, **attributes})
         return name
 
     def draw(self, body: ET.Element, mesh: Mesh, scale: Float[np.ndarray, "3"]) -> None:
@@ -214,10 +214,9 @@ class _Assets:
             attributes["mesh"] = self._add(
                 "mesh", f"hull_{_digest(vertices.encode())}", vertex=vertices, inertia="convex"
             )
-        ET.SubElement(
-            body, "geom", {"class": "collision", "type": kind, **attributes},
-            friction=_text([friction, 0.003, 0.0015 if rolls else 0.0001]),
-        )  # fmt: skip
+        slide = _text([friction, 0.003, 0.0015 if rolls else 0.0001])
+        always = {"class": "collision", "type": kind, "friction": slide}
+        ET.SubElement(body, "geom", always | attributes)
 
 
 def _primitive(part: ConvexPart) -> tuple[str, dict[str, str]]:

@@ -101,10 +101,10 @@ def _reduced(
         return vertices, faces
     import fast_simplification
 
-    fewer, simpler = fast_simplification.simplify(
-        vertices.astype(np.float32), faces.astype(np.int32), target_count=MOST_FACES
+    reduced = fast_simplification.simplify(
+        vertices, faces.astype(np.int32), target_count=MOST_FACES
     )
-    return fewer.astype(np.float64), simpler.astype(np.int64)
+    return reduced[0].astype(np.float64), reduced[1].astype(np.int64)
 
 
 def _read(path: Path) -> list[Float[np.ndarray, "k 3"]] | None:

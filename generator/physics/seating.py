@@ -21,7 +21,8 @@ _GAP = 2e-4  # objects start this far above what they stand on, metres
 def seat_on_table(thing: Object, height: float) -> Object:
     """Return the object upright with its lowest point just above ``height``."""
     x, y, _ = thing.pose.position
-    return replace(thing, pose=Pose([x, y, height + _GAP - lowest(thing)], thing.pose.quaternion))
+    z = height + _GAP - lowest(thing)
+    return replace(thing, pose=Pose(np.array([x, y, z]), thing.pose.quaternion))
 
 
 def seat_stacked(scene: Scene) -> Scene:
@@ -47,7 +48,7 @@ def nearest_free(scene: Scene, name: str) -> Pose | None:
     z = scene.table.height + _GAP - lowest(thing)
     size = float(np.linalg.norm(np.ptp(scene.table.outline, axis=0)))
     for offset in spiral(size, size / 40):
-        pose = Pose([*(thing.pose.position[:2] + offset), z], thing.pose.quaternion)
+        pose = Pose(np.append(thing.pose.position[:2] + offset, z), thing.pose.quaternion)
         if inside_margin(base(thing, pose), scene.table.outline).min() < 0:
             continue
         simulation.positions[index] = pose.position
