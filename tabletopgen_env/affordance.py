@@ -136,7 +136,8 @@ def _hollow(
     """Return the largest connected region of ``below`` that never reaches the solid's border."""
     from scipy import ndimage
 
-    labels, count = ndimage.label(below)
+    labels = np.empty(below.shape, dtype=np.int32)
+    count = int(ndimage.label(below, output=labels))  # type: ignore[arg-type]
     padded = np.pad(~solid, 1, constant_values=True)
     outside = ndimage.binary_dilation(padded)[1:-1, 1:-1]
     best = np.zeros_like(below)

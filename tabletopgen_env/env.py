@@ -144,7 +144,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             InputError: an action of wrong shape or with NaN, or no ``reset`` before.
         """
         world = self.world
-        self.controller.apply(world, checked(action, self.action_space))
+        self.controller.apply(world, checked(action, self.controller.space))
         world.step(SUBSTEPS)
         desired = self.task.desired(world, self.episode)
         achieved = self.task.achieved(world, self.episode, desired)

@@ -18,7 +18,10 @@ from generator.errors import InputError
 from generator.scene import Scene
 
 STARTER = "starter"
+"""Means every bundle shipped with the package."""
+
 FRESH = "fresh:"
+"""What a prompt is preceded by to be composed anew at each draw."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,8 +71,8 @@ class FreshScenes:
     variants: int = 1_000_000
 
     def __post_init__(self) -> None:
-        if not self.prompts or self.variants < 1:
-            raise InputError("FreshScenes needs at least one prompt and one variant.")
+        if not self.prompts or not all(self.prompts) or self.variants < 1:
+            raise InputError("FreshScenes needs at least one prompt, not empty, and one variant.")
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
         """Draw a prompt and a seed; the scene is composed when it is loaded."""
@@ -85,18 +88,19 @@ class FreshScenes:
 
 
 SceneChoice = str | Path | Scene | SceneSource | Sequence["str | Path | Scene"]
+"""What may be passed as ``scenes``."""
 
 
 def resolve(scenes: SceneChoice) -> SceneSource:
     """Make a scene source of what a user may pass as ``scenes``.
 
     Args:
-        scenes: "starter" (every bundle shipped with the package), the name or path of a bundle, a
-            glob of bundle folders, "fresh:PROMPT" (composed anew at each draw), a ``Scene``, a
-            sequence of any of these, or a ``SceneSource``.
+        scenes: "starter" (every bundle shipped with the package); a bundle's name, digest, path or
+            a glob of these, as ``assets_cache.find`` takes; "fresh:PROMPT" (composed anew at each
+            draw); a ``Scene``; a sequence of any of these; or a ``SceneSource``.
 
     Raises:
-        BundleError: nothing of that name exists.
+        BundleError: no bundle fits; the message says what there is.
         InputError: ``scenes`` is of another kind, or an empty list.
     """
     if isinstance(scenes, SceneSource):
@@ -108,8 +112,8 @@ def resolve(scenes: SceneChoice) -> SceneSource:
     if isinstance(scenes, Iterable):
         return FixedScenes(tuple(ref for item in scenes for ref in _refs(item)))
     raise InputError(
-        f"scenes is a {type(scenes).__name__}; pass 'starter', a bundle's path, name or glob, "
-        "'fresh:PROMPT', a Scene, a list of these, or a SceneSource."
+        f"scenes is of type {type(scenes).__name__}; pass 'starter', a bundle's path, name or "
+        "glob, 'fresh:PROMPT', a Scene, a list of these, or a SceneSource."
     )
 
 
@@ -119,18 +123,20 @@ def _refs(item: str | Path | Scene) -> list[SceneRef]:
         return [SceneRef(f"scene:{id(item)}", lambda: item)]
     if not isinstance(item, str | Path):
         raise InputError(f"A list of scenes holds a {type(item).__name__}: {item!r}.")
-    return [_bundle(path) for path in find_bundles(item)]
+    if str(item).startswith(FRESH):
+        raise InputError(
+            f"A list of scenes holds {str(item)!r}; for several prompts pass "
+            "scenes=FreshScenes((prompt, ...)) instead of a list."
+        )
+    import assets_cache
+
+    return [_bundle(path) for path in assets_cache.find(item)]
 
 
 def _bundle(path: Path) -> SceneRef:
     def load() -> Scene:
-        from generator.bundle import load_scene
+        from generator.bundle import load as load_bundle
 
-        return load_scene(path)
+        return load_bundle(path)
 
     return SceneRef(f"bundle:{path.resolve()}", load)
-
-
-def find_bundles(wanted: str | Path) -> list[Path]:
-    """Return the bundle folders of "starter", a path, a glob, or a name in the store."""
-    raise NotImplementedError

@@ -119,7 +119,7 @@ def test_scenes_with_nothing_to_do_are_passed_over() -> None:
         ({"render_mode": "ansi"}, "Available: depth_array, human, rgb_array"),
         ({"observation": "pixels", "image_size": 4}, "between 8 and 2048"),
         ({"renderer": "vulkan"}, "Available: auto, gl, software"),
-        ({"scenes": 7}, "scenes is a int"),
+        ({"scenes": 7}, "scenes is of type int"),
     ],
 )
 def test_wrong_settings_are_explained(settings, message) -> None:
