@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
-from jaxtyping import Float
 
 from ..geometry import quaternion_matrix
-from ..scene import Pose, Scene
+from ..scene import Object, Pose, Scene
 from .simulation import Simulation
 
 _CHUNK = 0.1
@@ -16,8 +13,8 @@ _DAMPING = 3.0
 _STILL = np.array([2e-3, 2e-2])  # m/s, rad/s
 
 
-def settle(scene: Scene, seconds: float) -> tuple[Pose, ...]:
-    """Simulate until everything rests, ``seconds`` at most; return the poses.
+def settle(scene: Scene, seconds: float, least: float = 0.0) -> tuple[Pose, ...]:
+    """Simulate until everything rests, from ``least`` to ``seconds`` long; return the poses.
 
     Free motion dies out at 3 per second meanwhile, so that round things stop. It then runs without
     that for a tenth of a second: what is returned holds by itself.
@@ -25,17 +22,24 @@ def settle(scene: Scene, seconds: float) -> tuple[Pose, ...]:
     simulation = Simulation(scene)
     simulation.place([o.pose for o in scene.objects])
     still = 0
-    for _ in range(max(1, round(seconds / _CHUNK))):
+    for k in range(max(1, round(seconds / _CHUNK))):
         simulation.run(_CHUNK, _DAMPING)
         calm = bool((simulation.speeds() < _STILL).all())
         still = still + 1 if calm else 0
-        if still >= 3:
+        if still >= 3 and (k + 1) * _CHUNK >= least:
             break
     simulation.run(_CHUNK)
     return simulation.poses
 
 
-def leaning(poses: Sequence[Pose]) -> Float[np.ndarray, "n"]:
-    """Return the angle between each object's own z axis and the vertical, radians."""
-    up = [quaternion_matrix(p.quaternion)[2, 2] for p in poses]
-    return np.arccos(np.clip(up, -1.0, 1.0)) if up else np.zeros(0)
+def has_toppled(thing: Object, pose: Pose, limit: float) -> bool:
+    """Whether an object set upright leans more than ``limit`` (radians) and lost or won height.
+
+    A pencil that rolls onto its next side, or a die, keeps its height and has not toppled.
+    """
+    up = quaternion_matrix(pose.quaternion)[2]
+    if np.arccos(np.clip(up[2], -1.0, 1.0)) <= limit:
+        return False
+    points = np.concatenate([part.vertices for part in thing.parts])
+    before, after = np.ptp(points[:, 2]), np.ptp(points @ up)
+    return bool(abs(after - before) > 0.25 * before)

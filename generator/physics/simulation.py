@@ -101,7 +101,8 @@ class Simulation:
         """Simulate; ``damping`` is the rate (1/s) at which free motion dies out."""
         import mujoco
 
-        inertia = np.stack([self.model.body_mass] * 3 + [*self.model.body_inertia.T], axis=1)
+        mass, turning = self.model.body_mass, self.model.body_inertia.min(1)
+        inertia = np.stack([mass] * 3 + [turning] * 3, axis=1)
         start = self.model.nbody - len(self.scene.objects)
         self.model.dof_damping[:] = self._undamped + damping * inertia[start:].ravel()
         mujoco.mj_step(self.model, self.data, round(seconds / self.model.opt.timestep))

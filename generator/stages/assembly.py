@@ -21,7 +21,7 @@ from ..physics.inertia import body_mass
 from ..physics.parts import lowest, model_parts
 from ..physics.seating import nearest_free, seat_on_table, seat_stacked
 from ..physics.separation import TOLERANCE, ancestry, separate, with_poses
-from ..physics.settling import leaning, settle
+from ..physics.settling import has_toppled, settle
 from ..physics.simulation import Simulation, shifted
 from ..scene import (
     TABLE,
@@ -235,16 +235,10 @@ def _toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
     simulation.place(poses)
     simulation.contacts()
     gone = set(fallen(simulation))
-    lean = leaning(poses)
     return {
         thing.name
-        for k, thing in enumerate(scene.objects)
-        if k in gone
-        or (
-            lean[k] > limit
-            and not thing.placement.inside
-            and any(part.kind != "ellipsoid" for part in thing.parts)
-        )
+        for k, (thing, pose) in enumerate(zip(scene.objects, poses, strict=True))
+        if k in gone or (not thing.placement.inside and has_toppled(thing, pose, limit))
     }
 
 
@@ -279,7 +273,7 @@ def _recorded(
         report = judge(scene.replace(report=report), config.limits)
         if report.passed:
             break
-        later = settle(scene, config.settle_seconds)
+        later = settle(scene, config.settle_seconds, least=config.limits.seconds)
         scene = scene.replace(objects=with_poses(scene.objects, later))
     else:
         report = judge(scene.replace(report=report), config.limits)
