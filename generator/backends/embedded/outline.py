@@ -157,11 +157,16 @@ def snap(
     inward: float,
     outward: float,
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Move points along their normals onto the strongest edge; return them and its strength."""
+    """Move points outward along their normals onto the first clear edge; return also its strength.
+
+    An edge is clear if it is a peak of at least half the strongest one in reach.
+    """
     offsets = np.arange(-inward, outward + 0.25, 0.5)
     along = points[:, None] + offsets[None, :, None] * normals[:, None]
     values = sample(strength, along)
-    best = values.argmax(1)
+    padded = np.pad(values, ((0, 0), (1, 1)), mode="edge")
+    peak = (values >= padded[:, :-2]) & (values >= padded[:, 2:])
+    best = (peak & (values >= 0.5 * values.max(1, keepdims=True))).argmax(1)
     return along[np.arange(len(points)), best], values[np.arange(len(points)), best]
 
 

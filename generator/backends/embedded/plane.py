@@ -18,7 +18,7 @@ from scipy.optimize import least_squares
 
 from ...errors import SceneError
 from ...geometry import Camera, view_direction, view_rotation
-from ...scene import PlannedTable, View
+from ...scene import OutlineKind, PlannedTable, View
 from .outline import Candidate, candidates, working_copy
 
 OutlineShape = Literal["rectangle", "ellipse", "triangle"]
@@ -28,14 +28,30 @@ TABLE_LENGTH = 1.2
 
 _ELEVATION, _ELEVATION_SPREAD = np.deg2rad(50.0), np.deg2rad(13.0)
 _FOV, _FOV_SPREAD = np.deg2rad(36.0), np.deg2rad(4.5)
-_AZIMUTH_SPREAD = np.deg2rad(25.0)
-_ASPECT: dict[str, tuple[float, float]] = {  # log of depth / length: mean, spread
-    "rectangle": (np.log(0.58), 0.22),
-    "ellipse": (0.0, 0.12),
-    "triangle": (np.log(0.8), 0.15),
-}
 _EDGE = 1.2  # pixels: how well an edge point is known
 _TRUST = 12.0  # independent edge points that a whole outline counts for
+_RADIUS = 0.3  # of the shorter side: the largest corner radius
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """A kind of tabletop with priors: log of depth / length, and azimuth (radians)."""
+
+    shape: OutlineShape
+    flipped: bool
+    aspect: tuple[float, float]
+    azimuth: float
+    planned: tuple[OutlineKind, ...]
+
+
+_KINDS = (
+    _Kind("rectangle", False, (np.log(0.58), 0.22), np.deg2rad(25.0),
+          ("rectangle", "square", "slatted")),
+    _Kind("ellipse", False, (0.0, 0.03), np.deg2rad(3.0), ("round",)),
+    _Kind("ellipse", False, (np.log(0.62), 0.12), np.deg2rad(8.0), ("oval",)),
+    _Kind("triangle", False, (np.log(0.88), 0.12), np.deg2rad(12.0), ("triangle",)),
+    _Kind("triangle", True, (np.log(0.88), 0.12), np.deg2rad(12.0), ()),
+)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,10 +94,18 @@ class TablePlane:
 # ----------------------------------------------------------------------------- ideal outlines
 
 
-def _triangle(length: float, width: float, flipped: bool) -> Float[np.ndarray, "3 2"]:
-    tip = -1.0 if flipped else 1.0
-    corners = np.array([[-length / 2, -tip * width / 2], [length / 2, -tip * width / 2]])
-    return np.vstack([corners, [0.0, tip * width / 2]])
+def _convex_distance(
+    points: Float[np.ndarray, "n 2"], corners: Float[np.ndarray, "k 2"]
+) -> Float[np.ndarray, "n"]:
+    """Return the signed distance from a convex counter-clockwise polygon, positive outside."""
+    edges = np.roll(corners, -1, 0) - corners
+    normals = np.column_stack([edges[:, 1], -edges[:, 0]])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    rel = points[:, None] - corners
+    inner = (rel * normals).sum(-1).max(1)
+    share = np.clip((rel * edges).sum(-1) / (edges**2).sum(-1), 0, 1)
+    outer = np.linalg.norm(rel - share[..., None] * edges, axis=-1).min(1)
+    return np.where(inner > 0, outer, inner)
 
 
 def outline_distance(
@@ -91,25 +115,27 @@ def outline_distance(
     size: tuple[float, float],
     radius: float,
 ) -> Float[np.ndarray, "n"]:
-    """Return the signed distance of table points from an outline, positive outside, metres."""
+    """Return the signed distance of table points from an outline, positive outside, metres.
+
+    The outline fills ``size`` exactly. For a rectangle and a triangle ``radius`` is that of the
+    corners; an ellipse grows towards a rectangle with it (a superellipse, as oval tables are).
+    """
     half = np.asarray(size) / 2
     if shape == "ellipse":
-        scaled = np.linalg.norm(points / half, axis=1)
-        slope = np.linalg.norm(points / half**2, axis=1)
-        return scaled * (scaled - 1.0) / np.maximum(slope, 1e-9)
+        power = 2.0 + 4.0 * radius / max(size)
+        scaled = np.maximum(np.abs(points) / half, 1e-6)
+        level = (scaled**power).sum(1) ** (1 / power)
+        slope = np.linalg.norm(scaled ** (power - 1) / half, axis=1) * level ** (1 - power)
+        return (level - 1.0) / np.maximum(slope, 1e-9)
     if shape == "rectangle":
         q = np.abs(points) - (half - radius)
         outer = np.linalg.norm(np.maximum(q, 0), axis=1)
         return outer + np.minimum(q.max(1), 0) - radius
-    corners = _triangle(*size, flipped)
+    x, y = half - radius
+    corners = np.array([[-x, -y], [x, -y], [0.0, y]])
     if flipped:
-        corners = corners[::-1]
-    edges = np.roll(corners, -1, 0) - corners
-    normals = np.column_stack([edges[:, 1], -edges[:, 0]])
-    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    offsets = ((points[:, None] - corners) * normals).sum(-1) + radius
-    worst = np.sort(np.maximum(offsets, 0), axis=1)[:, ::-1]
-    return np.where(offsets.max(1) > 0, np.hypot(worst[:, 0], worst[:, 1]), offsets.max(1)) - radius
+        corners = -corners
+    return _convex_distance(points, corners) - radius
 
 
 def outline_points(
@@ -137,114 +163,131 @@ def outline_points(
 
 @dataclass(frozen=True, eq=False)
 class _Fit:
+    """Camera and outline of unit length.
+
+    ``parameters``: azimuth, elevation, log fov, target x, y, log distance, log aspect, and the
+    logit of the corner radius's share of the largest.
+    """
+
     parameters: Float[np.ndarray, "8"]
-    shape: OutlineShape
-    flipped: bool
+    kind: _Kind
     cost: float
     error: float
 
+    @property
+    def aspect(self) -> float:
+        """Depth over length."""
+        return float(np.exp(self.parameters[6]))
 
-def _camera(parameters: np.ndarray, width: int, height: int) -> Camera:
+    @property
+    def radius(self) -> float:
+        """Corner radius over length."""
+        return _radius(self.parameters)
+
+
+def _radius(parameters: Float[np.ndarray, "8"]) -> float:
+    return float(_RADIUS / (1 + np.exp(-parameters[7])) * min(1.0, np.exp(parameters[6])))
+
+
+def _camera(parameters: Float[np.ndarray, "8"], width: int, height: int) -> Camera:
     azimuth, elevation, log_fov, x, y, log_distance = parameters[:6]
     view = View(azimuth, float(np.clip(elevation, 0.02, np.pi / 2)), float(np.exp(log_fov)))
     position = np.array([x, y, 0.0]) + np.exp(log_distance) * view_direction(view)
     return Camera(position, view_rotation(view), view.fov, width, height)
 
 
-def _aspect_prior(shape: OutlineShape, plan: PlannedTable | None) -> tuple[float, float]:
-    if plan is None:
-        return _ASPECT[shape]
-    return float(np.log(plan.size[1] / plan.size[0])), 0.04
+def _pixels_off(
+    parameters: Float[np.ndarray, "8"],
+    points: Float[np.ndarray, "n 2"],
+    kind: _Kind,
+    frame: tuple[int, int],
+) -> Float[np.ndarray, "n"]:
+    """Return how far edge points are from the outline, in pixels (to first order)."""
+    camera = _camera(parameters, *frame)
+    on_plane = camera.on_plane(points, 0.0)
+    seen = np.isfinite(on_plane).all(1)
+    on_plane = np.where(seen[:, None], on_plane, 0.0)
+    depth = np.maximum(camera.to_camera(on_plane)[:, 2], 1e-6)
+    size = (1.0, float(np.exp(parameters[6])))
+    off = outline_distance(on_plane[:, :2], kind.shape, kind.flipped, size, _radius(parameters))
+    slant = np.sqrt(max(np.sin(parameters[1]), 0.01))
+    return np.where(seen, off * camera.focal * slant / depth, 1e3)
+
+
+def _residuals(
+    parameters: Float[np.ndarray, "8"],
+    points: Float[np.ndarray, "n 2"],
+    kind: _Kind,
+    aspect: tuple[float, float],
+    frame: tuple[int, int],
+) -> Float[np.ndarray, "m"]:
+    """Return robust edge distances and the priors' terms; their squares sum to the cost."""
+    off = _pixels_off(parameters, points, kind, frame) * np.sqrt(_TRUST / len(points)) / _EDGE
+    robust = np.sign(off) * np.sqrt(2 * (np.sqrt(1 + off**2) - 1))
+    p = parameters
+    prior = [
+        p[0] / kind.azimuth,
+        (p[1] - _ELEVATION) / _ELEVATION_SPREAD,
+        (p[2] - np.log(_FOV)) / (_FOV_SPREAD / _FOV),
+        (p[6] - aspect[0]) / aspect[1],
+        (p[7] + 2) / 2,
+    ]
+    return np.concatenate([robust, prior])
+
+
+_LOWER = np.array([-1.2, 0.1, np.log(0.15), -9, -9, -3, np.log(0.2), -8])
+_UPPER = np.array([1.2, np.pi / 2 - 0.01, np.log(1.6), 9, 9, 4, np.log(1.7), 8])
 
 
 def _fit(
-    candidate: Candidate,
-    shape: OutlineShape,
-    flipped: bool,
-    start: np.ndarray,
-    frame: tuple[int, int],
-    plan: PlannedTable | None,
+    candidate: Candidate, kind: _Kind, frame: tuple[int, int], plan: PlannedTable | None
 ) -> _Fit:
     """Fit camera and outline of unit length to the candidate's edge points."""
-    mean, spread = _aspect_prior(shape, plan)
-    points = candidate.points
-    trust = np.sqrt(_TRUST / len(points)) / _EDGE
+    aspect = kind.aspect
+    if plan is not None:
+        aspect = (float(np.log(plan.size[1] / plan.size[0])), 0.05)
+    points = candidate.points[:: max(1, len(candidate.points) // 100)]
+    arguments = (points, kind, aspect, frame)
+    starts = [np.clip(s, _LOWER, _UPPER) for s in _starts(candidate.hull, frame)]
+    costs = [float((_residuals(s, *arguments) ** 2).sum()) for s in starts]
+    found = [
+        least_squares(
+            _residuals, starts[k], bounds=(_LOWER, _UPPER), args=arguments, x_scale=_STEP,
+            max_nfev=40, ftol=1e-5,
+        )
+        for k in np.argsort(costs)[: 2 if kind.shape == "rectangle" else 1]
+    ]  # fmt: skip
+    best = min(found, key=lambda f: f.cost)
+    error = float(np.median(np.abs(_pixels_off(best.x, points, kind, frame))))
+    return _Fit(best.x, kind, float(2 * best.cost), error)
 
-    def pixels_off(p: np.ndarray) -> np.ndarray:
-        camera = _camera(p, *frame)
-        on_plane = camera.on_plane(points, 0.0)
-        seen = np.isfinite(on_plane).all(1)
-        depth = np.where(seen, camera.to_camera(np.nan_to_num(on_plane))[:, 2], 1.0)
-        aspect, radius = np.exp(p[6]), 0.3 / (1 + np.exp(-p[7])) * min(1.0, float(np.exp(p[6])))
-        flat = np.nan_to_num(on_plane[:, :2])
-        off = outline_distance(flat, shape, flipped, (1.0, float(aspect)), radius)
-        slant = np.sqrt(np.sin(p[1])) if p[1] > 0 else 0.1
-        return np.where(seen, off * camera.focal * slant / np.maximum(depth, 1e-6), 1e3)
 
-    def residuals(p: np.ndarray) -> np.ndarray:
-        off = pixels_off(p) * trust
-        robust = np.sign(off) * np.sqrt(2 * (np.sqrt(1 + off**2) - 1))
-        prior = [
-            p[0] / _AZIMUTH_SPREAD,
-            (p[1] - _ELEVATION) / _ELEVATION_SPREAD,
-            (p[2] - np.log(_FOV)) / (_FOV_SPREAD / _FOV),
-            (p[6] - mean) / spread,
-            (p[7] + 2) / 2,
-        ]
-        return np.concatenate([robust, prior])
-
-    lower = [-1.2, 0.1, np.log(0.15), -9, -9, -3, np.log(0.2), -8]
-    upper = [1.2, np.pi / 2 - 0.01, np.log(1.6), 9, 9, 4, np.log(1.7), 8]
-    found = least_squares(residuals, np.clip(start, lower, upper), bounds=(lower, upper))
-    error = float(np.median(np.abs(pixels_off(found.x))))
-    return _Fit(found.x, shape, flipped, float(2 * found.cost), error)
+_STEP = np.array([0.1, 0.1, 0.1, 0.05, 0.05, 0.1, 0.1, 1.0])  # usual size of a change
 
 
 def _starts(hull: Float[np.ndarray, "k 2"], frame: tuple[int, int]) -> list[np.ndarray]:
+    """Return first guesses from the outline's box: three azimuths at two elevations."""
     width, height = frame
     low, high = hull.min(0), hull.max(0)
     span = high[0] - low[0]
     focal = height / 2 / np.tan(_FOV / 2)
     shift = ((low + high) / 2 - np.array([width, height]) / 2) / span
     starts = []
-    for elevation in np.deg2rad([35.0, 60.0]):
+    for elevation in np.deg2rad([35.0, 55.0]):
         for azimuth in (0.0, 0.5, -0.5):
             x, y = -shift[0], shift[1] / np.sin(elevation)
             c, s = np.cos(azimuth), np.sin(azimuth)
             aspect = np.clip((high[1] - low[1]) / span / np.sin(elevation), 0.3, 1.2)
+            across = [c * x - s * y, s * x + c * y, np.log(focal / span)]
             starts.append(
-                np.array([azimuth, elevation, np.log(_FOV), c * x - s * y, s * x + c * y,
-                          np.log(focal / span), np.log(aspect), -2.0])
+                np.array([azimuth, elevation, np.log(_FOV), *across, np.log(aspect), -2.0])
             )
     return starts
 
 
-_SHAPES: tuple[tuple[OutlineShape, bool], ...] = (
-    ("rectangle", False),
-    ("ellipse", False),
-    ("triangle", False),
-    ("triangle", True),
-)
-
-
-def _shapes(plan: PlannedTable | None) -> tuple[tuple[OutlineShape, bool], ...]:
-    if plan is None:
-        return _SHAPES
-    if plan.outline in ("round", "oval"):
-        return (("ellipse", False),)
-    if plan.outline == "triangle":
-        return _SHAPES[2:]
-    return (("rectangle", False),)
-
-
 def _best_fit(candidate: Candidate, frame: tuple[int, int], plan: PlannedTable | None) -> _Fit:
-    starts = _starts(candidate.hull, frame)
-    fits = [
-        _fit(candidate, shape, flipped, start, frame, plan)
-        for shape, flipped in _shapes(plan)
-        for start in starts[:: 1 if shape == "rectangle" else 3]
-    ]
-    return min(fits, key=lambda fit: fit.cost)
+    kinds = [k for k in _KINDS if plan is None or plan.outline in k.planned]
+    return min((_fit(candidate, k, frame, plan) for k in kinds), key=lambda fit: fit.cost)
 
 
 def find_plane(
@@ -270,11 +313,10 @@ def find_plane(
             "No table found: no large even surface stands out from a plain background. "
             "Use a picture that shows the whole table on a light, plain ground."
         )
-    ranked = []
-    for candidate in found[:2]:
-        fit = _best_fit(candidate, (width, height), plan)
-        ranked.append((candidate.score / (1 + fit.error / 4), fit))
-    fit = max(ranked, key=lambda pair: pair[0])[1]
+    rivals = [c for c in found[:3] if c.score > 0.85 * found[0].score]
+    fits = [_best_fit(c, (width, height), plan) for c in rivals]
+    merit = [c.score / (1 + f.error / 4) for c, f in zip(rivals, fits, strict=True)]
+    fit = fits[int(np.argmax(merit))]
     metres = length or (plan.size[0] if plan else TABLE_LENGTH)
     return _plane(fit, metres, image.shape[1], image.shape[0], factor)
 
@@ -282,12 +324,9 @@ def find_plane(
 def _plane(fit: _Fit, length: float, width: int, height: int, factor: float) -> TablePlane:
     unit = _camera(fit.parameters, width, height)
     view = View(float(fit.parameters[0]), float(fit.parameters[1]), unit.fov)
-    aspect = float(np.exp(fit.parameters[6]))
-    radius = float(0.3 / (1 + np.exp(-fit.parameters[7])) * min(1.0, aspect)) * length
-    size = (length, length * aspect)
+    radius, size = fit.radius * length, (length, length * fit.aspect)
     camera = Camera(unit.position * length, unit.rotation, unit.fov, width, height)
-    points = outline_points(fit.shape, fit.flipped, size, radius)
+    shape, flipped = fit.kind.shape, fit.kind.flipped
+    points = outline_points(shape, flipped, size, radius)
     outline = camera.project(np.column_stack([points, np.zeros(len(points))]))
-    return TablePlane(
-        view, camera, fit.shape, fit.flipped, size, radius, outline, fit.error / factor
-    )
+    return TablePlane(view, camera, shape, flipped, size, radius, outline, fit.error / factor)

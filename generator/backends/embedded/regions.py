@@ -12,12 +12,21 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, Int
+from scipy.ndimage import uniform_filter
 
 from .outline import background_patch, flat_patches, gradient
 from .plane import TablePlane
 
 _SHADOW_EDGE = 2.6  # CIELAB units per pixel: the steepest edge of a soft shadow
+_GLOW_EDGE = 1.4  # the steepest edge of coloured light or of a coloured shadow
+_TINT = 10.0  # CIELAB units by which such light changes the hue
 _DARKEST = 0.55  # share of the light that a shadow leaves
+_PATTERN = 0.08  # of the top: a pattern must explain this much more than one even colour
+_PATTERN_EDGE = 5.5  # CIELAB units per pixel: a pattern's edges are softer than things' outlines
+_ISLAND = 0.02  # of the top: cut-off bare spots below this lie inside things
+_GRID = (12, 16)  # rows and columns of cells on the top
+_ALONG = 0.8  # of a row or column of cells: what a plank's colour fills
+_BIN, _BINS = 5.0, (21, 24, 24)  # CIELAB units of a colour bin, and bins along L, a, b
 _SMALLEST = 2.5e-4  # of the picture: fewer pixels are a speck
 
 
@@ -62,11 +71,13 @@ def smooth_color(
     return terms @ weights, spread
 
 
-def _darkening(lab: np.ndarray, color: np.ndarray, spread: np.ndarray) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels that are the surface's colour with less (or slightly more) light."""
+def _dimmed(
+    lab: np.ndarray, color: np.ndarray, hue_limit: float | np.ndarray
+) -> Bool[np.ndarray, "h w"]:
+    """Return the pixels that are the surface's colour under less (or slightly more) light."""
     ratio = (lab[..., 0] + 8) / np.maximum(color[..., 0] + 8, 1)
     hue = np.abs(lab[..., 1:] - color[..., 1:] * np.clip(ratio, 0, 1.1)[..., None])
-    return (ratio > _DARKEST) & (ratio < 1.12) & (hue < 3.0 + 3 * spread[1:]).all(-1)
+    return (ratio > _DARKEST) & (ratio < 1.15) & (hue < hue_limit).all(-1)
 
 
 def _reach(start: np.ndarray, allowed: np.ndarray) -> Bool[np.ndarray, "h w"]:
@@ -83,11 +94,55 @@ def bare(
 ) -> Bool[np.ndarray, "h w"]:
     """Return the pixels of ``within`` that show the bare surface, shadows included."""
     color, spread = smooth_color(lab, sure)
-    off = np.abs(lab - color) / spread
-    plain = (off < 3.5).all(-1) & within
-    steep = max(_SHADOW_EDGE, 1.2 * float(np.percentile(strength[sure], 90)) if sure.any() else 0)
-    shade = _darkening(lab, color, spread) & (strength < steep) & within
-    return _reach(plain, shade) | plain
+    plain = (np.abs(lab - color) < 3.5 * spread).all(-1) & within
+    shade = _dimmed(lab, color, 3.0 + 3 * spread[1:]) & (strength < _SHADOW_EDGE) & within
+    glow = _dimmed(lab, color, _TINT) & (strength < _GLOW_EDGE) & within
+    glow = cv2.morphologyEx(glow.astype(np.uint8), cv2.MORPH_OPEN, disc(2)) > 0
+    return _reach(plain, shade | glow) | plain
+
+
+def patterned(
+    lab: Float[np.ndarray, "h w 3"],
+    strength: Float[np.ndarray, "h w"],
+    place: Float[np.ndarray, "h w 2"],
+    within: Bool[np.ndarray, "h w"],
+) -> Bool[np.ndarray, "h w"]:
+    """Return the pixels of ``within`` whose colour is part of the surface's pattern.
+
+    Grain, planks and veins are everywhere; a thing is in one place. A colour belongs to the
+    pattern if it occurs in half of all cells of a grid on the tabletop, or in nearly all cells of
+    one row or column (a plank). ``place`` is each pixel's position on the top, 0 to 1. Shadows are
+    the pattern's colours under less light, reached from it without crossing an edge.
+    """
+    code = _color_code(lab)
+    rows, columns = _GRID
+    cell = np.clip(place[..., 1] * rows, 0, rows - 1).astype(int) * columns
+    cell += np.clip(place[..., 0] * columns, 0, columns - 1).astype(int)
+    size = int(np.prod(_BINS))
+    counts = np.bincount((cell * size + code)[within], minlength=rows * columns * size)
+    counts = counts.reshape(rows, columns, *_BINS).astype(np.float32)
+    near = uniform_filter(counts, (1, 1, 3, 3, 3), mode="constant") * 27
+    total = counts.sum((2, 3, 4), keepdims=True)
+    real = (total > 8)[..., 0, 0, 0]
+    occupied = (near >= np.maximum(3.0, 0.01 * total)) & (total > 8)
+    by_row = occupied.sum(1) / np.maximum(real.sum(1), 4)[:, None, None, None]
+    by_column = occupied.sum(0) / np.maximum(real.sum(0), 4)[:, None, None, None]
+    everywhere = occupied.sum((0, 1)) / max(int(real.sum()), 1)
+    pattern = (everywhere >= 0.5) | (by_row.max(0) >= _ALONG) | (by_column.max(0) >= _ALONG)
+    pattern = pattern.ravel()
+    known = within & pattern[code]
+    shade = np.zeros_like(within)
+    for light in (0.88, 0.76, 0.66):
+        lit = np.dstack([(lab[..., 0] + 8) / light - 8, lab[..., 1:] / light])
+        shade |= pattern[_color_code(lit)]
+    return _reach(known, shade & (strength < _SHADOW_EDGE) & within) | known
+
+
+def _color_code(lab: Float[np.ndarray, "h w 3"]) -> Int[np.ndarray, "h w"]:
+    """Number colours by the cube of ``_BIN`` CIELAB units they fall into."""
+    shift = np.array([0.0, _BINS[1] * _BIN / 2, _BINS[2] * _BIN / 2])
+    cubes = np.clip((lab + shift) / _BIN, 0, np.array(_BINS) - 1).astype(int)
+    return (cubes[..., 0] * _BINS[1] + cubes[..., 1]) * _BINS[2] + cubes[..., 2]
 
 
 def above_front(plane_mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
@@ -99,33 +154,73 @@ def above_front(plane_mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
     return np.arange(h)[:, None] < lowest[None, :]
 
 
-def find_regions(
-    lab: Float[np.ndarray, "h w 3"], top: Bool[np.ndarray, "h w"]
-) -> Regions:
-    """Separate table and things. ``top`` is the inside of the tabletop's outline."""
+def find_regions(lab: Float[np.ndarray, "h w 3"], plane: TablePlane) -> Regions:
+    """Separate the table and the things on it in a working copy of the picture."""
+    size = (lab.shape[0], lab.shape[1])
+    top = plane_at(plane, size)
     strength = gradient(lab)
-    patches = flat_patches(strength, 1.0, 4)
-    background = background_patch(patches) & ~cv2.dilate(top.astype(np.uint8), disc(2)).astype(bool)
+    around = ~_wider(top, 2)
+    background = background_patch(flat_patches(strength, 1.0, 4)) & around
     if not background.any():
-        background = ~cv2.dilate(top.astype(np.uint8), disc(9)).astype(bool)
+        background = ~_wider(top, 9)
     ground = bare(lab, strength, background, ~top)
-    inner = cv2.erode(top.astype(np.uint8), disc(4)) > 0
-    plain = flat_patches(strength, 1.5, 2)
-    largest = np.bincount(plain[inner & (plain > 0)], minlength=1)
-    sure = inner & (plain == largest.argmax()) if largest.any() else inner
-    table_top = bare(lab, strength, sure if sure.sum() > 0.08 * inner.sum() else inner, top)
-    other = np.where(top, ~table_top, ~ground)
+    other = np.where(top, ~_bare_top(lab, strength, plane, top), ~ground)
     raw = other & above_front(top)
     edge = cv2.morphologyEx(top.astype(np.uint8), cv2.MORPH_GRADIENT, disc(3)) > 0
-    cores = cv2.morphologyEx((raw & ~edge).astype(np.uint8), cv2.MORPH_OPEN, disc(1)) > 0
-    grown = cores
+    grown = cv2.morphologyEx((raw & ~edge).astype(np.uint8), cv2.MORPH_OPEN, disc(1)) > 0
     for _ in range(5):
-        grown = (cv2.dilate(grown.astype(np.uint8), disc(1)) > 0) & raw
-    things = _components(grown | cores, top)
+        grown = _wider(grown, 1) & raw
+    things = _components(grown, top)
     covered = np.any(things, axis=0) if things else np.zeros_like(top)
     below = other & ~above_front(top)
-    table = (top & ~covered) | _largest_touching(below, top)
-    return Regions(table, things, strength)
+    return Regions((top & ~covered) | _largest_touching(below, top), things, strength)
+
+
+def _bare_top(
+    lab: Float[np.ndarray, "h w 3"],
+    strength: Float[np.ndarray, "h w"],
+    plane: TablePlane,
+    top: Bool[np.ndarray, "h w"],
+) -> Bool[np.ndarray, "h w"]:
+    """Return the bare pixels of the top: an even surface's, or a patterned one's if it is one."""
+    inner = cv2.erode(top.astype(np.uint8), disc(4)) > 0
+    patches = flat_patches(strength, 1.5, 2)
+    counts = np.bincount(patches[inner & (patches > 0)], minlength=2)
+    largest = inner & (patches == counts.argmax())
+    even = bare(lab, strength, largest if largest.sum() > 0.08 * inner.sum() else inner, top)
+    place = positions(plane, (lab.shape[0], lab.shape[1]))
+    pattern = patterned(lab, strength, place, top)
+    gained = pattern & ~even & inner
+    soft = gained.any() and np.percentile(strength[gained], 75) < _PATTERN_EDGE
+    if soft and gained.sum() > _PATTERN * inner.sum():
+        even = even | pattern
+    return even & ~_islands(even, _ISLAND * int(top.sum()))
+
+
+def _islands(mask: Bool[np.ndarray, "h w"], smallest: float) -> Bool[np.ndarray, "h w"]:
+    """Return the parts of a mask that are cut off from its largest part, and small.
+
+    They are insides of things: a page, a label, the lens of a magnifying glass.
+    """
+    _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=4)
+    areas = stats[:, cv2.CC_STAT_AREA].copy()
+    areas[0] = 0
+    small = areas < smallest
+    small[[0, int(areas.argmax())]] = False
+    return small[numbers]
+
+
+def positions(plane: TablePlane, size: tuple[int, int]) -> Float[np.ndarray, "h w 2"]:
+    """Return each pixel's place on the top, 0 to 1 along its length and width."""
+    h, w = size
+    y, x = np.mgrid[0:h, 0:w] + 0.5
+    pixels = np.column_stack([x.ravel(), y.ravel()]) * (plane.camera.width / w)
+    place = plane.to_table(pixels) / np.asarray(plane.size) + 0.5
+    return np.nan_to_num(place, nan=-1.0).reshape(h, w, 2)
+
+
+def _wider(mask: Bool[np.ndarray, "h w"], radius: int) -> Bool[np.ndarray, "h w"]:
+    return cv2.dilate(mask.astype(np.uint8), disc(radius)) > 0
 
 
 def _components(
@@ -149,14 +244,6 @@ def _largest_touching(mask: np.ndarray, top: np.ndarray) -> Bool[np.ndarray, "h 
     """Return the parts of ``mask`` that touch the tabletop: its front and its legs."""
     touching = (cv2.dilate(top.astype(np.uint8), disc(3)) > 0) & mask
     return _reach(touching, mask) if touching.any() else np.zeros_like(top)
-
-
-def number_map(masks: tuple[Bool[np.ndarray, "h w"], ...]) -> Int[np.ndarray, "h w"]:
-    """Return 1, 2, ... where the first, second, ... mask is; 0 elsewhere."""
-    numbers = np.zeros(masks[0].shape, np.int32)
-    for k, mask in enumerate(masks, start=1):
-        numbers[mask] = k
-    return numbers
 
 
 def plane_at(plane: TablePlane, size: tuple[int, int]) -> Bool[np.ndarray, "h w"]:

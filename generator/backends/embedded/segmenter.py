@@ -13,7 +13,7 @@ from ...scene import TABLE, Detection
 from .naming import name_things
 from .outline import working_copy
 from .plane import find_plane
-from .regions import find_regions, plane_at
+from .regions import find_regions
 from .splitting import split_things
 
 GENERIC = "object"
@@ -43,7 +43,7 @@ class Segmenter:
         image = np.ascontiguousarray(image)
         plane = find_plane(image)
         lab, _ = working_copy(image)
-        regions = find_regions(lab, plane_at(plane, (lab.shape[0], lab.shape[1])))
+        regions = find_regions(lab, plane)
         wanted = tuple(w for w in labels if w != TABLE)
         expected = len(wanted) if any(w != GENERIC for w in wanted) else 0
         small = split_things(lab, regions.strength, regions.things, expected)
