@@ -360,6 +360,8 @@ class Reader:
             return self._owner
         if not self._group and self._earlier:
             return self._earlier
+        if self._topic is not None and self._topic not in self._group:
+            return self._topic
         earlier = [d for d in self.reading.objects if all(d not in g for g in self._group)]
         if isinstance(self._mentioned, list) and all(
             d not in g for d in self._mentioned for g in self._group

@@ -1,0 +1,7 @@
+"""Where planned objects go: relations into free, natural places on the tabletop."""
+
+from .arranging import Layout, arrange
+from .fitting import lay_out
+from .furnishing import build_models, build_top, table_size
+
+__all__ = ["Layout", "arrange", "build_models", "build_top", "lay_out", "table_size"]

@@ -1,0 +1,249 @@
+"""Relations into places: sampled candidates, hard limits, and a score for what looks natural."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from jaxtyping import Float
+
+from ..errors import SceneError
+from ..geometry import rotation_z
+from ..scene import TABLE, Model, Placement, PlannedObject, ScenePlan
+from . import stacking
+from .facing import natural_yaw
+from .footprint import Footprint, footprint, gaps, margins
+from .furnishing import outline_of
+from .scoring import Neighbour, Request, proposals, score
+
+MARGIN = 0.02
+"""Least distance from a footprint to the table's edge, metres."""
+GAP = 0.014
+"""Least gap between two footprints, metres."""
+_TRIES = 12
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Where everything goes, and what could not be done as asked."""
+
+    placements: tuple[Placement, ...]
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(eq=False)
+class _State:
+    """One try: what has been put where."""
+
+    places: dict[str, Placement] = field(default_factory=dict)
+    neighbours: dict[str, Neighbour] = field(default_factory=dict)
+    warnings: list[str] = field(default_factory=list)
+    cost: float = 0.0
+
+
+def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: int) -> Layout:
+    """Place every planned object on (or on something on) the table, in the world frame.
+
+    Footprints keep ``GAP`` between them and ``MARGIN`` to the table's edge. Several orders are
+    tried; the arrangement that honours relations best, hides least and looks least crowded wins.
+    The same input and seed give the same layout.
+
+    Raises:
+        SceneError: some object finds no free place; the message names it.
+    """
+    outline = outline_of(table)
+    best: _State | None = None
+    failed: str = ""
+    for attempt in range(_TRIES):
+        rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, attempt, 3])
+        state = _State()
+        stuck = _place_all(plan, models, table, outline, rng, state)
+        if stuck is not None:
+            failed = stuck
+        elif best is None or state.cost < best.cost:
+            best = state
+        if best is not None and (attempt >= 3 or best.cost < 0.05 * len(plan.objects)):
+            break
+    if best is None:
+        raise SceneError(
+            f"{failed} finds no free place on the {plan.table.outline} table of "
+            f"{table.size[0]:.2f} x {table.size[1]:.2f} m with {len(plan.objects)} objects. "
+            "Ask for fewer or smaller things, or a larger table."
+        )
+    return Layout(tuple(best.places[o.name] for o in plan.objects), tuple(best.warnings))
+
+
+def _place_all(
+    plan: ScenePlan,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: _State,
+) -> str | None:
+    """Place everything; return the name of the first object that finds no place."""
+    supports = {o.name: support_of(o) for o in plan.objects}
+    standing = _ordered([o for o in plan.objects if supports[o.name] is None], models, rng)
+    above = [o for o in plan.objects if supports[o.name] is not None]
+    shapes = {
+        o.name: footprint(models[o.name], natural_yaw(o, models[o.name], plan, rng))
+        for o in plan.objects
+    }
+    for planned in standing:
+        if not _stand(planned, models, table, outline, rng, state, shapes, above):
+            return planned.name
+    while above:
+        ready = [o for o in above if supports[o.name] in state.places]
+        for planned in ready:
+            support = str(supports[planned.name])
+            if not _put(planned, support, models, rng, state, shapes):
+                beside = _beside(planned, support)
+                state.warnings.append(
+                    f"{planned.name} does not fit on or in {support}; it stands next to it."
+                )
+                state.cost += 1.0
+                if not _stand(beside, models, table, outline, rng, state, shapes, []):
+                    return planned.name
+        above = [o for o in above if o not in ready]
+    return None
+
+
+def support_of(planned: PlannedObject) -> str | None:
+    """Return the object it stands on or in, or None for the table."""
+    return next(
+        (r.target for r in planned.relations if r.kind in ("on", "in") and r.target != TABLE), None
+    )
+
+
+def _beside(planned: PlannedObject, support: str) -> PlannedObject:
+    relations = tuple(
+        replace(r, kind="next_to") if r.target == support else r for r in planned.relations
+    )
+    return replace(planned, relations=relations)
+
+
+def _ordered(
+    objects: list[PlannedObject], models: Mapping[str, Model], rng: np.random.Generator
+) -> list[PlannedObject]:
+    """Order objects so that those others refer to come first, larger ones before smaller."""
+    size = {o.name: float(models[o.name].size[:2].max()) * rng.uniform(0.7, 1.3) for o in objects}
+    waiting = sorted(objects, key=lambda o: -size[o.name])
+    names = {o.name for o in objects}
+    done: list[PlannedObject] = []
+    while waiting:
+        placed = {o.name for o in done}
+        ready = [
+            o
+            for o in waiting
+            if all(r.target in placed or r.target not in names for r in o.relations)
+        ]
+        chosen = (ready or waiting)[0]
+        done.append(chosen)
+        waiting.remove(chosen)
+    return done
+
+
+# ----------------------------------------------------------------------------- on the table
+
+
+def _stand(
+    planned: PlannedObject,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: _State,
+    shapes: Mapping[str, Footprint],
+    above: list[PlannedObject],
+) -> bool:
+    """Find the best free place on the tabletop; tell whether there was one."""
+    model, shape = models[planned.name], shapes[planned.name]
+    own = shape
+    for other in above:
+        if support_of(other) == planned.name:
+            own = own.covering(shapes[other.name])
+    near = {r.target: state.neighbours[r.target] for r in planned.relations
+            if r.target in state.neighbours}  # fmt: skip
+    request = Request(planned.relations, own, near, outline)
+    centers = proposals(request, rng)
+    free = margins(own, centers, outline) >= MARGIN
+    room = np.full(len(centers), 0.2)
+    for other in state.neighbours.values():
+        room = np.minimum(room, gaps(own, centers, other.shape, other.center))
+    free &= room >= GAP
+    if not free.any():
+        return False
+    costs = score(request, centers[free], room[free], list(state.neighbours.values()))
+    pick = int(np.argmin(costs + rng.uniform(0, 0.03, len(costs))))
+    center = centers[free][pick]
+    state.cost += float(costs[pick])
+    state.neighbours[planned.name] = Neighbour(own, center)
+    height = float(table.size[2] + model.size[2] / 2)
+    state.places[planned.name] = Placement(
+        planned.name, shape.yaw, np.array([*center, height]), model.size
+    )
+    return True
+
+
+# ----------------------------------------------------------------------- on and in other things
+
+
+def _put(
+    planned: PlannedObject,
+    support: str,
+    models: Mapping[str, Model],
+    rng: np.random.Generator,
+    state: _State,
+    shapes: Mapping[str, Footprint],
+) -> bool:
+    """Lower an object onto or into its support, at the place where it comes to lie deepest."""
+    base = state.places[support]
+    inside = any(r.kind == "in" and r.target == support for r in planned.relations)
+    siblings = [p for p in state.places.values() if p.on == support]
+    below = [stacking.triangles(models[p.name], p) for p in (base, *siblings)]
+    top = float(below[0][..., 2].max())
+    model, shape = models[planned.name], shapes[planned.name]
+    best: tuple[float, Placement] | None = None
+    for offset in _offsets(models[support], model, base.yaw, bool(siblings), inside, rng):
+        center = base.translation[:2] + offset
+        start = np.array([*center, top + model.size[2]])
+        placement = stacking.lowered(
+            model, Placement(planned.name, shape.yaw, start, model.size, support, inside), below
+        )
+        bottom = placement.translation[2] - model.size[2] / 2
+        crowd = min(
+            (float(gaps(shape, center[None], shapes[p.name], p.translation[:2])[0])
+             for p in siblings),
+            default=0.0,
+        )  # fmt: skip
+        cost = bottom + max(0.0, 0.003 - crowd) * 4 + 0.2 * float(np.hypot(*offset))
+        if best is None or cost < best[0]:
+            best = cost, placement
+    if best is None or (inside and not _sunk(best[1], top)):
+        return False
+    state.places[planned.name] = best[1]
+    state.neighbours[planned.name] = Neighbour(shape, best[1].translation[:2])
+    return True
+
+
+def _sunk(placement: Placement, rim: float) -> bool:
+    """Tell whether something is in a vessel rather than on its rim or on a heap above it."""
+    bottom = placement.translation[2] - placement.scale[2] / 2
+    return bool(bottom < rim - 0.004)
+
+
+def _offsets(
+    support: Model, model: Model, yaw: float, crowded: bool, inside: bool, rng: np.random.Generator
+) -> list[Float[np.ndarray, "2"]]:
+    """Return where on its support a thing may stand, relative to the support's centre, metres."""
+    spare = np.maximum((support.size[:2] - model.size[:2]) / 2, 0.0)
+    centers = [np.zeros(2)]
+    if crowded or inside:
+        turn = rng.uniform(0, 2 * np.pi)
+        angles = turn + 2 * np.pi * np.arange(8) / 8
+        circle = np.column_stack([np.cos(angles), np.sin(angles)])
+        centers += [share * spare * c for share in (0.45, 0.8) for c in circle]
+    else:
+        centers = [0.25 * spare * rng.uniform(-1, 1, 2)]
+    return [rotation_z(yaw)[:2, :2] @ c for c in centers]

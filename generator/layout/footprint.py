@@ -1,0 +1,84 @@
+"""Footprints seen from above, as support functions: quick gaps between convex shapes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from ..geometry import convex_outline, rotation_z
+from ..scene import Model
+
+COUNT = 48
+"""Directions in which a footprint's reach is kept."""
+
+_ANGLES = 2 * np.pi * np.arange(COUNT) / COUNT
+DIRECTIONS: Float[np.ndarray, "d 2"] = np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES)])
+"""Unit vectors; the first is +x, and a quarter of them further is +y."""
+DIRECTIONS.setflags(write=False)
+
+RIGHT, BACK, LEFT, FRONT = 0, COUNT // 4, COUNT // 2, 3 * COUNT // 4
+"""Indices of +x, +y, -x and -y among the directions."""
+
+
+@dataclass(frozen=True, eq=False)
+class Footprint:
+    """An object's convex shape from above, about its own centre, in metres, at one yaw.
+
+    ``reach[k]`` is how far it extends along direction k; ``outline`` is its convex hull.
+    """
+
+    outline: Float[np.ndarray, "k 2"]
+    reach: Float[np.ndarray, "d"]
+    height: float
+    yaw: float = 0.0
+
+    @property
+    def half(self) -> Float[np.ndarray, "2"]:
+        """Half its extent along x and y."""
+        return (self.reach[[RIGHT, BACK]] + self.reach[[LEFT, FRONT]]) / 2
+
+    @property
+    def area(self) -> float:
+        """Area of its convex hull, square metres."""
+        x, y = self.outline.T
+        return float(abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2)
+
+    def along(self, normals: Float[np.ndarray, "e 2"]) -> Float[np.ndarray, "e"]:
+        """Return how far it reaches along each of ``normals``, exactly."""
+        return (self.outline @ normals.T).max(0)
+
+    def covering(self, other: Footprint) -> Footprint:
+        """Return the footprint of this and what stands centred on it."""
+        outline = convex_outline(np.concatenate([self.outline, other.outline]))
+        return Footprint(
+            outline, np.maximum(self.reach, other.reach), self.height + other.height, self.yaw
+        )
+
+
+def footprint(model: Model, yaw: float) -> Footprint:
+    """Return the footprint of a model at its own size, turned by ``yaw``."""
+    points = model.mesh.vertices[:, :2] * model.size[:2] @ rotation_z(yaw)[:2, :2].T
+    outline = convex_outline(points)
+    reach = (outline @ DIRECTIONS.T).max(0)
+    return Footprint(outline, reach, float(model.size[2]), yaw)
+
+
+def gaps(
+    own: Footprint, centers: Float[np.ndarray, "m 2"], other: Footprint, at: Float[np.ndarray, "2"]
+) -> Float[np.ndarray, "m"]:
+    """Return a lower bound of the gap to ``other`` for each centre; negative where they overlap."""
+    blocked = own.reach + np.roll(other.reach, COUNT // 2)
+    return ((at - centers) @ DIRECTIONS.T - blocked).max(1)
+
+
+def margins(
+    own: Footprint, centers: Float[np.ndarray, "m 2"], outline: Float[np.ndarray, "k 2"]
+) -> Float[np.ndarray, "m"]:
+    """Return how far inside a convex counter-clockwise outline it lies at each centre."""
+    edges = np.roll(outline, -1, axis=0) - outline
+    normals = np.column_stack([edges[:, 1], -edges[:, 0]])
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    limits = (outline * normals).sum(1) - own.along(normals)
+    return (limits - centers @ normals.T).min(1)

@@ -1,0 +1,125 @@
+"""The models a plan needs, and a table large enough for them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from jaxtyping import Float
+
+from .. import catalogue
+from ..errors import SceneError
+from ..geometry import convex_outline
+from ..scene import ConvexPart, Mesh, Model, PlannedObject, PlannedTable, ScenePlan
+from .footprint import footprint
+
+_FILLING = 0.42  # share of a tabletop that objects and the room around them may take
+_LARGEST = 1.5  # how much longer than planned a table may become
+_ROOM = 0.035  # metres of free space counted around each object
+GENERIC_BLOCK = "toy_block"
+
+
+def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
+    """Build a catalogue model for every planned object, each by its own seed.
+
+    Equal planned things ("two red mugs") look alike, since they share the seed. A long thin thing
+    that goes into a vessel stands upright, as a pencil does in a mug.
+    """
+    models: dict[str, Model] = {}
+    seeds: dict[tuple[str, str, str], int] = {}
+    for planned in plan.objects:
+        kind = (planned.category, planned.noun, str(sorted(planned.attributes.items())))
+        number = seeds.setdefault(kind, len(seeds))
+        models[planned.name] = _build(planned, seed * 1009 + number)
+    by_name = {o.name: o for o in plan.objects}
+    for planned in plan.objects:
+        if any(r.kind == "in" and r.target in by_name for r in planned.relations):
+            models[planned.name] = _upright(models[planned.name])
+    return models
+
+
+def _build(planned: PlannedObject, seed: int) -> Model:
+    if planned.category == "generic":
+        rng = np.random.default_rng([seed & 0xFFFFFFFF, 5])
+        size = planned.size or (0.1, 0.08, 0.09)
+        attributes = dict(planned.attributes)
+        attributes.setdefault("color", ["gray", "tan", "teal", "navy"][int(rng.integers(4))])
+        model = catalogue.build(GENERIC_BLOCK, seed, attributes=attributes, size=size)
+        return replace(model, label=planned.noun, category="generic")
+    model = catalogue.build(
+        planned.category, seed, attributes=planned.attributes, size=None
+    )
+    if planned.size is not None:
+        factor = max(planned.size) / float(model.size.max())
+        model = replace(model, size=model.size * factor)
+    return replace(model, label=planned.noun)
+
+
+def _upright(model: Model) -> Model:
+    """Turn a long thin model so that its +x end points up; others stay as they are."""
+    length, *others = model.size
+    if length < 3 * max(others):
+        return model
+    turn = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
+    mesh = model.mesh
+    return replace(
+        model,
+        mesh=Mesh(mesh.vertices @ turn.T, mesh.faces, mesh.uv, mesh.texture, mesh.opacity),
+        size=model.size[[2, 1, 0]],
+        parts=tuple(_turned(part, turn) for part in model.parts),
+    )
+
+
+def _turned(part: ConvexPart, turn: Float[np.ndarray, "3 3"]) -> ConvexPart:
+    axis = (2, 1, 0)[part.axis]
+    return ConvexPart(part.vertices @ turn.T, part.kind, axis)  # type: ignore[arg-type]
+
+
+def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0) -> PlannedTable:
+    """Return the planned table, enlarged if the objects would crowd it.
+
+    ``growth`` (at least 1) enlarges it further, for another try.
+
+    Raises:
+        SceneError: even the largest plausible table would be too small.
+    """
+    standing = [o for o in plan.objects if not _supported(o)]
+    area = sum(footprint(models[o.name], 0.0).area for o in standing)
+    area += sum(
+        2 * _ROOM * float(models[o.name].size[:2].sum()) + 4 * _ROOM**2 for o in standing
+    )
+    x, y, z = plan.table.size
+    share = {"round": 0.785, "oval": 0.85, "triangle": 0.45}.get(plan.table.outline, 1.0)
+    widest = max((float(models[o.name].size[0]) for o in standing), default=0.0)
+    factor = max(1.0, float(np.sqrt(area / (_FILLING * x * y * share))), (widest + 0.1) / x)
+    factor *= growth
+    if factor > max(_LARGEST, 2.4 / x):
+        large = sorted(standing, key=lambda o: -models[o.name].size[:2].prod())[:3]
+        raise SceneError(
+            f"{len(standing)} objects do not fit on one {plan.table.outline} table of at most "
+            f"{x * _LARGEST:.1f} m; the largest are {', '.join(o.name for o in large)}. Ask for "
+            "fewer or smaller things."
+        )
+    return replace(plan.table, size=(round(x * factor, 3), round(y * factor, 3), z))
+
+
+def _supported(planned: PlannedObject) -> bool:
+    return any(r.kind in ("on", "in") and r.target != "table" for r in planned.relations)
+
+
+def build_top(
+    plan: ScenePlan, models: Mapping[str, Model], seed: int, growth: float = 1.0
+) -> Model:
+    """Build the plan's table, large enough for its objects.
+
+    Raises:
+        SceneError: no plausible table is large enough.
+    """
+    return catalogue.build_table(table_size(plan, models, growth), seed)
+
+
+def outline_of(table: Model) -> Float[np.ndarray, "k 2"]:
+    """Return the convex outline of a table model's top, metres, counter-clockwise."""
+    points = table.mesh.vertices[table.mesh.vertices[:, 2] > 0.499]
+    return convex_outline(points[:, :2] * table.size[:2])

@@ -1,0 +1,174 @@
+"""Candidate places for one object, and how good each is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float
+
+from ..scene import TABLE, Relation
+from .footprint import BACK, FRONT, LEFT, RIGHT, Footprint, gaps, margins
+
+SIDES: Mapping[str, tuple[int, int, tuple[float, float]]] = {
+    "left_of": (LEFT, RIGHT, (-1.0, 0.0)),
+    "right_of": (RIGHT, LEFT, (1.0, 0.0)),
+    "behind": (BACK, FRONT, (0.0, 1.0)),
+    "in_front_of": (FRONT, BACK, (0.0, -1.0)),
+}
+"""Relation kind: the target's direction, the object's own, and the way as a vector."""
+
+_RELATED, _FREE = 120, 120  # candidates proposed by relations, and anywhere
+_SIGHT = 0.7  # cotangent of the 55 degrees from which the table is seen
+
+
+@dataclass(frozen=True, eq=False)
+class Neighbour:
+    """Something that already has its place."""
+
+    shape: Footprint
+    center: Float[np.ndarray, "2"]
+
+
+@dataclass(frozen=True, eq=False)
+class Request:
+    """One object looking for a place; ``near`` are the targets of its relations by name."""
+
+    relations: tuple[Relation, ...]
+    shape: Footprint
+    near: Mapping[str, Neighbour]
+    outline: Float[np.ndarray, "k 2"]
+
+
+def proposals(request: Request, rng: np.random.Generator) -> Float[np.ndarray, "m 2"]:
+    """Return candidate centres: some where the relations point, some all over the table."""
+    low, high = request.outline.min(0), request.outline.max(0)
+    spread = rng.normal(0, 0.26, (_FREE // 2, 2)) * (high - low)
+    anywhere = rng.uniform(low, high, (_FREE // 2, 2))
+    sets = [spread, anywhere]
+    for relation in request.relations:
+        if relation.kind in SIDES and relation.target in request.near:
+            sets.append(_beside(request, relation, rng))
+        elif relation.kind == "next_to" and relation.target in request.near:
+            sets.append(_around(request, relation, rng))
+        elif relation.target == TABLE and relation.kind in SIDES:
+            way = np.array(SIDES[relation.kind][2])
+            sets.append(
+                way * 0.3 * (high - low) + rng.normal(0, 0.1, (_RELATED, 2)) * (high - low)
+            )
+        elif relation.kind == "center":
+            sets.append(rng.normal(0, 0.03, (_RELATED, 2)))
+        elif relation.kind == "edge":
+            sets.append(_rim(request, rng))
+    return np.concatenate(sets)
+
+
+def _beside(request: Request, relation: Relation, rng: np.random.Generator) -> np.ndarray:
+    target = request.near[relation.target]
+    theirs, own, way = SIDES[relation.kind]
+    distance = target.shape.reach[theirs] + request.shape.reach[own]
+    steps = rng.uniform(0.016, 0.08, _RELATED)
+    across = np.array([way[1], way[0]])
+    slack = abs(float(target.shape.half @ across)) * 0.6 + 0.02
+    aside = rng.normal(0, 0.6, _RELATED) * slack
+    return target.center + np.outer(distance + steps, way) + np.outer(aside, across)
+
+
+def _around(request: Request, relation: Relation, rng: np.random.Generator) -> np.ndarray:
+    target = request.near[relation.target]
+    angles = rng.uniform(0, 2 * np.pi, _RELATED)
+    ways = np.column_stack([np.cos(angles), np.sin(angles)])
+    blocked = target.shape.along(ways) + request.shape.along(-ways)
+    return target.center + ways * (blocked + rng.uniform(0.016, 0.06, _RELATED))[:, None]
+
+
+def _rim(request: Request, rng: np.random.Generator) -> np.ndarray:
+    """Return centres a few centimetres inside the table's edge."""
+    low, high = request.outline.min(0), request.outline.max(0)
+    centers = rng.uniform(low, high, (_RELATED * 8, 2))
+    inside = margins(request.shape, centers, request.outline)
+    return centers[(inside > 0.02) & (inside < 0.05)][:_RELATED]
+
+
+def score(
+    request: Request,
+    centers: Float[np.ndarray, "m 2"],
+    room: Float[np.ndarray, "m"],
+    others: Sequence[Neighbour],
+) -> Float[np.ndarray, "m"]:
+    """Return the cost of each centre: broken relations weigh most, then hiding, then crowding.
+
+    ``room`` is the gap to the nearest neighbour, metres.
+    """
+    low, high = request.outline.min(0), request.outline.max(0)
+    size = high - low
+    cost = np.zeros(len(centers))
+    for relation in request.relations:
+        cost += 3.0 * _broken(request, relation, centers)
+    cost += 0.9 * _hiding(request.shape, centers, others)
+    cost += 0.5 * np.clip(0.05 - room, 0, None) / 0.05
+    if request.relations:
+        return cost
+    tall = float(np.clip(request.shape.height / 0.25, 0, 1))
+    wished = (0.42 * tall - 0.14) * size[1]
+    cost += 0.5 * np.abs(centers[:, 1] - wished) / size[1]
+    cost += 0.35 * np.clip(np.abs(centers[:, 0]) / size[0] - 0.25, 0, None)
+    return cost + 0.3 * np.clip(room - 0.16, 0, None) / 0.1
+
+
+def _broken(
+    request: Request, relation: Relation, centers: Float[np.ndarray, "m 2"]
+) -> Float[np.ndarray, "m"]:
+    """Return how badly each centre breaks a relation; 0 where it holds well."""
+    size = np.ptp(request.outline, axis=0)
+    if relation.target == TABLE:
+        if relation.kind in SIDES:
+            along = centers @ np.array(SIDES[relation.kind][2])
+            wanted = 0.2 * float(np.abs(np.array(SIDES[relation.kind][2])) @ size)
+            return np.clip(wanted - along, 0, None) / max(wanted, 1e-6)
+        if relation.kind == "center":
+            return np.hypot(*centers.T) / 0.1
+        if relation.kind == "edge":
+            inside = margins(request.shape, centers, request.outline)
+            return np.clip(inside - 0.05, 0, None) / 0.05
+        return np.zeros(len(centers))
+    target = request.near.get(relation.target)
+    if target is None:
+        return np.zeros(len(centers))
+    apart = gaps(request.shape, centers, target.shape, target.center)
+    far = np.clip(apart - 0.06, 0, None) / 0.1
+    if relation.kind not in SIDES:
+        return far
+    theirs, own, way = SIDES[relation.kind]
+    offset = centers - target.center
+    along = offset @ np.array(way)
+    clear = along - target.shape.reach[theirs] - request.shape.reach[own]
+    aside = np.abs(offset @ np.array([way[1], way[0]]))
+    allowed = 0.5 * float(target.shape.half @ np.abs([way[1], way[0]])) + 0.01
+    return (
+        np.clip(-clear, 0, None) / 0.02
+        + 0.4 * np.clip(aside - allowed, 0, None) / 0.05
+        + np.clip(aside - 0.9 * along, 0, None) / 0.03
+        + 0.5 * far
+    )
+
+
+def _hiding(
+    shape: Footprint, centers: Float[np.ndarray, "m 2"], others: Sequence[Neighbour]
+) -> Float[np.ndarray, "m"]:
+    """Return which share of an object is hidden from the elevated front view, summed over pairs."""
+    total = np.zeros(len(centers))
+    for other in others:
+        offset = centers - other.center
+        overlap = shape.half[0] + other.shape.half[0] - np.abs(offset[:, 0])
+        for own, hidden, step in (
+            (shape, other.shape, -offset[:, 1]),
+            (other.shape, shape, offset[:, 1]),
+        ):
+            shade = own.half[1] + _SIGHT * (own.height - 0.4 * hidden.height)
+            covered = np.clip(shade - (step - hidden.half[1]), 0, 2 * hidden.half[1])
+            share = np.clip(overlap, 0, 2 * hidden.half[0]) * covered
+            share /= max(4 * hidden.half[0] * hidden.half[1], 1e-6)
+            total += np.where(step > 0, share, 0.0)
+    return total
