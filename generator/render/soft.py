@@ -10,6 +10,8 @@ areas and the tight crop itself; which points are hidden is decided without grad
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,6 +54,21 @@ class SoftImages:
 
     image: Float[Tensor, "b 3 h w"]
     silhouette: Float[Tensor, "b h w"]
+
+
+@contextmanager
+def single_thread() -> Iterator[None]:
+    """Run torch on one thread inside the block.
+
+    Splats are too small to share: more threads make them slower, and on a busy machine many times
+    slower. One thread also adds in one order, so results do not depend on the machine's cores.
+    """
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(threads)
 
 
 def _hull_corners(vertices: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
@@ -113,8 +130,8 @@ def object_to_camera(
     one, zero = torch.ones_like(yaw), torch.zeros_like(yaw)
     cy, sy, ct, st = yaw.cos(), yaw.sin(), tilt.cos(), tilt.sin()
     turn = torch.stack([cy, -sy, zero, sy, cy, zero, zero, zero, one], -1).view(-1, 3, 3)
-    raise_ = torch.stack([one, zero, zero, zero, ct, st, zero, -st, ct], -1).view(-1, 3, 3)
-    return raise_ @ world_to_camera.to(yaw.dtype) @ turn
+    lift = torch.stack([one, zero, zero, zero, ct, -st, zero, st, ct], -1).view(-1, 3, 3)
+    return lift @ world_to_camera.to(yaw.dtype) @ turn
 
 
 def bounds(

@@ -43,6 +43,8 @@ class RotationConfig:
         learning_rate: Adam's step, radians.
         steps: Adam's steps.
         decay: let the step fall to zero along a cosine, which ends on the minimum itself.
+        flat: an object whose coarse losses vary by less than this share of the lowest looks the
+            same from all sides; it keeps yaw 0.
         patience: stop after that many steps without progress; 0 never stops early.
         resolution: side of the compared crops, pixels.
         points: surface points drawn per object.
@@ -63,6 +65,7 @@ class RotationConfig:
     learning_rate: float = 3e-2
     steps: int = 40
     decay: bool = True
+    flat: float = 0.15
     patience: int = 12
     resolution: int = 96
     points: int = 6000
@@ -90,6 +93,7 @@ class RotationConfig:
             separation=0.0,
             steps=140,
             decay=False,
+            flat=0.0,
             patience=0,
             resolution=256,
             points=40_000,
@@ -283,10 +287,17 @@ def optimise_rotation(
     Raises:
         InputError: the crop is empty or the model has no surface.
     """
-    objective = make_objective(model, instance, view, encoder, config, image_size, seed)
+    from ..render.soft import single_thread
+
     yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
-    start = select_candidates(yaws, coarse_losses(objective, yaws), config)
-    refined = sorted(refine(objective, start), key=lambda pair: pair[1])
+    with single_thread():
+        objective = make_objective(model, instance, view, encoder, config, image_size, seed)
+        losses = coarse_losses(objective, yaws)
+        if np.ptp(losses) < config.flat * losses.min():
+            still = (0.0, float(losses[0]))
+            return Rotation(instance.name, *still, candidates=(still,))
+        start = select_candidates(yaws, losses, config)
+        refined = sorted(refine(objective, start), key=lambda pair: pair[1])
     best = refined[0]
     return Rotation(instance.name, best[0], best[1], tuple(refined))
 

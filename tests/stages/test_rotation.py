@@ -1,0 +1,204 @@
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+import torch
+
+from generator.backends.embedded.encoder import Encoder
+from generator.catalogue import build
+from generator.errors import InputError
+from generator.geometry import Camera, mask_box, wrap, yaw_quaternion
+from generator.render.raster import place, render
+from generator.scene import TABLE, Instance, Model, Reference, View
+from generator.stages import rotation as dro
+from generator.stages.rotation import RotationConfig
+
+SIZE = (640, 480)
+VIEW = View(azimuth=0.1, elevation=np.deg2rad(52.0), fov=np.deg2rad(38.0))
+FAST = dataclasses.replace(
+    RotationConfig(), coarse_step=np.deg2rad(10.0), candidates=4, steps=25, points=3000,
+    resolution=72,
+)  # fmt: skip
+
+
+def picture_of(
+    model: Model, yaw: float, pixel: tuple[float, float], view: View = VIEW
+) -> tuple[Instance, Reference]:
+    """Cut ``model`` out of a picture where it stands under ``pixel``, turned by ``yaw``."""
+    camera = Camera.looking_at(np.zeros(3), view, 0.9, *SIZE)
+    position = camera.on_plane(np.array([pixel]), 0.0)[0] + [0, 0, model.size[2] / 2]
+    item = place(model.mesh, model.size, position, yaw_quaternion(yaw))
+    drawn = render([item], camera, supersample=1)
+    mask = drawn.ids >= 0
+    box = mask_box(mask)
+    x0, y0, x1, y1 = box.astype(int)
+    crop = np.dstack([drawn.image, mask.astype(np.uint8) * 255])[y0:y1, x0:x1]
+    return Instance(model.name, model.label, box, mask, crop, box), Reference(drawn.image)
+
+
+# ------------------------------------------------------------------------------------ equations
+
+
+def test_eq2_by_hand():
+    mask = torch.tensor([[1.0, 1.0], [0.0, 0.0]])
+    soft = torch.stack([
+        mask,
+        1 - mask,
+        torch.full((2, 2), 0.5),
+        torch.tensor([[1.0, 0.0], [1.0, 0.0]]),
+    ])  # fmt: skip
+    # intersections 2, 0, 1, 1; unions 2, 4, 3, 3
+    expected = torch.tensor([0.0, 1.0, 2 / 3, 2 / 3])
+    assert torch.allclose(dro.silhouette_loss(soft, mask), expected, atol=1e-5)
+
+
+def test_eq3_by_hand():
+    distance = torch.tensor([[0.0, 1.0, 2.0]])
+    edges = torch.tensor([[[1.0, 0.0, 0.0]], [[0.0, 0.5, 0.5]], [[2.0, 0.0, 2.0]]])
+    assert torch.allclose(dro.edge_loss(edges, distance), torch.tensor([0.0, 1.5, 1.0]), atol=1e-5)
+
+
+def test_eq3_ranks_the_candidates_of_one_batch():
+    """Averaged over the batch, it would be the same for all and rank nothing."""
+    mask = np.zeros((32, 32), bool)
+    mask[8:24, 8:24] = True
+    distance = torch.as_tensor(dro.contour_distance(mask))
+    from generator.render.soft import sobel_edges
+
+    silhouettes = torch.as_tensor(np.stack([np.roll(mask, k, 1) for k in (0, 2, 6)])).float()
+    near, off, far = dro.edge_loss(sobel_edges(silhouettes), distance)
+    assert near < off < far
+    alone = dro.edge_loss(sobel_edges(silhouettes[1:2]), distance)
+    assert torch.allclose(alone, off)
+
+
+def test_contour_distance_of_a_square():
+    mask = np.zeros((20, 20), bool)
+    mask[5:15, 5:15] = True
+    distance = dro.contour_distance(mask)
+    assert distance[10, 5] <= 1 and distance[10, 14] <= 1
+    assert distance[10, 10] == pytest.approx(5, abs=1)
+    assert distance[10, 0] == pytest.approx(5, abs=1)
+
+
+def test_eq4_by_hand():
+    flat, one = torch.zeros(1, 2, 2, 2), torch.ones(2, 2, 2, 2)
+    one[1] = 0.5
+    finer = torch.zeros(2, 3, 4, 4)
+    loss = dro.appearance_loss((one, finer), (flat, torch.zeros(1, 3, 4, 4)))
+    assert torch.allclose(loss, torch.tensor([2.0 / 2, 0.5 / 2]))
+
+
+def test_eq1_weights_are_the_papers():
+    one, zero = torch.ones(1), torch.zeros(1)
+    config = RotationConfig()
+    assert float(dro.rotation_loss(one, zero, zero, config)) == 0.5
+    assert float(dro.rotation_loss(zero, one, zero, config)) == 0.5
+    assert float(dro.rotation_loss(zero, zero, one, config)) == 2.0
+
+
+def test_paper_settings():
+    paper = RotationConfig.paper()
+    assert (paper.lambda_s, paper.lambda_e, paper.lambda_a) == (0.5, 0.5, 2.0)
+    assert np.rad2deg(paper.coarse_step) == pytest.approx(5.0)
+    assert (paper.candidates, paper.steps, paper.learning_rate) == (8, 140, 3e-2)
+    assert (paper.resolution, paper.patience, paper.perspective) == (256, 0, False)
+
+
+@pytest.mark.parametrize("wrong", [{"coarse_step": 0.0}, {"candidates": 0}, {"resolution": 4}])
+def test_settings_out_of_range_are_refused(wrong):
+    with pytest.raises(InputError, match="RotationConfig needs"):
+        RotationConfig(**wrong)
+
+
+# --------------------------------------------------------------------------------------- search
+
+
+def test_candidates_keep_their_separation():
+    yaws = np.deg2rad(np.arange(0, 360, 5.0))
+    losses = np.minimum(np.abs(np.rad2deg(yaws) - 90), np.abs(np.rad2deg(yaws) - 270) + 3)
+    config = RotationConfig(candidates=3, separation=np.deg2rad(15.0))
+    np.testing.assert_allclose(
+        np.rad2deg(dro.select_candidates(yaws, losses, config)), [90, 270, 75]
+    )
+    neighbours = dro.select_candidates(yaws, losses, RotationConfig(candidates=3, separation=0.0))
+    assert np.rad2deg(neighbours)[0] == pytest.approx(90)
+    assert np.ptp(np.rad2deg(neighbours)) < 200
+
+
+@pytest.mark.parametrize(
+    ("key", "yaw", "pixel"),
+    [("mug", 20.0, (320, 250)), ("toy_train", -130.0, (150, 130)), ("hairbrush", 75.0, (480, 330))],
+)
+def test_yaw_is_recovered_with_a_wrong_elevation(key, yaw, pixel):
+    model = build(key, 5)
+    instance, reference = picture_of(model, np.deg2rad(yaw), pixel)
+    believed = View(VIEW.azimuth, VIEW.elevation + np.deg2rad(2.5), VIEW.fov)
+    found = dro.estimate_rotations(
+        reference, (instance,), {model.name: model}, believed, Encoder(), FAST
+    )[model.name]
+    assert abs(np.rad2deg(wrap(found.yaw - np.deg2rad(yaw)))) < 4
+    assert found.candidates[0] == (found.yaw, found.loss)
+    losses = [loss for _, loss in found.candidates]
+    assert losses == sorted(losses)
+
+
+def test_an_object_at_the_side_is_seen_along_its_own_ray():
+    model = build("toy_train", 5)
+    yaw = 0.4
+    wide = View(0.0, np.deg2rad(50.0), np.deg2rad(55.0))
+    instance, _ = picture_of(model, yaw, (70, 240), wide)
+    errors = {}
+    for perspective in (True, False):
+        config = dataclasses.replace(FAST, perspective=perspective)
+        found = dro.optimise_rotation(model, instance, wide, Encoder(), config, SIZE)
+        errors[perspective] = abs(np.rad2deg(wrap(found.yaw - yaw)))
+    assert errors[True] < 3
+    assert errors[False] > errors[True] + 3
+
+
+def test_refining_descends_from_the_coarse_angle():
+    model = build("toy_train", 5)
+    instance, _ = picture_of(model, 0.53, (320, 240))
+    objective = dro.make_objective(model, instance, VIEW, Encoder(), FAST, SIZE)
+    start = np.array([0.45])
+    before = dro.coarse_losses(objective, start)[0]
+    ((yaw, loss),) = dro.refine(objective, start)
+    assert loss < before
+    assert abs(yaw - 0.53) < abs(0.45 - 0.53) / 2
+
+
+def test_same_seed_same_rotation():
+    model = build("mug", 1)
+    instance, _ = picture_of(model, 0.3, (300, 200))
+    config = dataclasses.replace(FAST, steps=4)
+    first, again = (
+        dro.optimise_rotation(model, instance, VIEW, Encoder(), config, SIZE, seed=3)
+        for _ in range(2)
+    )
+    assert first == again
+
+
+def test_an_object_of_revolution_keeps_yaw_zero():
+    model = build("plate", 0)
+    instance, _ = picture_of(model, 2.0, (320, 240))
+    assert dro.optimise_rotation(model, instance, VIEW, Encoder(), FAST, SIZE).yaw == 0.0
+
+
+def test_the_table_is_left_out_and_a_missing_model_named():
+    model = build("mug", 1)
+    instance, reference = picture_of(model, 0.3, (300, 200))
+    table = dataclasses.replace(instance, name=TABLE)
+    assert dro.estimate_rotations(reference, (table,), {}, VIEW, Encoder(), FAST) == {}
+    with pytest.raises(InputError, match="no model"):
+        dro.estimate_rotations(reference, (instance,), {}, VIEW, Encoder(), FAST)
+
+
+def test_an_empty_crop_is_refused():
+    model = build("mug", 1)
+    instance, _ = picture_of(model, 0.3, (300, 200))
+    empty = dataclasses.replace(instance, crop=np.zeros((8, 8, 4), np.uint8))
+    with pytest.raises(InputError, match="empty crop"):
+        dro.optimise_rotation(model, empty, VIEW, Encoder(), FAST, SIZE)
