@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
 from scipy import optimize, spatial
@@ -105,8 +106,9 @@ def fit_likeness(
     ``mask`` is the crop's silhouette at the size of ``small``. Of an occluded object the
     completed outline is a guess, so proportions stay the catalogue's.
     """
-    image = baking.opaque_colors(crop)[0]
-    full = small.resized(max(image.shape[:2]))
+    image = cv2.resize(
+        baking.opaque_colors(crop)[0], (small.width, small.height), interpolation=cv2.INTER_AREA
+    )
     round_ = "round" in category.roles
     yaws = np.zeros(1) if round_ else np.arange(24) * np.pi / 12
     best: list[Likeness] = []
@@ -114,19 +116,19 @@ def fit_likeness(
         search = _Search(build(category.key, seed + variant), mask, small, round_)
         coarse = [search.pose(np.array([yaw, 0.0, 0.0])) for yaw in yaws]
         kept = sorted(coarse, key=lambda c: -c.iou)[:5]
-        judged = [_judge(c, image, full) for c in kept]
+        judged = [_judge(c, image, small) for c in kept]
         leaders = sorted(judged, key=lambda c: -c.score)[:2]
-        best += [_judge(search.refined(c.yaw, occluded), image, full) for c in leaders]
+        best += [_judge(search.refined(c.yaw, occluded), image, small) for c in leaders]
     return max(best, key=lambda c: c.score)
 
 
-def _judge(candidate: Likeness, image: UInt8[np.ndarray, "h w 3"], full: Projection) -> Likeness:
+def _judge(candidate: Likeness, image: UInt8[np.ndarray, "h w 3"], small: Projection) -> Likeness:
     """Return the candidate with its share of explained colours."""
-    atlas, surface, sight = _look(candidate, full, 96)
+    atlas, surface, sight = _look(candidate, small, 96)
     seen = sight.sees(surface)
     if seen.sum() < 30:
         return candidate
-    colors = baking.sample(image, full.project(surface.point))
+    colors = baking.sample(image, small.project(surface.point))
     _, explained = baking.recolor(base_colors(candidate.model.mesh, atlas), seen, colors)
     c = candidate
     return Likeness(c.model, c.extent, c.yaw, c.position, c.iou, explained)

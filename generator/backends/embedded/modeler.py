@@ -12,14 +12,16 @@ from jaxtyping import Bool, Float
 from ...catalogue import Category, category
 from ...errors import InputError
 from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
-from ...scene import Instance, Model, Physics, SizePrior, View
+from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
 from . import baking, carving
 from .framing import proportion_gap
 from .likeness import Likeness, fit_likeness, painted
 from .projection import Projection, mask_iou
 from .solids import Posed
+from .table_likeness import model_table
 
-_WORKING = 150  # longer side of the silhouettes that are compared, pixels
+_COARSE = 100  # of those that catalogue shapes are searched with
+_WORKING = 200  # longer side of the silhouettes that are compared, pixels
 _ALIKE = 0.6  # silhouette overlap below which a catalogue shape is not what the picture shows
 
 
@@ -32,16 +34,20 @@ class Modeler:
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Reconstruct one instance from its crop (Sec. 3.2); see ``protocols.Modeler``."""
+        if TABLE in (instance.name, instance.label):
+            return model_table(instance, size, view, self.seed, 2 * self.texture)
         projection = Projection.of_instance(instance, view)
-        small = projection.resized(_WORKING)
-        mask = small_mask(instance, small)
         category = known_category(instance, size)
         if category is not None:
+            coarse = projection.resized(_COARSE)
             found = fit_likeness(
-                category, self.seed, instance.crop, mask, small, instance.occluded
-            )
+                category, self.seed, instance.crop, small_mask(instance, coarse), coarse,
+                instance.occluded,
+            )  # fmt: skip
             if found.iou >= _ALIKE:
                 return likeness_model(found, instance, projection, size, self.texture)
+        small = projection.resized(_WORKING)
+        mask = small_mask(instance, small)
         posed = best_solid(mask, small, size)
         return solid_model(posed, instance, projection, size, self.texture)
 

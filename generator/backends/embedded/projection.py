@@ -15,8 +15,7 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from ...geometry import Camera, view_rotation, wrap
-from ...render.raster import rasterise
+from ...geometry import view_rotation, wrap
 from ...scene import Instance, View
 
 
@@ -129,9 +128,15 @@ class Projection:
     def silhouette(
         self, vertices: Float[np.ndarray, "n 3"], faces: np.ndarray
     ) -> Bool[np.ndarray, "h w"]:
-        """Return which crop pixels a mesh covers."""
-        owner = rasterise(self.corners(vertices, faces), self.width, self.height)[0]
-        return (owner >= 0).reshape(self.height, self.width)
+        """Return which crop pixels a closed mesh covers."""
+        fixed = np.round((self.project(vertices) - 0.5) * 16).clip(-(2**20), 2**20)
+        triangles = fixed.astype(np.int32)[faces]
+        (ax, ay), (bx, by) = (triangles[:, k].T - triangles[:, 0].T for k in (1, 2))
+        canvas = np.zeros((self.height, self.width), np.uint8)
+        # A closed surface's picture is that of the faces turned to the camera (y runs down).
+        for triangle in triangles[ax * by - ay * bx < 0]:
+            cv2.fillConvexPoly(canvas, triangle, 1, cv2.LINE_8, 4)
+        return canvas > 0
 
     def hull_silhouette(self, vertices: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "h w"]:
         """Return which crop pixels the convex hull of ``vertices`` covers."""
@@ -161,15 +166,3 @@ def mask_iou(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
     """Return the intersection over union of two masks."""
     union = np.count_nonzero(a | b)
     return np.count_nonzero(a & b) / union if union else 0.0
-
-
-def reference_camera(instance: Instance, view: View) -> tuple[Camera, Float[np.ndarray, "3"]]:
-    """Return the reference picture's camera at unit focal distance, and the object frame's origin.
-
-    Lengths are in the pixel units of ``Projection``; with it a reconstruction can be drawn over
-    the whole reference picture.
-    """
-    rows, columns = instance.mask.shape
-    projection = Projection.of_instance(instance, view)
-    camera = Camera(projection.position, projection.rotation, view.fov, columns, rows)
-    return camera, np.zeros(3)

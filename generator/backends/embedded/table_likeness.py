@@ -1,0 +1,125 @@
+"""Model the table of a picture: outline and legs by silhouette, material and colours by pixels."""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from ...catalogue import build_table
+from ...catalogue.tables import LEGS
+from ...scene import Instance, Mesh, Model, OutlineKind, PlannedTable, SizePrior, View
+from . import baking
+from .framing import frame_to_mask
+from .likeness import base_colors
+from .projection import Projection, mask_iou
+from .unwrap import unwrap
+
+_MATERIALS = ("oak", "walnut", "pine", "marble", "steel", "white")
+_WORKING = 140
+_LEGLESS = 0.03  # by how much silhouettes must agree better before legs count as unseen
+
+
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """A table model placed under the picture: vertices in the object frame, overlap, legs seen."""
+
+    plan: PlannedTable
+    model: Model
+    world: Float[np.ndarray, "n 3"]
+    iou: float
+    legs: bool
+
+
+def model_table(instance: Instance, size: SizePrior, view: View, seed: int, texture: int) -> Model:
+    """Return a table of the prior's size that looks like the picture's, yaw zero.
+
+    The outline (and, if the silhouette shows them, the legs) are those whose silhouette agrees
+    best; top and legs then take their colours from the picture, each for itself.
+    """
+    projection = Projection.of_instance(instance, view)
+    small = projection.resized(_WORKING)
+    mask = baking.opaque_colors(_shrunk(instance, small))[1]
+    length, width, height = (float(np.clip(s, 0.2, 4.0)) for s in size.extent)
+    plans = [
+        PlannedTable(outline=o, size=(length, width, height)) for o in _outlines(length, width)
+    ]
+    best = max((_place(p, seed, mask, small) for p in plans), key=lambda s: s.iou)
+    if best.legs:
+        plans = [dataclasses.replace(best.plan, legs=legs) for legs in LEGS]
+        best = max((_place(p, seed, mask, small) for p in plans), key=lambda s: s.iou)
+    options = [dataclasses.replace(best.plan, material=m) for m in _MATERIALS]
+    painted = [_paint(best, build_table(p, seed), instance, projection, texture) for p in options]
+    mesh, model, _ = min(painted, key=lambda p: p[2])
+    return dataclasses.replace(model, mesh=mesh, size=np.array(size.extent))
+
+
+def _shrunk(instance: Instance, small: Projection) -> np.ndarray:
+    import cv2
+
+    return cv2.resize(instance.crop, (small.width, small.height), interpolation=cv2.INTER_AREA)
+
+
+def _outlines(length: float, width: float) -> tuple[OutlineKind, ...]:
+    """Return the outlines that a top of these sides can have."""
+    even = abs(np.log(length / width)) < 0.06
+    return ("square", "round", "triangle") if even else ("rectangle", "oval", "triangle")
+
+
+def _top_faces(mesh: Mesh) -> Bool[np.ndarray, "m"]:
+    """Tell which faces belong to the top: the slab down from the highest horizontal faces."""
+    heights = np.sort(np.unique(np.round(mesh.vertices[:, 2], 4)))[::-1]
+    wide = [
+        z for z in heights[1:]
+        if np.ptp(mesh.vertices[np.abs(mesh.vertices[:, 2] - z) < 1e-3, 0]) > 0.9
+    ]  # fmt: skip
+    bottom = wide[0] if wide else heights[0]
+    bottom = max(bottom, 0.5 - 0.12)
+    return (mesh.vertices[mesh.faces, 2] > bottom - 1e-3).all(1)
+
+
+def _place(plan: PlannedTable, seed: int, mask: np.ndarray, small: Projection) -> _Seen:
+    """Put a planned table under the silhouette, by all of it or by its top alone."""
+    model = build_table(plan, seed)
+    top = _top_faces(model.mesh)
+    shape = model.mesh.vertices * model.size
+    found = []
+    for legs, faces in ((True, model.mesh.faces), (False, model.mesh.faces[top])):
+        used: Int[np.ndarray, "k"] = np.unique(faces)
+        scale, shift = frame_to_mask(shape[used], small, mask)
+        world = shape * scale + shift
+        found.append(_Seen(plan, model, world, mask_iou(small.silhouette(world, faces), mask), legs))
+    whole, bare = found
+    return bare if bare.iou > whole.iou + _LEGLESS else whole
+
+
+def _paint(
+    seen: _Seen, model: Model, instance: Instance, projection: Projection, size: int
+) -> tuple[Mesh, Model, float]:
+    """Recolour a table like the picture; also return how far its material was from it."""
+    mesh = model.mesh
+    image, mask = baking.opaque_colors(instance.crop)
+    atlas = unwrap(mesh.vertices * model.size, mesh.faces, size)
+    surface = baking.surface_of(atlas, seen.world)
+    sight = baking.Sight.of(seen.world, mesh.faces, projection)
+    pixels = projection.project(surface.point)
+    inside = baking.sample(mask[..., None].astype(np.uint8), pixels)[:, 0] > 0.5
+    visible = sight.sees(surface) & inside
+    colors, base = baking.sample(image, pixels), base_colors(mesh, atlas)
+    on_top = _top_faces(mesh)[atlas.face]
+    texels = base.copy()
+    for part in (on_top, ~on_top):
+        if (visible & part).sum() > 40:
+            texels[part] = baking.recolor(base[part], visible[part], colors[part])[0]
+    upper = visible & on_top & (surface.normal[:, 2] > 0.9)
+    gap = _material_gap(base[upper], colors[upper]) if upper.sum() > 40 else 0.0
+    return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels)), model, gap
+
+
+def _material_gap(base: Float[np.ndarray, "t 3"], colors: Float[np.ndarray, "t 3"]) -> float:
+    """Return how unlike two surfaces' colours and unrest are, in grey levels."""
+    tone = np.linalg.norm(np.median(base, 0) - np.median(colors, 0))
+    unrest = [np.subtract(*np.quantile(c.mean(1), [0.75, 0.25])) for c in (base, colors)]
+    return float(tone + 2.0 * abs(unrest[0] - unrest[1]))
