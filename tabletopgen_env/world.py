@@ -187,11 +187,11 @@ class World:
 
     def touched(self, name: str) -> tuple[bool, bool, bool]:
         """Return whether the left finger, the right finger, any part of the robot touches it."""
-        contact = self.data.contact
-        pairs = self.model.geom_bodyid[contact.geom]
-        mine = (pairs == self.bodies[self.index(name)]).any(1) & (contact.exclude == 0)
-        sides = self._gripper_side[pairs[mine]].max(1, initial=0)
-        return bool((sides == 2).any()), bool((sides == 3).any()), bool((sides > 0).any())
+        body, geom_body = self.bodies[self.index(name)], self.model.geom_bodyid
+        first, second = geom_body[self.data.contact.geom].T
+        others = np.concatenate([second[first == body], first[second == body]])
+        sides = set(self._gripper_side[others].tolist())
+        return 2 in sides, 3 in sides, bool(sides - {0})
 
     # -------------------------------------------------------------------------------- base frame
 
