@@ -55,7 +55,7 @@ class Category:
 
     @property
     def density(self) -> float:
-        """Effective density if it filled two fifths of its box, kg/m^3; for unmodelled likenesses."""
+        """Effective density of a likeness that fills two fifths of its box, kg/m^3."""
         return float(np.clip(self.mass / (0.4 * np.prod(self.size)), 20.0, 8000.0))
 
     @property

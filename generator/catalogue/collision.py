@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from typing import Any, Literal
 
 import numpy as np
 
 from ..scene import ConvexPart
-from .solids import Solid, ellipse, ellipsoid
+from .solids import Solid, ellipse, ellipsoid, lifted
 
 MOST_VERTICES = 32
 """A hull keeps at most this many vertices."""
@@ -48,8 +49,8 @@ def _extremes(points: np.ndarray) -> np.ndarray:
     span = np.maximum(np.ptp(points, axis=0), 1e-9)
     unit = (points - middle) / span
     ring = np.column_stack([ellipse(2, 2, 8, np.pi / 8), np.zeros(8)])
-    ways = [ring + [0, 0, -20.0], ring + [0, 0, 20.0], ring + [0, 0, -0.7], ring + [0, 0, 0.7]]
-    chosen = {int(np.argmax(unit @ way)) for way in np.concatenate(ways)}
+    ways = np.concatenate([ring + np.array([0.0, 0.0, rise]) for rise in (-20, 20, -0.7, 0.7)])
+    chosen = {int(np.argmax(unit @ way)) for way in ways}
     return points[sorted(chosen)]
 
 
@@ -61,7 +62,7 @@ def resting_ball(x: float, y: float, z: float, flat: float = 0.45) -> ConvexPart
     """
     levels = [(-1.0, flat), (-0.55, 0.835), (0.25, 0.968), (0.93, 0.36)]
     points = [
-        np.column_stack([ellipse(x * r, y * r, 8, np.pi / 8 * (k % 2)), np.full(8, z / 2 * (1 + h))])
+        lifted(ellipse(x * r, y * r, 8, np.pi / 8 * (k % 2)), z / 2 * (1 + h))
         for k, (h, r) in enumerate(levels)
     ]
     return ConvexPart(np.concatenate(points))
@@ -88,7 +89,7 @@ def ring_parts(
     profile = np.array([*outer, *inner], float)
     angles = 2 * np.pi * np.arange(wedges + 1) / wedges
     parts = []
-    for pair in zip(angles, angles[1:], strict=False):
+    for pair in itertools.pairwise(angles):
         points = [
             (r * np.cos(a) * stretch[0], r * np.sin(a) * stretch[1], z)
             for a in pair
@@ -98,9 +99,7 @@ def ring_parts(
     return tuple(parts)
 
 
-def frame_parts(
-    x: float, y: float, z: float, wall: float, bottom: float
-) -> tuple[ConvexPart, ...]:
+def frame_parts(x: float, y: float, z: float, wall: float, bottom: float) -> tuple[ConvexPart, ...]:
     """Return an open box standing on z = 0: a bottom and four walls."""
     return (
         box_part(x, y, bottom),

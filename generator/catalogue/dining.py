@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
+from ..scene import ConvexPart
 from . import textures
 from .category import Category
-from .collision import box_part, cylinder_part, ring_parts
+from .collision import box_part, cylinder_part, frame_parts, hull_of, hull_part, ring_parts
 from .colors import RGB, tinted
 from .look import Look
 from .shape import Shape, shape
-from .solids import (
-    Solid,
-    lathe,
-    smooth,
-    tube,
-)
+from .solids import Solid, block, box, cylinder, joined, lathe, open_box, prism, smooth, tube
 from .textures import Tile
 
 
@@ -34,7 +32,7 @@ def handle(radius: float, low: float, high: float, reach: float, thick: float) -
     return tube(path, thick, 8, squash=0.75)
 
 
-def handle_part(radius: float, low: float, high: float, reach: float, thick: float):
+def handle_part(radius: float, low: float, high: float, reach: float, thick: float) -> ConvexPart:
     """Return a handle's collision box."""
     return box_part(reach, 2 * thick, high - low, (radius + reach / 2, 0, low))
 
@@ -60,13 +58,24 @@ def mug(look: Look) -> Shape:
     color = look.color("white", "red", "blue", "teal", "mustard", "sage", "black", "terracotta")
     glaze, inside = decorated(look, color), look.surface(tinted(color, 1.4), "ceramic")
     body = lathe(
-        [(0, 0), (r * 0.86, 0), (r, 0.006), (top, h - 0.002), (top - wall / 2, h),
-         (top - wall, h - 0.002), (r - wall, 0.012), (r * 0.7, 0.006), (0, 0.006)],
+        [
+            (0, 0),
+            (r * 0.86, 0),
+            (r, 0.006),
+            (top, h - 0.002),
+            (top - wall / 2, h),
+            (top - wall, h - 0.002),
+            (r - wall, 0.012),
+            (r * 0.7, 0.006),
+            (0, 0.006),
+        ],
         v=[0, 0, 0.02, 0.96, 0.97, 0.98, 0.99, 1, 1],
     )
     ear = handle(r - 0.002, 0.22 * h, 0.82 * h, 0.026, 0.0055)
     tile = textures.stacked((glaze, 97), (inside, 4), side=128)
-    wedges = ring_parts([(r * 0.86, 0.0), (r, 0.006), (top, h)], [(top - wall, h), (r - wall, 0.006)])
+    wedges = ring_parts(
+        [(r * 0.86, 0.0), (r, 0.006), (top, h)], [(top - wall, h), (r - wall, 0.006)]
+    )
     bottom = cylinder_part(r * 0.86, 0.006)
     return shape(
         [(body, tile), (ear, look.surface(color, "ceramic"))],
@@ -100,8 +109,16 @@ def plate(look: Look) -> Shape:
     rim = look.fixed("navy", "gold", "teal", "white", "terracotta")
     well = 0.66 * r
     body = lathe(
-        [(0, 0), (well, 0), (well * 1.06, 0.003), (r, h - t * 0.6), (r, h),
-         (well * 1.08, 0.009), (well, t + 0.002), (0, t + 0.002)],
+        [
+            (0, 0),
+            (well, 0),
+            (well * 1.06, 0.003),
+            (r, h - t * 0.6),
+            (r, h),
+            (well * 1.08, 0.009),
+            (well, t + 0.002),
+            (0, t + 0.002),
+        ],
         v=[0, 0, 0.05, 0.5, 0.52, 0.75, 0.8, 1],
     )
     glaze = look.surface(color, "ceramic")
@@ -113,30 +130,350 @@ def plate(look: Look) -> Shape:
 
 def saucer(look: Look) -> Shape:
     """A small plate for a cup."""
-    return _small(plate(look), 0.6)
+    return plate(look).scaled(0.6)
 
 
-def _small(made: Shape, factor: float) -> Shape:
-    from dataclasses import replace
+def teacup(look: Look) -> Shape:
+    """A wide, thin cup with an ear, on its foot."""
+    r, h, wall = look.between(0.042, 0.048), look.between(0.056, 0.064), 0.0035
+    foot = 0.5 * r
+    color = look.color("white", "cream", "pink", "sky", "mint", "navy")
+    t = np.linspace(0, np.pi / 2, 7)
+    outer = np.column_stack([foot + (r - foot) * np.sin(t) ** 0.8, 0.005 + (h - 0.005) * t / t[-1]])
+    inner = np.column_stack([outer[:, 0] - wall, 0.011 + (h - 0.011) * t / t[-1]])[::-1]
+    v = [0, 0, 0.03, *np.linspace(0.06, 0.95, 7), *np.linspace(0.97, 1, 7), 1]
+    body = lathe([(0, 0), (foot, 0), (foot, 0.004), *outer, *inner, (0, 0.01)], v=v)
+    tile = textures.stacked((decorated(look, color), 96), (look.surface(color, "ceramic"), 4))
+    ear = handle(0.95 * r, 0.42 * h, 0.86 * h, 0.02, 0.0032)
+    wedges = ring_parts([(foot, 0), tuple(outer[2]), (r, h)], [(r - wall, h), (foot - wall, 0.01)])
+    return shape(
+        [(body, tile), (ear, look.surface(color, "ceramic"))],
+        [*wedges, cylinder_part(foot, 0.01), handle_part(r, 0.42 * h, 0.86 * h, 0.016, 0.003)],
+    )
 
-    from ..scene import ConvexPart
-    from .shape import Piece
 
-    return replace(
-        made,
-        pieces=tuple(Piece(p.solid.scaled(*[factor] * 3), p.tile) for p in made.pieces),
-        parts=tuple(ConvexPart(p.vertices * factor, p.kind, p.axis) for p in made.parts),
+def glass(look: Look) -> Shape:
+    """A drinking glass, sometimes with a drink in it."""
+    r, h, wall = look.between(0.034, 0.04), look.between(0.1, 0.14), 0.0028
+    low = r * look.pick([0.8, 0.9, 1.0])
+    color = look.color("clear", "clear", "sky", "mint", "amber")
+    body = lathe(
+        [(0, 0), (low, 0), (r, h), (r - wall, h), (low - wall, 0.009), (0, 0.009)],
+        v=[0, 0, 0.95, 0.96, 0.99, 1],
+    )
+    return shape(
+        [(body, textures.plain(tinted(color, 1.2)))],
+        [
+            *ring_parts([(low, 0), (r, h)], [(r - wall, h), (low - wall, 0.009)]),
+            cylinder_part(low, 0.009),
+        ],
+        opacity=0.45,
+    )
+
+
+def wine_glass(look: Look) -> Shape:
+    """A stemmed glass."""
+    r, h, wall = look.between(0.036, 0.042), look.between(0.18, 0.215), 0.0022
+    cup = look.between(0.42, 0.5) * h
+    foot = 0.9 * r
+    t = np.linspace(0, 1, 8)
+    outer = np.column_stack([r * np.sin(0.2 + 2.05 * t), cup + (h - cup) * t])
+    outer[0, 0] = 0.006
+    inner = np.column_stack([np.maximum(outer[:, 0] - wall, 0.001), outer[:, 1] + 0.004])[::-1]
+    inner[0, 1] = h
+    stem = [(0, 0), (foot, 0), (foot, 0.0015), (0.006, 0.008), (0.0042, 0.03), (0.0042, cup - 0.02)]
+    body = lathe([*stem, *outer, *inner, (0, cup + 0.004)], 28)
+    color = look.color("clear", "clear", "sky", "pink")
+    rim = float(outer[-1, 0])
+    wedges = ring_parts(
+        [(0.006, cup), tuple(outer[3]), tuple(outer[5]), (rim, h)],
+        [(rim - wall, h), (0.003, cup + 0.004)],
+    )
+    return shape(
+        [(body, textures.plain(tinted(color, 1.2)))],
+        [*wedges, cylinder_part(foot, 0.004), cylinder_part(0.0042, cup, (0, 0, 0.002))],
+        opacity=0.45,
+    )
+
+
+# ---------------------------------------------------------------------------------- cutlery
+
+
+def _bent(solid: Solid, length: float, dip: float) -> Solid:
+    """Return flat cutlery with its neck raised, lying on its two ends."""
+    return solid.bent(
+        lambda p: np.column_stack(
+            [p[:, :2], p[:, 2] + dip * np.clip(np.cos(np.pi * p[:, 0] / length), 0, 1)]
+        )
+    )
+
+
+def _sliced(solid: Solid, edges: list[float]) -> list[ConvexPart]:
+    x = solid.vertices[:, 0]
+    return [
+        hull_part(solid.vertices[(x >= a - 1e-6) & (x <= b + 1e-6)])
+        for a, b in itertools.pairwise(edges)
+    ]
+
+
+def _mirrored(half: list[tuple[float, float]]) -> np.ndarray:
+    """Return a closed outline from its lower half, listed from left to right."""
+    lower = np.array(half, float)
+    upper = lower[::-1] * [1, -1]
+    return np.concatenate([lower, upper[np.abs(upper[:, 1]) > 1e-9]])
+
+
+def _metal(look: Look) -> Tile:
+    return look.surface(look.color("silver", "silver", "gold", "black", spread=4), "metal")
+
+
+def fork(look: Look) -> Shape:
+    """A fork lying flat, four tines to the left."""
+    long = look.between(0.185, 0.205)
+    steel = _metal(look)
+    grip = [
+        (-0.046, 0.0),
+        (-0.044, -0.006),
+        (-0.03, -0.011),
+        (-0.02, -0.0035),
+        (0.02, -0.003),
+        (0.5 * long - 0.01, -0.0095),
+        (0.5 * long, -0.006),
+    ]
+    body = prism(_mirrored([(x, y) for x, y in grip if y < 0 or x < -0.045]), 0, 0.0024)
+    tine = prism(np.array([(-0.5 * long, -0.0009), (-0.03, -0.0019), (-0.03, 0.0019),
+                           (-0.5 * long, 0.0009)]), 0, 0.0022)  # fmt: skip
+    tines = [tine.moved(y=(k - 1.5) * 0.0058) for k in range(4)]
+    whole = joined([body, *tines])
+    fine = _bent(_refined(whole), long, 0.008)
+    return shape([(fine, steel)], _sliced(fine, [-0.5 * long, -0.04, 0.0, 0.5 * long]))
+
+
+def _refined(solid: Solid) -> Solid:
+    """Return the solid with every triangle split in four, so that it bends smoothly."""
+    v, f, uv = solid.vertices, solid.faces, solid.uv
+    pairs = np.concatenate([f[:, [0, 1]], f[:, [1, 2]], f[:, [2, 0]]])
+    ends = np.sort(pairs, axis=1)
+    middles = (v[ends[:, 0]] + v[ends[:, 1]]) / 2
+    number = len(v) + np.arange(len(pairs)).reshape(3, -1).T
+    a, b, c = f.T
+    ab, bc, ca = number.T
+    faces = np.concatenate(
+        [np.column_stack(t) for t in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]
+    )
+    between = (uv[ends[:, 0]] + uv[ends[:, 1]]) / 2
+    return Solid(np.concatenate([v, middles]), faces, np.concatenate([uv, between]))
+
+
+def spoon(look: Look) -> Shape:
+    """A spoon lying flat, its bowl to the left."""
+    long = look.between(0.165, 0.195)
+    steel = _metal(look)
+    width = look.between(0.019, 0.021)
+    head = cylinder(1, 0.0022, 24).scaled(0.031, width, 1).moved(x=-0.5 * long + 0.031)
+    hollow = cylinder(1, 0.0006, 24).scaled(0.026, width - 0.0045, 1)
+    hollow = hollow.moved(x=-0.5 * long + 0.031, z=0.0021)
+    grip = prism(
+        _mirrored([(-0.5 * long + 0.055, -0.005), (0.0, -0.0028), (0.5 * long - 0.02, -0.0085),
+                   (0.5 * long - 0.004, -0.007), (0.5 * long, -0.003)]), 0, 0.0022,
+    )  # fmt: skip
+
+    def lifted(solid: Solid) -> Solid:
+        return _bent(_refined(solid), long, 0.009)
+
+    whole = lifted(joined([head, grip]))
+    dark = textures.gradient((120, 122, 128), (176, 178, 184), look.rng)
+    return shape(
+        [(whole, steel), (lifted(hollow), dark)],
+        _sliced(whole, [-0.5 * long, -0.5 * long + 0.06, 0.02, 0.5 * long]),
+    )
+
+
+def knife(look: Look) -> Shape:
+    """A table knife lying flat, or a kitchen knife with a dark handle."""
+    table = look.chance(0.5)
+    long, width = (look.between(0.21, 0.225), 0.019) if table else (look.between(0.27, 0.3), 0.036)
+    steel = textures.brushed(look.rng, (196, 199, 204))
+    cut = 0.02 if table else 0.0
+    blade = prism(
+        np.array([(-0.5 * long, 0.3 * width), (-0.44 * long, -0.35 * width),
+                  (-0.3 * long, -0.5 * width), (cut, -0.5 * width), (cut, 0.5 * width),
+                  (-0.36 * long, 0.5 * width)]), 0.0012, 0.0032,
+    )  # fmt: skip
+    color = look.color("silver") if table else look.color("black", "wooden", "red", "charcoal")
+    grip = block(
+        0.5 * long - cut, 0.8 * min(width, 0.028), 0.0075 if table else 0.016, 0.006, 0.002
+    )
+    grip = grip.moved(x=cut + (0.5 * long - cut) / 2)
+    blade = blade.moved(z=-0.0012 if table else 0.0)
+    low = 0.0 if table else 0.0012
+    under = blade.moved(z=-low)
+    return shape(
+        [(under, steel), (grip, look.surface(color, "metal" if table else "plastic"))],
+        [hull_of(under), hull_of(grip)],
+    )
+
+
+def napkins(look: Look) -> Shape:
+    """A stack of folded napkins."""
+    side, h = look.between(0.15, 0.17), look.between(0.012, 0.03)
+    color = look.color("white", "red", "cream", "sage", "navy", "pink")
+    cloth = textures.fabric(look.rng, color, look.fixed("white") if look.chance(0.4) else None)
+    layers = 4
+    pieces = [
+        (
+            box(side, side, h / layers - 0.0006)
+            .turned(2, look.between(-0.03, 0.03))
+            .moved(z=k * h / layers),
+            cloth,
+        )
+        for k in range(layers)
+    ]
+    return shape(pieces, [box_part(side, side, h - 0.0006)])
+
+
+def tray(look: Look) -> Shape:
+    """A serving tray with a low rim and two grips."""
+    x, y, h = look.between(0.36, 0.42), look.between(0.25, 0.29), 0.035
+    wall = 0.009
+    color = look.color("wooden", "white", "black", "teal", "brown")
+    tile = look.surface(color, "wood")
+    grip = [
+        tube([(side * x / 2, -0.06, h - 0.006), (side * (x / 2 + 0.012), -0.05, h + 0.016),
+              (side * (x / 2 + 0.012), 0.05, h + 0.016), (side * x / 2, 0.06, h - 0.006)], 0.005, 8)
+        for side in (-1, 1)
+    ]  # fmt: skip
+    dark = textures.plain(tinted(color, 0.6))
+    parts = frame_parts(x, y, h, wall, 0.008)
+    return shape(
+        [*((solid, tile) for solid in open_box(x, y, h, wall, 0.008)), *((g, dark) for g in grip)],
+        parts,
     )
 
 
 CATEGORIES = (
-    Category("mug", mug, (0.11, 0.083, 0.095), 0.3, ("coffee mug", "coffee cup", "cup"),
-             ("office", "coffee", "kitchen"), ("container", "round"),
-             ("white", "red", "blue", "teal", "black")),
-    Category("bowl", bowl, (0.155, 0.155, 0.063), 0.35, ("dish", "salad bowl", "soup bowl"),
-             ("dining", "kitchen"), ("container", "round"), ("white", "cream", "teal", "blue")),
-    Category("plate", plate, (0.25, 0.25, 0.023), 0.5, ("dinner plate",), ("dining", "kitchen"),
-             ("support", "flat", "round"), ("white", "cream", "blue")),
-    Category("saucer", saucer, (0.15, 0.15, 0.014), 0.16, (), ("coffee", "dining"),
-             ("support", "flat", "round"), ("white",)),
+    Category(
+        "mug",
+        mug,
+        (0.11, 0.083, 0.095),
+        0.3,
+        ("coffee mug", "coffee cup", "cup"),
+        ("office", "coffee", "kitchen"),
+        ("container", "round"),
+        ("white", "red", "blue", "teal", "black"),
+    ),
+    Category(
+        "teacup",
+        teacup,
+        (0.106, 0.09, 0.06),
+        0.16,
+        ("tea cup", "espresso cup"),
+        ("coffee", "dining"),
+        ("container", "round"),
+        ("white", "cream", "pink"),
+    ),
+    Category(
+        "glass",
+        glass,
+        (0.074, 0.074, 0.12),
+        0.24,
+        ("tumbler", "drinking glass", "water glass", "glass of water", "cocktail glass"),
+        ("dining", "kitchen"),
+        ("container", "round", "tall"),
+        ("clear",),
+    ),
+    Category(
+        "wine_glass",
+        wine_glass,
+        (0.078, 0.078, 0.2),
+        0.15,
+        ("goblet", "champagne glass", "wineglass"),
+        ("dining",),
+        ("round", "tall"),
+        ("clear",),
+    ),
+    Category(
+        "bowl",
+        bowl,
+        (0.155, 0.155, 0.063),
+        0.35,
+        ("dish", "salad bowl", "soup bowl"),
+        ("dining", "kitchen"),
+        ("container", "round"),
+        ("white", "cream", "teal", "blue"),
+    ),
+    Category(
+        "plate",
+        plate,
+        (0.25, 0.25, 0.023),
+        0.5,
+        ("dinner plate",),
+        ("dining", "kitchen"),
+        ("support", "flat", "round"),
+        ("white", "cream", "blue"),
+    ),
+    Category(
+        "saucer",
+        saucer,
+        (0.15, 0.15, 0.014),
+        0.16,
+        ("small plate", "dessert plate"),
+        ("coffee", "dining"),
+        ("support", "flat", "round"),
+        ("white",),
+    ),
+    Category(
+        "fork",
+        fork,
+        (0.195, 0.023, 0.0104),
+        0.04,
+        ("salad fork",),
+        ("dining", "kitchen"),
+        ("flat",),
+        ("silver", "gold"),
+        state="lying flat",
+    ),
+    Category(
+        "spoon",
+        spoon,
+        (0.18, 0.04, 0.0115),
+        0.04,
+        ("teaspoon", "tablespoon", "soup spoon"),
+        ("dining", "kitchen", "coffee"),
+        ("flat",),
+        ("silver", "gold"),
+        state="lying flat",
+    ),
+    Category(
+        "knife",
+        knife,
+        (0.25, 0.028, 0.012),
+        0.09,
+        ("table knife", "kitchen knife", "butter knife", "chef knife", "steak knife"),
+        ("dining", "kitchen"),
+        ("flat",),
+        ("silver", "black"),
+        state="lying flat",
+    ),
+    Category(
+        "napkins",
+        napkins,
+        (0.163, 0.163, 0.021),
+        0.08,
+        ("napkin", "napkin stack", "stack of napkins", "folded napkin", "tissue", "cloth", "towel"),
+        ("dining", "kitchen"),
+        ("support", "flat"),
+        ("white", "red"),
+        state="lying flat",
+    ),
+    Category(
+        "tray",
+        tray,
+        (0.42, 0.27, 0.053),
+        0.8,
+        ("serving tray", "platter"),
+        ("dining", "coffee", "kitchen"),
+        ("container", "support", "big", "flat"),
+        ("wooden", "white", "black"),
+    ),
 )

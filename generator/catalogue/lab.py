@@ -89,7 +89,7 @@ def flask(look: Look) -> Shape:
 def test_tube_rack(look: Look) -> Shape:
     """A rack of two boards holding a row of stoppered tubes."""
     count = int(look.rng.integers(5, 7))
-    pitch, depth, h = 0.029, 0.058, 0.075
+    pitch, depth = 0.029, 0.058
     length = pitch * count + 0.018
     wood = look.surface(look.color("white", "beige", "blue", "wooden"), "plastic")
     pieces = [

@@ -10,7 +10,7 @@ from .collision import box_part, cylinder_part, frame_parts, hull_of, hull_part
 from .colors import readable_on, tinted
 from .look import Look
 from .shape import Shape, shape
-from .solids import Solid, block, box, lathe, loft, torus
+from .solids import Solid, block, box, lathe, loft, open_box, torus
 
 INKS = ("red", "navy", "teal", "mustard", "crimson", "green", "blue", "charcoal", "purple")
 
@@ -303,20 +303,8 @@ def desk_tray(look: Look) -> Shape:
     """A letter tray or drawer organiser: a low open box."""
     x, y, h, wall = look.between(0.24, 0.28), look.between(0.17, 0.2), 0.045, 0.005
     tile = look.surface(look.color("wooden", "white", "black", "gray"), "wood")
-    return shape(open_box(x, y, h, wall, tile), frame_parts(x, y, h, wall, wall))
-
-
-def open_box(x: float, y: float, z: float, wall: float, tile: textures.Tile):
-    """Return the pieces of an open box standing on z = 0: a bottom and four walls."""
-    side = box(wall, y, z - wall).moved(z=wall)
-    front = box(x - 2 * wall, wall, z - wall).moved(z=wall)
-    return [
-        (box(x, y, wall), tile),
-        (side.moved(x=-(x - wall) / 2), tile),
-        (side.moved(x=(x - wall) / 2), tile),
-        (front.moved(y=-(y - wall) / 2), tile),
-        (front.moved(y=(y - wall) / 2), tile),
-    ]
+    walls = open_box(x, y, h, wall, wall)
+    return shape([(solid, tile) for solid in walls], frame_parts(x, y, h, wall, wall))
 
 
 CATEGORIES = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 
 import numpy as np
@@ -135,8 +136,12 @@ def sheet(rng: np.random.Generator, *, picture: bool = False) -> Tile:
 
 def landscape(rng: np.random.Generator, width: int = 192, height: int = 128) -> Tile:
     """A picture: sky, sun or moon, hills."""
-    skies = [((120, 180, 230), (240, 240, 230)), ((240, 150, 90), (250, 220, 150)),
-             ((40, 50, 100), (150, 120, 170)), ((150, 210, 210), (250, 245, 225))]
+    skies = [
+        ((120, 180, 230), (240, 240, 230)),
+        ((240, 150, 90), (250, 220, 150)),
+        ((40, 50, 100), (150, 120, 170)),
+        ((150, 210, 210), (250, 245, 225)),
+    ]
     top, low = skies[rng.integers(len(skies))]
     t = np.linspace(0, 1, height)[:, None, None]
     image = (np.array(top) * (1 - t) + np.array(low) * t) * np.ones((1, width, 1))
@@ -144,20 +149,26 @@ def landscape(rng: np.random.Generator, width: int = 192, height: int = 128) -> 
     disc(image, rng.uniform(0.2, 0.8), rng.uniform(0.2, 0.4), 0.11, (255, 240, 190))
     x, y = np.arange(width) / width, np.arange(height)[:, None] / height
     for k, green in enumerate([(96, 132, 126), (78, 122, 84), (52, 92, 62)]):
-        crest = 0.55 + 0.14 * k + 0.09 * np.sin(2 * np.pi * (x * rng.uniform(0.8, 2) + rng.random()))
+        waves = np.sin(2 * np.pi * (x * rng.uniform(0.8, 2) + rng.random()))
+        crest = 0.55 + 0.14 * k + 0.09 * waves
         image[y >= crest[None]] = green
     return image
 
 
 def keys(
-    rows: Sequence[Sequence[float]], key: RGB, ground: RGB, *, accent: RGB | None = None,
-    width: int = 256, height: int = 96,
+    rows: Sequence[Sequence[float]],
+    key: RGB,
+    ground: RGB,
+    *,
+    accent: RGB | None = None,
+    width: int = 256,
+    height: int = 96,
 ) -> Tile:
     """A field of keys seen from above; each row lists the keys' relative widths."""
     image = canvas(width, height, ground)
     for j, row in enumerate(rows):
         edges = np.cumsum([0.0, *row]) / sum(row)
-        for k, (a, b) in enumerate(zip(edges, edges[1:], strict=False)):
+        for k, (a, b) in enumerate(itertools.pairwise(edges)):
             special = accent is not None and k in (0, len(row) - 1)
             color = accent if special and accent is not None else key
             y, tall = j / len(rows), 1 / len(rows)
@@ -206,8 +217,12 @@ def apps(rng: np.random.Generator, width: int = 96, height: int = 192) -> Tile:
         for k in range(columns):
             color: RGB = tuple(rng.uniform(60, 240, 3))  # type: ignore[assignment]
             fill(
-                image, 0.08 + k * 0.84 / columns + 0.02, 0.1 + j * 0.84 / rows,
-                side, side * width / height, color,
+                image,
+                0.08 + k * 0.84 / columns + 0.02,
+                0.1 + j * 0.84 / rows,
+                side,
+                side * width / height,
+                color,
             )
     return image
 
@@ -247,7 +262,9 @@ def pips(count: int, ground: RGB, ink: RGB) -> Tile:
     """One face of a die."""
     image = canvas(64, 64, ground)
     places = {
-        1: [(0, 0)], 2: [(-1, -1), (1, 1)], 3: [(-1, -1), (0, 0), (1, 1)],
+        1: [(0, 0)],
+        2: [(-1, -1), (1, 1)],
+        3: [(-1, -1), (0, 0), (1, 1)],
         4: [(-1, -1), (1, -1), (-1, 1), (1, 1)],
         5: [(-1, -1), (1, -1), (-1, 1), (1, 1), (0, 0)],
         6: [(-1, -1), (1, -1), (-1, 1), (1, 1), (-1, 0), (1, 0)],
@@ -278,9 +295,7 @@ def ticks(ground: RGB, ink: RGB, count: int = 8) -> Tile:
 def mesh_holes(color: RGB, hole: RGB, rows: int = 12, columns: int = 12) -> Tile:
     """A perforated grille."""
     y, x = np.mgrid[0:128, 0:128] / 128
-    dots: Float[np.ndarray, "h w"] = np.hypot(
-        (x * columns) % 1 - 0.5, (y * rows) % 1 - 0.5
-    )
+    dots: Float[np.ndarray, "h w"] = np.hypot((x * columns) % 1 - 0.5, (y * rows) % 1 - 0.5)
     image = canvas(128, 128, color)
     image[dots < 0.32] = np.array(hole).round().astype(np.uint8)
     return image

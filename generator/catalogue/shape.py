@@ -32,6 +32,16 @@ class Shape:
     parts: tuple[ConvexPart, ...]
     opacity: float = 1.0
 
+    def scaled(self, factor: float) -> Shape:
+        """Return the shape enlarged by ``factor``."""
+        return replace(
+            self,
+            pieces=tuple(
+                Piece(p.solid.scaled(factor, factor, factor), p.tile) for p in self.pieces
+            ),
+            parts=tuple(ConvexPart(p.vertices * factor, p.kind, p.axis) for p in self.parts),
+        )
+
     def turned(self, quarter: int) -> Shape:
         """Return the shape turned by quarter turns about +z (boxes stay boxes)."""
         c, s = [(1, 0), (0, 1), (-1, 0), (0, -1)][quarter % 4]
@@ -64,7 +74,9 @@ def mesh_of(made: Shape) -> Mesh:
     numbers: dict[tuple[tuple[int, ...], bytes], int] = {}
     which = []
     for piece in made.pieces:
-        tile = piece.tile if piece.tile.std(axis=(0, 1)).max() > 0 else plain(tuple(piece.tile[0, 0]))
+        tile = piece.tile
+        if (tile == tile[:1, :1]).all():
+            tile = plain(tuple(tile[0, 0]))
         key = (tile.shape, tile.tobytes())
         if key not in numbers:
             numbers[key] = len(tiles)

@@ -58,10 +58,8 @@ def main() -> None:
     parser.add_argument("out", type=Path, help="PNG to write")
     parser.add_argument("keys", nargs="*", help='categories, or "tables"; default: everything')
     chosen = parser.parse_args()
-    if chosen.keys == ["tables"]:
-        picture = draw_tables()
-    else:
-        picture = draw(chosen.keys or list(CATEGORIES))
+    only_tables = chosen.keys == ["tables"]
+    picture = draw_tables() if only_tables else draw(chosen.keys or list(CATEGORIES))
     if not chosen.keys:
         tables = draw_tables()
         wide = max(picture.shape[1], tables.shape[1])

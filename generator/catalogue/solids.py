@@ -116,8 +116,9 @@ def rounded_polygon(
     for before, here, after in zip(
         np.roll(corners, 1, 0), corners, np.roll(corners, -1, 0), strict=True
     ):
-        a, b = (before - here) / np.hypot(*(before - here)), (after - here) / np.hypot(
-            *(after - here)
+        a, b = (
+            (before - here) / np.hypot(*(before - here)),
+            (after - here) / np.hypot(*(after - here)),
         )
         half = np.arccos(np.clip(a @ b, -1, 1)) / 2
         middle = here + (a + b) / np.hypot(*(a + b)) * radius / np.sin(half)
@@ -205,9 +206,7 @@ def _triangles(outline: Float[np.ndarray, "k 2"]) -> Int[np.ndarray, "m 3"]:
             if cross(a, b, c) <= 1e-15:
                 continue
             rest = outline[[n for n in left if n not in (i, j, m)]]
-            inside = (
-                (cross(a, b, rest) >= 0) & (cross(b, c, rest) >= 0) & (cross(c, a, rest) >= 0)
-            )
+            inside = (cross(a, b, rest) >= 0) & (cross(b, c, rest) >= 0) & (cross(c, a, rest) >= 0)
             if not inside.any():
                 faces.append((i, j, m))
                 left.pop(k)
@@ -245,7 +244,7 @@ def loft(
     rings = np.asarray(rings, float)
     if loop:
         rings = np.concatenate([rings, rings[:1]])
-    count, size = rings.shape[:2]
+    size = rings.shape[1]
     path = rings[:, 0] if profile is None else np.asarray(profile, float)
     if loop and profile is not None:
         path = np.concatenate([path, path[:1]])
@@ -282,9 +281,7 @@ def outward(solid: Solid) -> Solid:
 # ------------------------------------------------------------------------------- the solids
 
 
-def prism(
-    outline: Float[np.ndarray, "m 2"], low: float, high: float, bevel: float = 0.0
-) -> Solid:
+def prism(outline: Float[np.ndarray, "m 2"], low: float, high: float, bevel: float = 0.0) -> Solid:
     """Return ``outline`` (counter-clockwise) raised from z ``low`` to ``high``.
 
     ``bevel`` chamfers the upper and lower rim; the outline must then be convex. The texture is
@@ -292,14 +289,15 @@ def prism(
     """
     outline = np.asarray(outline, float)
     if bevel <= 0:
-        return loft(np.stack([_lift(outline, low), _lift(outline, high)]), outline)
+        return loft(np.stack([lifted(outline, low), lifted(outline, high)]), outline)
     bevel = min(bevel, 0.49 * (high - low))
     small = inset(outline, bevel)
     rings = [(small, low), (outline, low + bevel), (outline, high - bevel), (small, high)]
-    return loft(np.stack([_lift(o, z) for o, z in rings]), outline)
+    return loft(np.stack([lifted(o, z) for o, z in rings]), outline)
 
 
-def _lift(outline: Float[np.ndarray, "m 2"], z: float) -> Float[np.ndarray, "m 3"]:
+def lifted(outline: Float[np.ndarray, "m 2"], z: float) -> Float[np.ndarray, "m 3"]:
+    """Return an outline as a ring at height ``z``."""
     return np.column_stack([outline, np.full(len(outline), z)])
 
 
@@ -328,11 +326,22 @@ def box(x: float, y: float, z: float) -> Solid:
     return Solid(vertices * [x, y, z] + [0, 0, z / 2], faces, np.tile(corner + 0.5, (6, 1)))
 
 
-def block(
-    x: float, y: float, z: float, radius: float, bevel: float = 0.0, steps: int = 4
-) -> Solid:
+def block(x: float, y: float, z: float, radius: float, bevel: float = 0.0, steps: int = 4) -> Solid:
     """Return a box standing on z = 0 with rounded upright edges and chamfered rims."""
     return prism(rectangle(x, y, radius, steps), 0, z, bevel)
+
+
+def open_box(x: float, y: float, z: float, wall: float, bottom: float) -> list[Solid]:
+    """Return an open box standing on z = 0: a bottom and four walls."""
+    side = box(wall, y, z - bottom).moved(z=bottom)
+    front = box(x - 2 * wall, wall, z - bottom).moved(z=bottom)
+    return [
+        box(x, y, bottom),
+        side.moved(x=-(x - wall) / 2),
+        side.moved(x=(x - wall) / 2),
+        front.moved(y=-(y - wall) / 2),
+        front.moved(y=(y - wall) / 2),
+    ]
 
 
 def lathe(
@@ -365,7 +374,7 @@ def cylinder(
     if bevel > 0:
         radii = [radius - bevel, radius, upper, upper - bevel]
         heights = [0, bevel, height - bevel, height]
-    rings = np.stack([_lift(unit * r, z) for r, z in zip(radii, heights, strict=True)])
+    rings = np.stack([lifted(unit * r, z) for r, z in zip(radii, heights, strict=True)])
     return loft(rings, unit, profile=np.column_stack([radii, heights]))
 
 
@@ -379,7 +388,7 @@ def ellipsoid(x: float, y: float, z: float, segments: int = 24, rings: int = 14)
 
 def torus(radius: float, tube: float, segments: int = 28, sides: int = 10) -> Solid:
     """Return a ring about z, centred at the origin; ``tube`` is its tube's radius."""
-    return lathe(ellipse(2 * tube, 2 * tube, sides) + [radius, 0], segments, loop=True)
+    return lathe(ellipse(2 * tube, 2 * tube, sides) + np.array([radius, 0.0]), segments, loop=True)
 
 
 def tube(
@@ -399,10 +408,7 @@ def sweep(
 ) -> Solid:
     """Return ``section`` (width, height; counter-clockwise) carried along ``path`` and scaled."""
     path = np.asarray(path, float)
-    if loop:
-        ways = np.roll(path, -1, 0) - np.roll(path, 1, 0)
-    else:
-        ways = np.gradient(path, axis=0)
+    ways = np.roll(path, -1, 0) - np.roll(path, 1, 0) if loop else np.gradient(path, axis=0)
     ways /= np.linalg.norm(ways, axis=1, keepdims=True)
     start = np.eye(3)[2] if abs(ways[0, 2]) < 0.9 else np.eye(3)[1]
     ups = []

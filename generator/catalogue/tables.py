@@ -53,9 +53,7 @@ def outline_of(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
     if plan.outline in OUTLINES:
         radius = 0.0 if plan.outline == "slatted" else 0.02 * min(x, y)
         return rectangle(x, y, radius, 2)
-    raise InputError(
-        f"A table cannot be {plan.outline!r}." + choices(str(plan.outline), OUTLINES)
-    )
+    raise InputError(f"A table cannot be {plan.outline!r}." + choices(str(plan.outline), OUTLINES))
 
 
 def build_table(plan: PlannedTable, seed: int) -> Model:
@@ -72,8 +70,13 @@ def build_table(plan: PlannedTable, seed: int) -> Model:
     made = _table(plan, rng)
     unit, center, extent = to_unit_box(mesh_of(made))
     return Model(
-        TABLE, TABLE, unit, np.array(plan.size), Physics(600.0, 0.7),
-        parts_to_unit_box(made.parts, center, extent), category=TABLE,
+        TABLE,
+        TABLE,
+        unit,
+        np.array(plan.size),
+        Physics(600.0, 0.7),
+        parts_to_unit_box(made.parts, center, extent),
+        category=TABLE,
     )
 
 
@@ -124,9 +127,9 @@ def _apron(plan: PlannedTable, top: float) -> list[Solid]:
     x, y, _ = plan.size
     inset, tall, thick = 0.07, 0.06, 0.018
     long, deep = x - 2 * inset, y - 2 * inset
-    return [
-        box(long, thick, tall).moved(y=side * deep / 2, z=top - tall) for side in (-1, 1)
-    ] + [box(thick, deep, tall).moved(x=side * long / 2, z=top - tall) for side in (-1, 1)]
+    return [box(long, thick, tall).moved(y=side * deep / 2, z=top - tall) for side in (-1, 1)] + [
+        box(thick, deep, tall).moved(x=side * long / 2, z=top - tall) for side in (-1, 1)
+    ]
 
 
 def _feet(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
@@ -281,9 +284,11 @@ def _tiles(plan: PlannedTable, rng: np.random.Generator) -> tuple[Tile, Tile]:
         if word in WOODS:
             ground = asked or WOODS[word]
             top = textures.wood(rng, ground, side=256, planks=planks)
-            legs = textures.speckled(rng, dark, 3, 16) if plan.legs in (
-                "hairpin", "metal"
-            ) else textures.wood(rng, tinted(ground, 0.88), side=64)
+            legs = (
+                textures.speckled(rng, dark, 3, 16)
+                if plan.legs in ("hairpin", "metal")
+                else textures.wood(rng, tinted(ground, 0.88), side=64)
+            )
             return top, legs
     ground = asked or rgb(plan.material) or WOODS["oak"]
     legs = ground if plan.legs not in ("hairpin", "metal") else dark

@@ -24,8 +24,9 @@ def _resized(image: np.ndarray, height: int, width: int) -> np.ndarray:
     """Resample smoothly along both axes."""
     rows = np.linspace(0, image.shape[0] - 1, height)
     columns = np.linspace(0, image.shape[1] - 1, width)
-    r, c = np.minimum(rows.astype(int), image.shape[0] - 2), np.minimum(
-        columns.astype(int), image.shape[1] - 2
+    r, c = (
+        np.minimum(rows.astype(int), image.shape[0] - 2),
+        np.minimum(columns.astype(int), image.shape[1] - 2),
     )
     fr, fc = rows - r, columns - c
     fr, fc = (fr * fr * (3 - 2 * fr))[:, None], (fc * fc * (3 - 2 * fc))[None]
@@ -51,9 +52,7 @@ def plain(color: RGB) -> Tile:
     return _tile(np.broadcast_to(np.array(color), (8, 8, 3)).astype(float))
 
 
-def speckled(
-    rng: np.random.Generator, color: RGB, amount: float = 6.0, side: int = 64
-) -> Tile:
+def speckled(rng: np.random.Generator, color: RGB, amount: float = 6.0, side: int = 64) -> Tile:
     """A surface with soft unevenness: plastic, painted metal, ceramic, skin of fruit."""
     shade = noise(rng, side, side, (5, 5), 2) * amount
     return _tile(np.array(color) + shade[..., None])
@@ -89,7 +88,7 @@ def wood(
 
 def marble(rng: np.random.Generator, color: RGB, vein: RGB, side: int = 128) -> Tile:
     """Polished stone with thin veins."""
-    y, x = np.mgrid[0:1 : side * 1j, 0:1 : side * 1j]
+    y, x = np.mgrid[0 : 1 : side * 1j, 0 : 1 : side * 1j]
     angle = rng.uniform(0.4, 1.1)
     warp = noise(rng, side, side, (4, 4), 4)
     lines = np.abs(np.sin(np.pi * (2.2 * (x * np.cos(angle) + y * np.sin(angle)) + 1.3 * warp)))
