@@ -94,13 +94,13 @@ def load(path: str | Path) -> Scene:
 
     def file(name: Any) -> bytes:
         if name not in contents:
-            raise BundleError(f"{folder}: scene.json uses {name!r}, which it does not list.")
+            raise BundleError(f"scene.json uses {name!r}, which it does not list.")
         return contents[name]
 
     try:
         return decode_scene(payload, file)
-    except BundleError:
-        raise
+    except BundleError as error:
+        raise BundleError(f"{folder}: {error}") from error
     except (ValueError, TypeError, KeyError, IndexError, AttributeError, OverflowError) as error:
         raise BundleError(
             f"{folder}: scene.json holds no sound scene ({type(error).__name__}: {error}). "

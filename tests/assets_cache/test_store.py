@@ -1,0 +1,142 @@
+from __future__ import annotations
+
+import multiprocessing
+import shutil
+from pathlib import Path
+
+import pytest
+from toy import toy_object, toy_scene
+
+import assets_cache
+from generator.bundle import save, verify
+from generator.errors import BundleError, StorageError
+from generator.scene import Scene
+
+
+def scene(name: str, x: float = 0.0) -> Scene:
+    return toy_scene((toy_object("cube_1", (0.05,) * 3, (x, 0)),), name=name)
+
+
+@pytest.fixture
+def store(tmp_path: Path, monkeypatch) -> Path:
+    """An empty store; the environment and the user's home are out of the way."""
+    monkeypatch.delenv("TABLETOPGEN_CACHE", raising=False)
+    monkeypatch.setattr("platformdirs.user_cache_dir", lambda *a, **k: str(tmp_path / "user"))
+    monkeypatch.setattr("assets_cache.store._SHIPPED", tmp_path / "shipped")
+    return tmp_path / "store"
+
+
+def put(name: str, folder: Path, x: float = 0.0) -> Path:
+    return save(scene(name, x), folder, allow_failed=True)
+
+
+def test_found_by_name_folder_digest_glob_and_path(store: Path) -> None:
+    office, desk = put("office", store), put("office-desk", store)
+    digest = office.name[-12:]
+    for wanted in ("office", office.name, digest, digest[:6], str(office), office):
+        assert assets_cache.find(wanted, store) == [office], wanted
+    assert assets_cache.find("office*", store) == sorted([office, desk])
+    assert assets_cache.find(str(store / "office-d*"), store) == [desk]
+    assert assets_cache.find(str(store), store) == sorted([office, desk])
+    assert assets_cache.entries(store) == sorted([office, desk])
+
+
+def test_a_name_may_have_several_bundles(store: Path) -> None:
+    both = {put("office", store), put("office", store, x=0.1)}
+    assert set(assets_cache.find("office", store)) == both
+    with pytest.raises(BundleError, match="fits 2 bundles"):
+        assets_cache.remove("office", store)
+
+
+def test_argument_before_environment_before_shipped_before_user(
+    store, tmp_path, monkeypatch
+) -> None:
+    places = [store, tmp_path / "env", tmp_path / "shipped", tmp_path / "user" / "scenes"]
+    for place in places:
+        put("same", place)
+    assert assets_cache.find("same", store) == [next(store.iterdir())]
+    assert assets_cache.roots() == (places[2], places[3])
+    monkeypatch.setenv("TABLETOPGEN_CACHE", str(places[1]))
+    assert assets_cache.roots(store) == (places[0], places[1], places[2])
+    assert assets_cache.find("same")[0].parent == places[1]
+    assert assets_cache.user_root() == places[1]
+    assert assets_cache.user_root(store) == store
+    assert assets_cache.find("starter")[0].parent == places[2]
+
+
+def test_an_unknown_name_suggests_the_near_match(store: Path) -> None:
+    put("workbench", store)
+    with pytest.raises(BundleError, match=r"Did you mean 'workbench'\? Available: workbench\."):
+        assets_cache.find("workbensh", store)
+
+
+def test_an_empty_store_says_so(store: Path) -> None:
+    with pytest.raises(BundleError, match="Available: nothing"):
+        assets_cache.find("anything", store)
+    assert assets_cache.entries(store) == []
+
+
+def test_remove_takes_one_and_leaves_the_rest(store: Path) -> None:
+    office, desk = put("office", store), put("desk", store)
+    assert assets_cache.remove("office", store) == office
+    assert assets_cache.entries(store) == [desk]
+    assert [p.name for p in store.iterdir()] == [desk.name]
+
+
+def test_what_is_not_in_the_users_store_is_not_removed(store: Path, tmp_path: Path) -> None:
+    shipped, other = put("shipped", tmp_path / "shipped"), put("other", tmp_path / "other")
+    for wanted in (shipped, other):
+        with pytest.raises(StorageError, match="not in the store"):
+            assets_cache.remove(wanted, store)
+        assert verify(wanted) == []
+
+
+def test_clear_refuses_a_folder_with_foreign_things(store: Path) -> None:
+    put("office", store)
+    (store / "thesis.txt").write_text("precious")
+    with pytest.raises(StorageError, match=r"thesis\.txt"):
+        assets_cache.clear(store)
+    assert len(assets_cache.entries(store)) == 1
+    (store / "thesis.txt").unlink()
+    assert assets_cache.clear(store) == 1
+    assert assets_cache.entries(store) == []
+
+
+def test_verify_names_the_damaged(store: Path) -> None:
+    good, bad = put("good", store), put("bad", store)
+    next((bad / "meshes").iterdir()).write_bytes(b"v 0 0 0\n")
+    reasons = assets_cache.verify(store)
+    assert reasons[good.name] == []
+    assert "was changed" in reasons[bad.name][0] or "bytes" in reasons[bad.name][0]
+
+
+def test_add_publishes_into_the_store(store: Path) -> None:
+    path = assets_cache.add(scene("new"), store, allow_failed=True)
+    assert assets_cache.find("new", store) == [path]
+
+
+def _write(folder: str, barrier, count: int) -> None:
+    barrier.wait()
+    for _ in range(count):
+        put("raced", Path(folder))
+
+
+def test_concurrent_writers_publish_one_whole_bundle(store: Path) -> None:
+    context = multiprocessing.get_context("fork")
+    barrier = context.Barrier(4)
+    writers = [context.Process(target=_write, args=(str(store), barrier, 5)) for _ in range(4)]
+    for writer in writers:
+        writer.start()
+    for writer in writers:
+        writer.join()
+    assert [w.exitcode for w in writers] == [0] * 4
+    assert len(list(store.iterdir())) == 1
+    assert verify(next(store.iterdir())) == []
+
+
+def test_a_bundle_copied_elsewhere_is_still_found_there(store: Path, tmp_path: Path) -> None:
+    office = put("office", store)
+    copy = tmp_path / "renamed"
+    shutil.copytree(office, copy)
+    assert assets_cache.find(copy, store) == [copy]
+    assert verify(copy) == []

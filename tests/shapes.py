@@ -1,0 +1,66 @@
+"""Models made by hand for tests of physics and assembly: boxes, balls, cups, a table."""
+
+from __future__ import annotations
+
+import numpy as np
+from toy import corners, cube_mesh, ring_parts
+
+from generator.geometry import parts_to_unit_box, to_unit_box
+from generator.scene import ConvexPart, Mesh, Model, Physics, Placement, Provenance
+
+TABLE_SIZE = np.array([1.2, 0.7, 0.74])
+MANUAL = Provenance("manual", seed=0)
+UNIT = corners([-0.5] * 3, [0.5] * 3)
+
+
+def box(density: float = 600.0, shell: float | None = None) -> Model:
+    """A box; its extent comes from the placement."""
+    part = ConvexPart(UNIT, "box")
+    return Model("box", "box", cube_mesh(), np.full(3, 0.1), Physics(density, 0.6, shell), (part,))
+
+
+def ball(density: float = 600.0) -> Model:
+    part = ConvexPart(UNIT, "ellipsoid")
+    return Model("ball", "ball", sphere_mesh(), np.full(3, 0.04), Physics(density), (part,))
+
+
+def cup(size: tuple[float, float, float]) -> Model:
+    """An open cup with walls of 6 mm; drawn as a box."""
+    parts = parts_to_unit_box(ring_parts(np.array(size), 0.006, 0.006), np.zeros(3), np.array(size))
+    physics = Physics(2000.0, 0.6, shell=0.004)
+    return Model("cup", "cup", cube_mesh(), np.array(size), physics, parts, container=True)
+
+
+def table() -> Model:
+    slab = ConvexPart(UNIT * [1, 1, 0.04] + [0, 0, 0.48], "box")
+    column = ConvexPart(UNIT * [0.1, 0.1, 0.96] + [0, 0, -0.02], "box")
+    return Model("table", "table", cube_mesh(), TABLE_SIZE, Physics(), (slab, column))
+
+
+def put(
+    name: str,
+    xy: tuple[float, float],
+    size: tuple[float, float, float],
+    *,
+    yaw: float = 0.0,
+    on: str = "table",
+    inside: bool = False,
+) -> Placement:
+    """A placement; heights are assembly's own business."""
+    return Placement(name, yaw, np.array([*xy, 0.8]), np.array(size), on, inside)
+
+
+def sphere_mesh(around: int = 48, up: int = 24) -> Mesh:
+    """A closed sphere with a seam, in the unit box."""
+    u, v = np.meshgrid(np.linspace(0, 1, around + 1), np.linspace(0, 1, up + 1))
+    a, b = 2 * np.pi * u, np.pi * (v - 0.5)
+    points = np.stack([np.cos(a) * np.cos(b), np.sin(a) * np.cos(b), np.sin(b)], -1) / 2
+    row = around + 1
+    faces = []
+    for j in range(up):
+        for i in range(around):
+            p, q = j * row + i, (j + 1) * row + i
+            faces += [[p, p + 1, q + 1], [p, q + 1, q]]
+    uv = np.stack([u, v], -1).reshape(-1, 2)
+    mesh = Mesh(points.reshape(-1, 3), np.array(faces), uv, np.full((4, 4, 3), 200, np.uint8))
+    return to_unit_box(mesh)[0]
