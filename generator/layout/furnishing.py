@@ -13,11 +13,11 @@ from ..errors import SceneError
 from ..geometry import convex_outline
 from ..scene import ConvexPart, Mesh, Model, PlannedObject, PlannedTable, ScenePlan
 from .footprint import footprint
+from .stand_in import stand_in
 
 _FILLING = 0.42  # share of a tabletop that objects and the room around them may take
 _LARGEST = 1.5  # how much longer than planned a table may become
 _ROOM = 0.035  # metres of free space counted around each object
-GENERIC_BLOCK = "toy_block"
 
 
 def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
@@ -41,15 +41,8 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
 
 def _build(planned: PlannedObject, seed: int) -> Model:
     if planned.category == "generic":
-        rng = np.random.default_rng([seed & 0xFFFFFFFF, 5])
-        size = planned.size or (0.1, 0.08, 0.09)
-        attributes = dict(planned.attributes)
-        attributes.setdefault("color", ["gray", "tan", "teal", "navy"][int(rng.integers(4))])
-        model = catalogue.build(GENERIC_BLOCK, seed, attributes=attributes, size=size)
-        return replace(model, label=planned.noun, category="generic")
-    model = catalogue.build(
-        planned.category, seed, attributes=planned.attributes, size=None
-    )
+        return replace(stand_in(planned, seed), label=planned.noun)
+    model = catalogue.build(planned.category, seed, attributes=planned.attributes)
     if planned.size is not None:
         factor = max(planned.size) / float(model.size.max())
         model = replace(model, size=model.size * factor)

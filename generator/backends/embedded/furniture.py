@@ -12,13 +12,19 @@ from .themes import Theme
 from .vocabulary import COLORS, LEGS, OUTLINES, SHADES, SIZES, TABLE_MATERIALS
 
 _FACTORS = {"tiny": 0.75, "small": 0.85, "large": 1.2, "huge": 1.35}
+_BOARDS = ("oak", "pine", "walnut")  # what slats are made of
 _DEFAULT = Theme(
     (), ("rectangle",), ("oak", "walnut", "pine", "beech", "white"), (1.2, 0.7, 0.74), ()
 )
 
 
-def plan_table(reading: Reading, theme: Theme | None, rng: np.random.Generator) -> PlannedTable:
-    """Return the table of a text; what it leaves open comes from its theme, by chance."""
+def plan_table(
+    reading: Reading, theme: Theme | None, count: int, rng: np.random.Generator
+) -> PlannedTable:
+    """Return the table of a text for ``count`` objects; chance and theme fill what it leaves open.
+
+    A table whose size the text leaves open is smaller for few objects.
+    """
     theme = theme or _DEFAULT
     outline = cast(OutlineKind, theme.outlines[int(rng.integers(len(theme.outlines)))])
     material = theme.materials[int(rng.integers(len(theme.materials)))]
@@ -34,12 +40,18 @@ def plan_table(reading: Reading, theme: Theme | None, rng: np.random.Generator) 
     if asked or tints:
         material = TABLE_MATERIALS[asked[0]] if asked else "painted wood"
         color = tints[0] if tints else None
+    elif outline == "slatted" and material not in _BOARDS:
+        material = _BOARDS[int(rng.integers(len(_BOARDS)))]
     elif material in COLORS:
         material, color = "painted wood", material
     legs = next((LEGS[w] for w in (*feet, *words) if w in LEGS and (w in feet or _is_leg(w))), legs)
     if outline in ("triangle", "oval") and legs == "trestle":
         legs = "tapered"
-    return PlannedTable(outline, material, legs, _size(reading, theme, outline, words), color)
+    length, depth, height = _size(reading, theme, outline, words)
+    if not any(n.lengths for n in reading.table) and not any(w in SIZES for w in words):
+        factor = float(np.clip(0.66 + 0.05 * count, 0.75, 1.0))
+        length, depth = round(length * factor, 3), round(depth * factor, 3)
+    return PlannedTable(outline, material, legs, (length, depth, height), color)
 
 
 def _is_leg(word: str) -> bool:

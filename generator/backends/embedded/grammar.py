@@ -150,8 +150,9 @@ def _flush(run: list[str], out: list[Chunk]) -> None:
 def noun_phrase(run: tuple[str, ...]) -> NounPhrase:
     """Read a run of words without connectors: numbers, describing words, and the noun last."""
     lengths, run = _lengths(run)
-    content = tuple(w for w in run if _is_content(w))
-    content = _trimmed(content)
+    phrase = next((run[k:] for k in range(len(run)) if lexicon.is_phrase_start(run[k:])), ())
+    content = tuple(w for w in run[: len(run) - len(phrase)] if _is_content(w))
+    content = (*content, *phrase) if phrase else _trimmed(content)
     kind, head, category = _head(content)
     modifiers = content[: len(content) - len(head)] if head else content
     count, vague = _count([w for w in run if w not in head])

@@ -39,6 +39,7 @@ _ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
     "and", "on", "in", "with", "of", "left", "right", "behind", "front", "next", "between",
     *NUMBERS, *VAGUE,
 }  # fmt: skip
+_REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")
 _PEOPLE = re.compile(
     rf"\b(?:(?:set |laid )?for ({'|'.join(PEOPLE)})(?: (?:people|persons|guests|diners|children|kids))?"
     r"(?=\s*(?:[.,;]|$|with|and|on|in|at))"
@@ -60,7 +61,7 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     """
     _check_text(prompt)
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
-    text = " ".join(lexicon.tokens(prompt))
+    text = _REQUEST.sub(" ", " ".join(lexicon.tokens(prompt)))
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
     reading = Reader(rng).read(chunks(words))
@@ -68,10 +69,10 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     _check_content(prompt, reading, theme)
     objects = _plan_objects(reading)
     name = theme or _default_theme(reading, empty=not objects)
-    table = plan_table(reading, THEMES[name] if name else None, rng)
     if name and (not objects or (reading.vague and len(objects) < 6)):
         target = 7 if not objects else min(7, len(objects) + 3)
         objects = _fill(objects, THEMES[name], target, reading.excluded, rng, people)
+    table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
     objects, doubts = relations.checked(objects)
     style = next((word for word in words if word in STYLES), "plain")
     warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown(objects), *doubts]))
@@ -203,6 +204,8 @@ def _place_settings(people: int, theme: Theme, excluded: set[str]) -> list[Plann
             key = lexicon.category_of((word,))
             if key is None or key in excluded:
                 continue
+            if where is not None and side == "behind":  # as seen by who sits across
+                where = relations.OPPOSITE[where]
             relation = Relation(side) if where is None else Relation(
                 relations.kind(where), f"plate_{person + 1}"
             )

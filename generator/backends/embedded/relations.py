@@ -11,7 +11,7 @@ from ...errors import InputError
 from ...scene import TABLE, PlannedObject, Relation, RelationKind
 
 KINDS: frozenset[str] = frozenset(get_args(RelationKind))
-_OPPOSITE = {
+OPPOSITE = {
     "left_of": "right_of", "right_of": "left_of", "behind": "in_front_of", "in_front_of": "behind",
 }  # fmt: skip
 _SUPPORTED = ("on", "in")
@@ -68,7 +68,7 @@ def _check_circles(objects: Sequence[PlannedObject]) -> None:
                 raise InputError(f"The text relates the {planned.noun} to itself.")
             if relation.kind in _SUPPORTED and b != TABLE:
                 supports.setdefault(a, set()).add(b)
-            elif relation.kind in _OPPOSITE and b != TABLE:
+            elif relation.kind in OPPOSITE and b != TABLE:
                 graph = lefts if relation.kind in ("left_of", "right_of") else fronts
                 first, last = (a, b) if relation.kind in ("left_of", "in_front_of") else (b, a)
                 graph.setdefault(first, set()).add(last)
@@ -123,13 +123,24 @@ def _plausible(
         return relation
     inner, outer = size_of(planned), size_of(target)
     container = target.category != "generic" and CATEGORIES[target.category].container
-    if relation.kind == "in" and container:
-        narrow, middle, _ = sorted(inner)
+    if relation.kind == "in" and fits("in", inner, outer, container):
+        return relation
+    if fits("on", inner, outer, container) and not (relation.kind == "in" and container):
+        return Relation("on", target.name)
+    return Relation("next_to", target.name)
+
+
+def fits(
+    kind: str,
+    inner: tuple[float, float, float],
+    outer: tuple[float, float, float],
+    container: bool,
+) -> bool:
+    """Tell whether a thing of extent ``inner`` (metres) may be on or in one of extent ``outer``."""
+    narrow, middle, longest = sorted(inner)
+    if kind == "in":
         mouth = 0.85 * min(outer[:2])
-        upright = inner[2] == max(inner) or narrow < 0.5 * mouth
-        if (middle if upright else max(inner[:2])) <= mouth and max(inner) < 5 * outer[2]:
-            return relation
-        return Relation("next_to", target.name)
-    if sorted(inner[:2])[0] > 1.15 * min(outer[:2]) or max(inner[:2]) > 1.6 * max(outer[:2]):
-        return Relation("next_to", target.name)
-    return Relation("on", target.name)
+        upright = inner[2] == longest or narrow < 0.5 * mouth
+        widest = middle if upright else max(inner[:2])
+        return container and widest <= mouth and longest < 5 * outer[2]
+    return min(inner[:2]) <= 1.15 * min(outer[:2]) and max(inner[:2]) <= 1.6 * max(outer[:2])

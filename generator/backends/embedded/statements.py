@@ -11,6 +11,7 @@ from ...catalogue import CATEGORIES
 from ...errors import InputError
 from ...scene import TABLE
 from .grammar import Chunk, NounPhrase
+from .relations import fits
 from .vocabulary import STACKED, SUBSTANCES
 
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")
@@ -326,7 +327,8 @@ class Reader:
             return
         spread = self._joined or (kind in ("on", "in") and not self._comma)
         for group in self._group if spread else self._group[-1:]:
-            self._apply(kind, group, targets)
+            if self._joined or group is self._group[-1] or _shares(kind, group, targets):
+                self._apply(kind, group, targets)
         self._owner, self._carried, self._related = None, None, True
         support = [target for target in targets if isinstance(target, Draft)]
         if kind in ("on", "in") and support:
@@ -360,12 +362,11 @@ class Reader:
             return self._owner
         if not self._group and self._earlier:
             return self._earlier
-        if self._topic is not None and self._topic not in self._group:
+        subjects = self._group if self._joined else self._group[-1:]
+        if self._topic is not None and self._topic not in subjects:
             return self._topic
-        earlier = [d for d in self.reading.objects if all(d not in g for g in self._group)]
-        if isinstance(self._mentioned, list) and all(
-            d not in g for d in self._mentioned for g in self._group
-        ):
+        earlier = [d for d in self.reading.objects if all(d not in g for g in subjects)]
+        if isinstance(self._mentioned, list) and self._mentioned not in subjects:
             return self._mentioned
         return [earlier[-1]] if earlier else self._mentioned
 
@@ -477,15 +478,29 @@ def _said(noun: NounPhrase) -> str:
     return amount + " ".join(noun.words)
 
 
+def _shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
+    """Tell whether "an apple and a pear on a plate" may mean that the apple is on it too."""
+    target = targets[0]
+    if isinstance(target, str):
+        return True
+    if any(not d.category for d in (group[0], target)):
+        return False
+    outer = CATEGORIES[str(target.category)]
+    return all(
+        fits(kind, CATEGORIES[str(d.category)].size, outer.size, outer.container)
+        and not d.relations
+        for d in group
+    )
+
+
 def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     """Return where a thing named with its owner goes: in a vessel, on a plate, else beside it."""
-    roles = CATEGORIES[owner.category].roles if owner.category else ()
     if owner.category is None or draft.category is None:
         return "in" if held else "next_to"
-    inner, outer = CATEGORIES[draft.category].size, CATEGORIES[owner.category].size
-    slim = sorted(inner[:2])[0] < 0.9 * min(outer[:2]) and sorted(inner)[1] < 0.7 * min(outer[:2])
-    if "container" in roles and (held or slim):
+    outer = CATEGORIES[owner.category]
+    inner = CATEGORIES[draft.category].size
+    if fits("in", inner, outer.size, outer.container) and (held or min(inner) < 0.06):
         return "in"
-    if "support" in roles and max(inner[:2]) < 0.8 * min(outer[:2]):
+    if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(outer.size[:2])):
         return "on"
-    return "on" if held and "support" in roles else "next_to"
+    return "next_to"

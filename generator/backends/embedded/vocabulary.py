@@ -205,7 +205,7 @@ VERBS = _words(
     "facing faces stays stay kept left seen visible appear appears make create generate show draw "
     "give build design render me want need would like please imagine shows showing depicts "
     "there here which who where when while then so also just only very really quite too as if "
-    "i we you he she they can could should will shall may must do does did let us stacked "
+    "i we you he she they could should will shall may must do does did let us stacked "
     "partially slightly directly right just closely carefully all each every either neither "
     "ready prepared scattered spread surrounded used using ready made painted looks look slightly "
     "next goes go belongs up down out off away lined piled"
