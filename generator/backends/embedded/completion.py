@@ -1,4 +1,4 @@
-"""Complete one object of the reference image: holes filled, hidden parts redrawn, clean alpha."""
+"""Complete one object of the reference image: hidden parts redrawn, clean soft outline."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from jaxtyping import Bool, Float, UInt8
 from scipy import ndimage
 
 from ...geometry import mask_box
-from ...scene import Detection, Instance, Reference
+from ...scene import TABLE, Detection, Instance, Reference
 
 _LONG = 288  # least long side of a crop, pixels
 _MOST = 640
@@ -22,22 +22,26 @@ def complete(
 ) -> Instance:
     """Return the instance of a detection, drawn whole on a transparent ground (Sec. 3.1).
 
-    Holes in the mask are filled. Where another detection touches the object and the object's
-    outline is dented or cut there, the outline is completed and the colours are carried on.
+    Where another detection lies within the object's outline, or touches it and the outline is
+    dented or cut there, the outline is completed and the colours are carried on.
     """
-    mask = ndimage.binary_fill_holes(detection.mask)
-    image = reference.image
-    whole, colors = mask, image
-    hider = _union(mask.shape, [o.mask for o in others if o.label != "table"]) & ~mask
-    grown = complete_mask(mask, hider)
-    occluded = bool((grown & ~mask).sum() > 0.02 * mask.sum())
-    if occluded:
-        whole = grown
-        colors = carry_colors(image, mask, whole)
+    hider = _union(detection.mask.shape, [o.mask for o in others if o.label != TABLE])
+    seen = detection.mask & ~hider if (detection.mask & ~hider).any() else detection.mask
+    near = ndimage.binary_fill_holes(detection.mask) if (hider & ~seen).any() else detection.mask
+    whole = complete_mask(detection.mask | (near & hider), hider & ~seen)
+    hidden = whole & ~seen
+    occluded = bool(hidden.sum() > 0.02 * seen.sum())
+    colors = carry_colors(reference.image, seen, whole) if hidden.any() else reference.image
     box = crop_box(mask_box(whole))
     return Instance(
-        detection.label, detection.label, mask_box(mask), mask,
-        cut_out(colors, whole, box), box, occluded, detection.score,
+        detection.label,
+        detection.label,
+        detection.box,
+        detection.mask,
+        cut_out(colors, whole, box),
+        box,
+        occluded,
+        detection.score,
     )
 
 
@@ -54,21 +58,27 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
     Two guesses are joined: the object's mirror image about the vertical line that keeps most of
     the visible outline, and the convex hull of what is visible; both only inside the hider.
     """
-    near = cv2.dilate(mask.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
-    touching = ndimage.binary_propagation(near & hider, mask=hider)
-    if (near & hider).sum() < 8:
+    x0, y0, x1, y1 = mask_box(mask).astype(int)
+    reach = max(x1 - x0, y1 - y0)
+    rows = slice(max(0, y0 - reach), y1 + reach)
+    columns = slice(max(0, x0 - reach), x1 + reach)
+    own, other = mask[rows, columns], hider[rows, columns]
+    near = cv2.dilate(own.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
+    if (near & other).sum() < 8:
         return mask
-    guess = hull_of(mask)
-    mirror = mirrored_mask(mask, hider)
+    touching = ndimage.binary_propagation(near & other, mask=other)
+    guess = hull_of(own)
+    mirror = mirrored_mask(own, other)
     if mirror is not None:
         guess = guess | mirror
-    grown = mask | (guess & touching)
-    grown = ndimage.binary_fill_holes(grown)
+    grown = own | (guess & touching)
     labels, count = ndimage.label(grown)
     if count > 1:
         biggest = 1 + int(np.argmax(np.bincount(labels.ravel())[1:]))
-        grown = (labels == biggest) | mask
-    return grown
+        grown = (labels == biggest) | own
+    whole = mask.copy()
+    whole[rows, columns] = grown
+    return whole
 
 
 def hull_of(mask: Mask) -> Mask:

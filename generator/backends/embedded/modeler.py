@@ -13,10 +13,10 @@ from ...catalogue import Category, category
 from ...errors import InputError
 from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
-from . import baking, carving
-from .framing import proportion_gap
+from . import baking
+from .choosing import best_solid
 from .likeness import Likeness, fit_likeness, painted
-from .projection import Projection, mask_iou
+from .projection import Projection
 from .solids import Posed
 from .table_likeness import model_table
 
@@ -48,7 +48,7 @@ class Modeler:
                 return likeness_model(found, instance, projection, size, self.texture)
         small = projection.resized(_WORKING)
         mask = small_mask(instance, small)
-        posed = best_solid(mask, small, size)
+        posed = best_solid(mask, small, size.extent)
         return solid_model(posed, instance, projection, size, self.texture)
 
 
@@ -79,36 +79,6 @@ def small_mask(instance: Instance, small: Projection) -> Bool[np.ndarray, "h w"]
     """Return the crop's silhouette at the size of ``small``."""
     alpha = cv2.resize(instance.crop[..., 3], (small.width, small.height), interpolation=cv2.INTER_AREA)
     return alpha > 127
-
-
-def candidates(mask: Bool[np.ndarray, "h w"], small: Projection, size: SizePrior) -> list[Posed]:
-    """Return one posed solid per family that fits the silhouette at all."""
-    long, short, tall = *sorted(size.extent[:2], reverse=True), size.extent[2]
-    bounding = carving.fit_box(mask, small, size.extent)
-    facing = float(np.arctan2(small.right[1], small.right[0]))
-    yaws = [facing] + [y for y in [carving.base_line(mask, small)] if y is not None]
-    depth = float(np.clip(short / max(long, tall), 0.1, 0.4))
-    found = [
-        bounding,
-        carving.fit_revolution(mask, small),
-        carving.fit_prism(mask, small, float(np.clip(tall / long, 0.02, 0.35))),
-        *(carving.fit_upright(mask, small, yaw, depth) for yaw in yaws),
-        carving.fit_carved(mask, small, bounding),
-    ]
-    return [p for p in found if p is not None]
-
-
-def score(posed: Posed, mask: Bool[np.ndarray, "h w"], small: Projection, size: SizePrior) -> float:
-    """Return how well a solid explains the picture: silhouette overlap less what it costs."""
-    iou = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
-    price = {"box": 0.0, "revolution": 0.0, "prism": 0.03, "upright": 0.04, "carved": 0.05}
-    gap = proportion_gap(np.ptp(posed.solid.vertices, axis=0), size.extent)
-    return iou - price[posed.kind] - 0.04 * gap
-
-
-def best_solid(mask: Bool[np.ndarray, "h w"], small: Projection, size: SizePrior) -> Posed:
-    """Return the generic solid that explains the silhouette best."""
-    return max(candidates(mask, small, size), key=lambda p: score(p, mask, small, size))
 
 
 def solid_model(

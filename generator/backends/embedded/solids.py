@@ -152,11 +152,13 @@ def convex_pieces(outline: Polygon, most: int = 8, slack: float = 0.03) -> list[
 
 
 def _cut_at_dent(piece: Polygon) -> list[Polygon]:
-    """Cut a polygon in two at its deepest dent, along the best of several directions."""
+    """Cut a polygon through its largest hole or deepest dent, in the best of 12 directions."""
     ring = np.asarray(piece.exterior.coords)[:-1]
     hull = piece.convex_hull.exterior
     depth = np.array([hull.distance(shapely.Point(p)) for p in ring])
     dent, reach = ring[int(depth.argmax())], float(np.ptp(ring, axis=0).max()) * 4
+    if piece.interiors:
+        dent = np.array(max(piece.interiors, key=lambda r: shapely.Polygon(r).area).centroid.coords[0])
     best: tuple[float, list[Polygon]] = (np.inf, [piece])
     for angle in np.arange(12) * np.pi / 12:
         step = reach * np.array([np.cos(angle), np.sin(angle)])

@@ -5,8 +5,9 @@ from __future__ import annotations
 import dataclasses
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
-from jaxtyping import Bool, Float, Int
+from jaxtyping import Bool, Float, Int, UInt8
 
 from ...catalogue import build_table
 from ...catalogue.tables import LEGS
@@ -56,9 +57,7 @@ def model_table(instance: Instance, size: SizePrior, view: View, seed: int, text
     return dataclasses.replace(model, mesh=mesh, size=np.array(size.extent))
 
 
-def _shrunk(instance: Instance, small: Projection) -> np.ndarray:
-    import cv2
-
+def _shrunk(instance: Instance, small: Projection) -> UInt8[np.ndarray, "h w 4"]:
     return cv2.resize(instance.crop, (small.width, small.height), interpolation=cv2.INTER_AREA)
 
 
@@ -109,17 +108,32 @@ def _paint(
     visible = sight.sees(surface) & inside
     colors, base = baking.sample(image, pixels), base_colors(mesh, atlas)
     on_top = _top_faces(mesh)[atlas.face]
+    upper = visible & on_top & (surface.normal[:, 2] > 0.9)
+    gap = _material_gap(base[upper], colors[upper]) if upper.sum() > 40 else 0.0
     texels = base.copy()
     for part in (on_top, ~on_top):
         if (visible & part).sum() > 40:
+            base[part] = _calmed(base[part], visible[part], colors[part])
             texels[part] = baking.recolor(base[part], visible[part], colors[part])[0]
-    upper = visible & on_top & (surface.normal[:, 2] > 0.9)
-    gap = _material_gap(base[upper], colors[upper]) if upper.sum() > 40 else 0.0
     return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels)), model, gap
+
+
+def _unrest(colors: Float[np.ndarray, "t 3"]) -> float:
+    """Return the spread of brightness: the distance of its quartiles, in grey levels."""
+    low, high = np.quantile(colors.mean(1), [0.25, 0.75])
+    return float(high - low)
+
+
+def _calmed(
+    base: Float[np.ndarray, "t 3"], seen: Bool[np.ndarray, "t"], colors: Float[np.ndarray, "t 3"]
+) -> Float[np.ndarray, "t 3"]:
+    """Return base colours whose pattern is no stronger than the picture's."""
+    gain = min(1.0, max(_unrest(colors[seen]) - 1.0, 0.0) / max(_unrest(base[seen]), 1.0))
+    middle = np.median(base[seen], 0)
+    return middle + (base - middle) * gain
 
 
 def _material_gap(base: Float[np.ndarray, "t 3"], colors: Float[np.ndarray, "t 3"]) -> float:
     """Return how unlike two surfaces' colours and unrest are, in grey levels."""
     tone = np.linalg.norm(np.median(base, 0) - np.median(colors, 0))
-    unrest = [np.subtract(*np.quantile(c.mean(1), [0.75, 0.25])) for c in (base, colors)]
-    return float(tone + 2.0 * abs(unrest[0] - unrest[1]))
+    return float(tone + 2.0 * abs(_unrest(base) - _unrest(colors)))
