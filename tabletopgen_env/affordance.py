@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from generator.geometry import convex_outline, quaternion_matrix
 from generator.scene import ConvexPart, Object
@@ -89,7 +89,7 @@ def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
     ``hollow`` is its ``opening``: things too wide to be spanned can be taken by a thin wall.
     """
     if obj.mass > MAX_MASS:
-        return f"{obj.mass:.2f} kg is heavier than {MAX_MASS} kg"
+        return f"{obj.mass:.3g} kg is heavier than {MAX_MASS} kg"
     height = resting_height(obj)
     if height < MIN_HEIGHT:
         return f"{1000 * height:.0f} mm is flatter than {1000 * MIN_HEIGHT:.0f} mm"
@@ -138,8 +138,8 @@ def _hollow(
 
     labels = np.empty(below.shape, dtype=np.int32)
     count = int(ndimage.label(below, output=labels))  # type: ignore[arg-type]
-    padded = np.pad(~solid, 1, constant_values=True)
-    outside = ndimage.binary_dilation(padded)[1:-1, 1:-1]
+    whole = ndimage.binary_fill_holes(solid)  # parts may leave hairline gaps between them
+    outside = ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
     best = np.zeros_like(below)
     for k in range(1, count + 1):
         region = labels == k
@@ -151,25 +151,33 @@ def _hollow(
 def top_surface(
     parts: tuple[ConvexPart, ...], points: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n"]:
-    """Return the height of the highest surface over each (x, y), -inf where there is none.
+    """Return the height of the highest surface over each (x, y), -inf where there is none."""
+    best = np.full(len(points), -np.inf)
+    for part in parts:
+        hit, _, ceiling = part_span(part, points)
+        best[hit] = np.maximum(best[hit], ceiling)
+    return best
 
-    Each part is the intersection of its hull's half-spaces; over a point the part spans from the
-    highest downward-facing plane to the lowest upward-facing one.
+
+def part_span(
+    part: ConvexPart, points: Float[np.ndarray, "n 2"]
+) -> tuple[Int[np.ndarray, "m"], Float[np.ndarray, "m"], Float[np.ndarray, "m"]]:
+    """Return which of the points (x, y) lie over a part, and from where to where it reaches there.
+
+    The part is the intersection of its hull's half-spaces; over a point it spans from the highest
+    downward-facing plane to the lowest upward-facing one.
     """
     from scipy.spatial import ConvexHull
 
-    best = np.full(len(points), -np.inf)
-    for part in parts:
-        low, high = part.bounds[:, :2]
-        near = np.flatnonzero(((points >= low) & (points <= high)).all(1))
-        if not len(near):
-            continue
-        planes = ConvexHull(part.vertices, qhull_options="QJ").equations
-        side = points[near] @ planes[:, :2].T + planes[:, 3]
-        nz = planes[:, 2]
-        upper, lower, wall = nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9
-        ceiling = (-side[:, upper] / nz[upper]).min(1, initial=np.inf)
-        ground = (-side[:, lower] / nz[lower]).max(1, initial=-np.inf)
-        hit = (ceiling >= ground) & (side[:, wall] <= 0).all(1)
-        best[near[hit]] = np.maximum(best[near[hit]], ceiling[hit])
-    return best
+    low, high = part.bounds[:, :2]
+    near = np.flatnonzero(((points >= low) & (points <= high)).all(1))
+    if not len(near):
+        return near, np.empty(0), np.empty(0)
+    planes = ConvexHull(part.vertices, qhull_options="QJ").equations
+    side = points[near] @ planes[:, :2].T + planes[:, 3]
+    nz = planes[:, 2]
+    upper, lower, wall = nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9
+    ceiling = (-side[:, upper] / nz[upper]).min(1, initial=np.inf)
+    ground = (-side[:, lower] / nz[lower]).max(1, initial=-np.inf)
+    hit = (ceiling >= ground) & (side[:, wall] <= 0).all(1)
+    return near[hit], ground[hit], ceiling[hit]

@@ -160,12 +160,7 @@ class PickPlaceExpert:
         return self._act(np.zeros(3), 0.0, self._plan.grasp.opening)
 
     def _retreat(self, late: bool) -> Float[np.ndarray, "5"]:
-        world, episode = self._env.world, self._env.episode
-        if self._steps > 25 and not self._env.task.settled(world, episode):
-            speed = np.linalg.norm(world.velocities()[world.index(episode.target)])
-            if speed < 0.02:
-                return self._retry()
-        if self._steps > 25 and self._missed():
+        if late or (self._steps > 25 and self._missed()):
             return self._retry()
         rise = self._placed[2] + 0.15 - self._tool[2]
         return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, self._plan.grasp.opening)

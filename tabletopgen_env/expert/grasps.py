@@ -1,10 +1,10 @@
 """Where to put two fingers: top grasps found on the collision shapes as they stand.
 
-A gripper that comes straight down meets the world as a height map. For each turn of the hand and
-each strip of a finger's breadth across the object, the map's cross-section at finger height is
-cut into solid runs: a can gives one run, a mug gives its two walls, a handle one of its own. A run
-narrow enough to be straddled, with sides that face each other (antipodal within the friction
-cone) and room beside it for fingers and palm, is a grasp.
+For each turn of the hand and each strip of a finger's breadth across the object, the object's
+cross-section at the fingers' height is cut into solid runs: a can gives one run, a mug its two
+walls, a handle one of its own. A run narrow enough to be straddled, whose sides face each other
+(antipodal within the friction cone), is a grasp if there is room beside it: a gripper that comes
+straight down meets the rest of the world as a height map.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from ..robot import franka
-from .heights import HeightMap, height_map, moved
+from .heights import HeightMap, Solid, height_map, moved, solid
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -30,12 +30,12 @@ TIP = 0.0088
 """How far the fingertips reach beyond the tool centre point, metres."""
 
 _TURNS = 18
-_STEP_U, _STEP_V = 0.0015, 0.003
+_STEP_U, _STEP_V, _RISE = 0.0015, 0.003, 0.003
 _FINGER_HALF = 0.0105
 _PAD_DEPTH, _PAD_HEIGHT = 0.0125, 0.0188
 _SHAFT = (0.007, 0.0265)
 _PALM_U, _PALM_V, _PALM_Z = 0.105, 0.034, 0.042
-_DEPTHS = (0.038, 0.03, 0.022, 0.014)
+_DEPTHS = (0.038, 0.03, 0.022, 0.015, 0.011)
 _LEAST_HOLD = 0.008
 _MARGIN = 0.011
 _ABOVE_TABLE = 0.003
@@ -68,9 +68,9 @@ def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> lis
     """
     position, rotation = world.position(target), world.rotation(target)
     own = moved(world.scene.object(target).parts, position, rotation)
-    corners = np.concatenate([part.bounds for part in own])[:, :2]
-    low, high = corners.min(0), corners.max(0)
-    shape = height_map(own, low - _STEP_U, high + _STEP_U, _STEP_U)
+    shape = solid(own, _STEP_U, _RISE)
+    low = shape.origin
+    high = low + np.array(shape.filled.shape[:2]) * shape.cell
     others = _surroundings(world, target, low, high)
     com = position + rotation @ world.scene.object(target).com
     floor = world.scene.table.height
@@ -106,7 +106,7 @@ def _demoted(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
 
 
 def _along(
-    shape: HeightMap,
+    shape: Solid,
     others: HeightMap,
     com: Float[np.ndarray, "3"],
     angle: float,
@@ -115,23 +115,23 @@ def _along(
     """Yield grasps whose fingers open along ``angle``."""
     across = np.array([np.cos(angle), np.sin(angle)])
     along = np.array([-across[1], across[0]])
-    size = np.array(shape.heights.shape) * shape.cell
+    size = np.array(shape.filled.shape[:2]) * shape.cell
     middle = shape.origin + size / 2
     half = float(np.linalg.norm(size)) / 2
     u = np.arange(-half - 0.11, half + 0.11, _STEP_U)
     v = np.arange(-half - 0.04, half + 0.04, _STEP_V)
     points = middle + u[None, :, None] * across + v[:, None, None] * along
-    solid = shape.at(points)
-    if not np.isfinite(solid).any():
-        return
-    both = np.maximum(np.maximum(solid, others.at(points)), floor)
+    filled = shape.at(points)
+    steps = np.arange(1, len(shape.levels) + 1)
+    own = shape.levels[0] - _RISE / 2 + _RISE * (filled * steps).max(-1)
+    both = np.maximum(np.maximum(own, others.at(points)), floor)
     finger, palm = (int(np.ceil(h / _STEP_V)) for h in (_FINGER_HALF, _PALM_V))
-    rows = np.flatnonzero(np.isfinite(solid).any(1))
+    rows = np.flatnonzero(filled.any((1, 2)))
     for row in range(rows[0], rows[-1] + 1, 2):
-        strip = solid[row - finger + 1 : row + finger]
+        strip = filled[row - finger + 1 : row + finger]
         beside = both[row - finger : row + finger + 1].max(0)
         above = both[row - palm : row + palm + 1].max(0)
-        for tip, left, right, quality in _runs(strip, floor):
+        for tip, left, right, quality in _runs(strip, shape.levels, floor):
             center, width = (u[left] + u[right]) / 2, u[right] - u[left] + _STEP_U
             room = _room(u, beside, above, float(center), float(width), tip)
             if room is None:
@@ -142,49 +142,63 @@ def _along(
             yield Grasp(point, angle, room, float(width), score)
 
 
-def _runs(strip: Float[np.ndarray, "k n"], floor: float) -> Iterator[tuple[float, int, int, float]]:
+def _runs(
+    strip: Bool[np.ndarray, "k n z"], levels: Float[np.ndarray, "z"], floor: float
+) -> Iterator[tuple[float, int, int, float]]:
     """Yield (tip height, first cell, last cell, quality) of runs that can be straddled."""
-    top = float(strip.max())
-    if not np.isfinite(top):
-        return
-    tips = {round(max(top - depth, floor + _ABOVE_TABLE), 4) for depth in _DEPTHS}
-    for tip in sorted(tips):
-        hold = min(top - tip, _PAD_HEIGHT)
-        if hold < _LEAST_HOLD:
+    occupied = np.flatnonzero(strip.any((0, 1)))
+    top = float(levels[occupied[-1]]) + _RISE / 2
+    for tip in sorted({round(max(top - d, floor + _ABOVE_TABLE), 4) for d in _DEPTHS}):
+        at_pad = (levels >= tip) & (levels <= tip + _PAD_HEIGHT)
+        if not at_pad.any():
             continue
-        filled = strip > tip + 0.3 * hold
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], filled.any(0), [0]]).astype(int)))
+        slab = strip[:, :, at_pad]
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], slab.any((0, 2)), [0]]).astype(int)))
         for left, end in edges.reshape(-1, 2):
             if (end - left) * _STEP_U <= WIDEST:
-                quality = _quality(strip[:, left:end], tip, hold)
+                quality = _quality(slab[:, left:end])
                 if quality is not None:
                     yield tip, int(left), int(end) - 1, quality
 
 
-def _quality(run: Float[np.ndarray, "k n"], tip: float, hold: float) -> float | None:
+def _quality(run: Bool[np.ndarray, "k n z"]) -> float | None:
     """Rate the two sides of a run, or None if the fingers would slide off.
 
-    Both sides must face the fingers: their slope along the finger's breadth and their lean (how
-    much narrower the run is higher up) stay below ``_STEEPEST``, about the friction cone of the
-    pads less a margin.
+    A side is where the run begins or ends, by line (along the finger's breadth) and by level. Its
+    *slope* along the breadth, the *squeeze* by which the run narrows upwards (it would pop out) and
+    the *lean* of its middle (the fingers would meet at different heights) stay below limits that
+    lie well within the pads' friction cone.
     """
-    filled = run > tip + 0.3 * hold
-    lines = np.flatnonzero(filled.any(1))
-    share = len(lines) / len(run)
-    if share < 0.6:
+    lines, layers = np.flatnonzero(run.any((1, 2))), np.flatnonzero(run.any((0, 1)))
+    share, hold = len(lines) / len(run), len(layers) * _RISE
+    if share < 0.6 or hold < _LEAST_HOLD:
         return None
-    first = filled[lines].argmax(1) * _STEP_U
-    last = (filled.shape[1] - 1 - filled[lines, ::-1].argmax(1)) * _STEP_U
-    offset = (lines - lines.mean()) * _STEP_V
+    by_line, by_layer = run.any(2)[lines], run.any(0).T[layers]
+    ends = [_ends(rows) for rows in (by_line, by_layer)]
+    first_slope, last_slope = (_trend(side, lines * _STEP_V) for side in ends[0])
+    first_rise, last_rise = (_trend(side, layers * _RISE) for side in ends[1])
+    slope = max(abs(first_slope), abs(last_slope))
+    squeeze, lean = (first_rise - last_rise) / 2, abs(first_rise + last_rise) / 2
+    if slope > _STEEPEST or squeeze > _STEEPEST or squeeze < -1.0 or lean > 0.8:
+        return None
+    rough = float(np.ptp(ends[0][0]) + np.ptp(ends[0][1]))
+    bent = 2.0 * slope + 2.0 * max(squeeze, 0.0) + 1.5 * lean + 20.0 * rough
+    return share + hold / _PAD_HEIGHT - bent
+
+
+def _ends(
+    rows: Bool[np.ndarray, "k n"],
+) -> tuple[Float[np.ndarray, "k"], Float[np.ndarray, "k"]]:
+    """Return where each row begins and ends, metres."""
+    last = rows.shape[1] - 1 - rows[:, ::-1].argmax(1)
+    return rows.argmax(1) * _STEP_U, last * _STEP_U
+
+
+def _trend(side: Float[np.ndarray, "k"], at: Float[np.ndarray, "k"]) -> float:
+    """Return the slope of a straight line through ``side`` over ``at``, zero for one point."""
+    offset = at - at.mean()
     spread = float(offset @ offset)
-    slopes = [abs(float(side @ offset) / spread) for side in (first, last)] if spread else [0.0]
-    higher = run > tip + 0.85 * hold
-    narrower = (filled.any(0).sum() - higher.any(0).sum()) * _STEP_U / 2
-    lean = max(0.0, narrower - _STEP_U) / (0.55 * hold)
-    if max(slopes) > _STEEPEST or lean > _STEEPEST:
-        return None
-    rough = float(np.ptp(first) + np.ptp(last))
-    return share + hold / _PAD_HEIGHT - 2.0 * max(slopes) - 2.0 * lean - 20.0 * rough
+    return float(side @ offset) / spread if spread > 0 else 0.0
 
 
 def _room(

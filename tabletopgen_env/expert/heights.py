@@ -1,4 +1,4 @@
-"""Height maps of what stands on a table: all that a gripper coming from above can hit."""
+"""Scenes as height maps, all that a gripper from above can hit, and objects as voxels."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from generator.scene import ConvexPart
 
-from ..affordance import top_surface
+from ..affordance import part_span, top_surface
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,3 +59,39 @@ def height_map(
     grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1)
     heights = top_surface(near, grid.reshape(-1, 2)).reshape(grid.shape[:2])
     return HeightMap(np.array([xs[0], ys[0]]), cell, heights)
+
+
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """An object as voxels, world frame.
+
+    ``filled[i, j, k]`` is at (``origin`` + ``cell`` * (i, j), ``levels[k]``), metres; ``levels``
+    rise by equal steps.
+    """
+
+    origin: Float[np.ndarray, "2"]
+    cell: float
+    levels: Float[np.ndarray, "nz"]
+    filled: Bool[np.ndarray, "nx ny nz"]
+
+    def at(self, points: Float[np.ndarray, "*n 2"]) -> Bool[np.ndarray, "*n nz"]:
+        """Return the column at the cell nearest to each point, empty outside the grid."""
+        index = np.rint((points - self.origin) / self.cell).astype(int)
+        size = np.array(self.filled.shape[:2])
+        inside = ((index >= 0) & (index < size)).all(-1)
+        i, j = np.moveaxis(np.clip(index, 0, size - 1), -1, 0)
+        return self.filled[i, j] & inside[..., None]
+
+
+def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> Solid:
+    """Return world-frame ``parts`` as voxels of ``cell`` by ``cell`` by ``rise`` metres."""
+    bounds = np.stack([part.bounds for part in parts])
+    low, high = bounds[:, 0].min(0), bounds[:, 1].max(0)
+    xs, ys = (np.arange(low[k] - cell, high[k] + 2 * cell, cell) for k in (0, 1))
+    levels = np.arange(low[2] + rise / 2, high[2], rise)
+    points = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1).reshape(-1, 2)
+    filled = np.zeros((len(points), len(levels)), bool)
+    for part in parts:
+        hit, ground, ceiling = part_span(part, points)
+        filled[hit] |= (levels >= ground[:, None]) & (levels <= ceiling[:, None])
+    return Solid(np.array([xs[0], ys[0]]), cell, levels, filled.reshape(len(xs), len(ys), -1))
