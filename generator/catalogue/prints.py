@@ -87,8 +87,8 @@ def label(
     image = canvas(width, 128, ground)
     fill(image, 0, 0.0, 1, 0.1, color)
     fill(image, 0, 0.9, 1, 0.1, color)
-    fill(image, 0.28, 0.25, 0.44, 0.34, color)
-    middle = image[:, int(0.25 * width) : int(0.75 * width)]
+    fill(image, 0.33, 0.25, 0.34, 0.34, color)
+    middle = image[:, int(0.34 * width) : int(0.66 * width)]
     write(middle, title, 0.5, 0.42, 0.2, readable_on(color), bold=True)
     lines(image, rng, (0.36, 0.66, 0.28, 0.18), 3, tinted(color, 0.7))
     lines(image, rng, (0.04, 0.2, 0.16, 0.6), 8, (90, 90, 90))

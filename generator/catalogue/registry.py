@@ -11,14 +11,26 @@ import numpy as np
 
 from ..errors import InputError, choices
 from ..scene import Model
-from . import bakery, craft, dining, electronics, food, lab, office, tools, toys, vanity
+from . import bakery, craft, dining, electronics, food, lab, office, pantry, tools, toys, vanity
 from .category import Category, model_of
 from .look import Look
 
 CATEGORIES: Mapping[str, Category] = MappingProxyType(
     {
         c.key: c
-        for module in (dining, food, bakery, office, electronics, tools, toys, craft, vanity, lab)
+        for module in (
+            dining,
+            pantry,
+            food,
+            bakery,
+            office,
+            electronics,
+            tools,
+            toys,
+            craft,
+            vanity,
+            lab,
+        )
         for c in module.CATEGORIES
     }
 )

@@ -118,6 +118,16 @@ def fabric(
     return _tile(image + (weave + rng.uniform(-4, 4, (side, side)))[..., None])
 
 
+def woven(rng: np.random.Generator, color: RGB, strands: int = 12) -> Tile:
+    """Basketwork: flat strands going over and under each other."""
+    side = 96
+    y, x = np.mgrid[0:side, 0:side] * strands / side
+    over = (np.floor(x) + np.floor(y)) % 2 > 0
+    bulge = np.where(over, np.sin(np.pi * (x % 1)), np.sin(np.pi * (y % 1)))
+    shade = 0.62 + 0.42 * bulge + 0.06 * noise(rng, side, side, (6, 6), 2)
+    return _tile(np.array(color) * shade[..., None])
+
+
 def cardboard(rng: np.random.Generator, color: RGB = (188, 148, 100)) -> Tile:
     """Corrugated board with parcel tape across the middle."""
     side = 128
