@@ -51,6 +51,7 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     arm.assets = {**spec.assets, **arm.assets}  # MuJoCo warns of a child without assets
     spec.attach(arm, prefix=PREFIX, frame=frame)
     add_pedestal(spec, mount)
+    _add_sky(spec)
     _add_front_camera(spec, scene, mount)
     marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
     marker.add_geom(
@@ -63,6 +64,23 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
         group=1,
     )
     return spec
+
+
+def _add_sky(spec: mujoco.MjSpec) -> None:
+    """Add a plain light sky unless the scene brings one."""
+    import mujoco
+
+    sky = mujoco.mjtTexture.mjTEXTURE_SKYBOX
+    if not any(texture.type == sky for texture in spec.textures):
+        spec.add_texture(
+            name="sky",
+            type=sky,
+            builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
+            rgb1=[0.62, 0.70, 0.80],
+            rgb2=[0.86, 0.88, 0.90],
+            width=32,
+            height=192,
+        )
 
 
 def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:

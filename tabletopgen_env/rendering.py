@@ -4,7 +4,7 @@ MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. ``Drawer`` lo
 them, once; without any, ``renderer="auto"`` draws with the project's own software renderer
 (slower, plainer, the same cameras), while ``renderer="gl"`` says what to install.
 
-Two profiles: "fast" leaves out shadows, reflections, sky and antialiasing and is meant for
+Two profiles: "fast" leaves out shadows, reflections and antialiasing and is meant for
 learning; "full" is for people.
 """
 
@@ -173,7 +173,7 @@ class GlDrawer:
             mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, context)
             context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR.value
             scene = mujoco.MjvScene(model, maxgeom=2000)
-            for flag in ("SHADOW", "REFLECTION", "SKYBOX", "HAZE"):
+            for flag in ("SHADOW", "REFLECTION", "HAZE"):
                 if fast:
                     scene.flags[getattr(mujoco.mjtRndFlag, f"mjRND_{flag}")] = 0
             self._held[id(world)] = (world, context, scene)

@@ -66,7 +66,7 @@ class SoftwareDrawer:
             self._shapes[world] = visible_shapes(world.model)
         items = [item for shape in self._shapes[world] if (item := _item(world, shape))]
         view = model_camera(world, camera, *self._size)
-        background = (115, 140, 166)
+        background = (205, 212, 220)
         return render(items, view, background=background, supersample=samples, shadows=self._full)
 
 
