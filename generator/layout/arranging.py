@@ -97,7 +97,7 @@ def _place_all(
         ready = [o for o in above if supports[o.name] in state.places]
         for planned in ready:
             support = str(supports[planned.name])
-            if not _put(planned, support, models, rng, state, shapes):
+            if not _put(planned, support, plan, models, rng, state, shapes):
                 beside = _beside(planned, support)
                 state.warnings.append(
                     f"{planned.name} does not fit on or in {support}; it stands next to it."
@@ -192,6 +192,7 @@ def _stand(
 def _put(
     planned: PlannedObject,
     support: str,
+    plan: ScenePlan,
     models: Mapping[str, Model],
     rng: np.random.Generator,
     state: _State,
@@ -200,12 +201,15 @@ def _put(
     """Lower an object onto or into its support, at the place where it comes to lie deepest."""
     base = state.places[support]
     inside = any(r.kind == "in" and r.target == support for r in planned.relations)
+    sharing = [o.name for o in plan.objects if support_of(o) == support]
+    alone = len(sharing) == 1
+    share = (sharing.index(planned.name), len(sharing))
     siblings = [p for p in state.places.values() if p.on == support]
     below = [stacking.triangles(models[p.name], p) for p in (base, *siblings)]
     top = float(below[0][..., 2].max())
     model, shape = models[planned.name], shapes[planned.name]
     best: tuple[float, Placement] | None = None
-    for offset in _offsets(models[support], model, base.yaw, bool(siblings), inside, rng):
+    for offset in _offsets(models[support], model, base.yaw, share, rng):
         center = base.translation[:2] + offset
         start = np.array([*center, top + model.size[2]])
         placement = stacking.lowered(
@@ -217,7 +221,9 @@ def _put(
              for p in siblings),
             default=0.0,
         )  # fmt: skip
-        cost = bottom + max(0.0, 0.003 - crowd) * 4 + 0.2 * float(np.hypot(*offset))
+        cost = (
+            bottom + max(0.0, 0.003 - crowd) * 4 + (0.2 * float(np.hypot(*offset)) if alone else 0)
+        )
         if best is None or cost < best[0]:
             best = cost, placement
     if best is None or (inside and not _sunk(best[1], top)):
@@ -234,16 +240,18 @@ def _sunk(placement: Placement, rim: float) -> bool:
 
 
 def _offsets(
-    support: Model, model: Model, yaw: float, crowded: bool, inside: bool, rng: np.random.Generator
+    support: Model, model: Model, yaw: float, share: tuple[int, int], rng: np.random.Generator
 ) -> list[Float[np.ndarray, "2"]]:
-    """Return where on its support a thing may stand, relative to the support's centre, metres."""
+    """Return where on its support a thing may stand, relative to the support's centre, metres.
+
+    ``share`` is its number and how many things the support carries: they go round its middle.
+    """
     spare = np.maximum((support.size[:2] - model.size[:2]) / 2, 0.0)
-    centers = [np.zeros(2)]
-    if crowded or inside:
-        turn = rng.uniform(0, 2 * np.pi)
-        angles = turn + 2 * np.pi * np.arange(8) / 8
-        circle = np.column_stack([np.cos(angles), np.sin(angles)])
-        centers += [share * spare * c for share in (0.45, 0.8) for c in circle]
-    else:
-        centers = [0.25 * spare * rng.uniform(-1, 1, 2)]
-    return [rotation_z(yaw)[:2, :2] @ c for c in centers]
+    number, count = share
+    if count == 1:
+        return [np.zeros(2), rotation_z(yaw)[:2, :2] @ (0.25 * spare * rng.uniform(-1, 1, 2))]
+    start = 0.4 if count == 2 else np.pi / 2
+    angles = start + 2 * np.pi * (number / count + np.linspace(0, 1, 8, endpoint=False))
+    circle = np.column_stack([np.cos(angles), np.sin(angles)])
+    centers = [reach * spare * way for reach in (0.9, 0.6) for way in circle]
+    return [rotation_z(yaw)[:2, :2] @ c for c in [*centers, np.zeros(2)]]

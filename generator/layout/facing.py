@@ -20,8 +20,12 @@ def natural_yaw(
     """Return a yaw in radians: 0 turns an object's front (-y) to the viewer."""
     key = planned.category
     if key in CUTLERY and _at_plate(planned, plan):
-        across = any(r.kind == "behind" for o in plan.objects for r in o.relations
-                     if o.name in {t.target for t in planned.relations} and r.target == "table")
+        across = any(
+            r.kind == "behind"
+            for o in plan.objects
+            for r in o.relations
+            if o.name in {t.target for t in planned.relations} and r.target == "table"
+        )
         return float((-1 if across else 1) * np.pi / 2 + rng.normal(0, 0.03))
     if key in STRAIGHT:
         return float(np.clip(rng.normal(0, 0.05), -0.12, 0.12))

@@ -79,9 +79,7 @@ def table_size(plan: ScenePlan, models: Mapping[str, Model], growth: float = 1.0
     """
     standing = [o for o in plan.objects if not _supported(o)]
     area = sum(footprint(models[o.name], 0.0).area for o in standing)
-    area += sum(
-        2 * _ROOM * float(models[o.name].size[:2].sum()) + 4 * _ROOM**2 for o in standing
-    )
+    area += sum(2 * _ROOM * float(models[o.name].size[:2].sum()) + 4 * _ROOM**2 for o in standing)
     x, y, z = plan.table.size
     share = {"round": 0.785, "oval": 0.85, "triangle": 0.45}.get(plan.table.outline, 1.0)
     widest = max((float(models[o.name].size[0]) for o in standing), default=0.0)

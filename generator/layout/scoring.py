@@ -54,9 +54,7 @@ def proposals(request: Request, rng: np.random.Generator) -> Float[np.ndarray, "
             sets.append(_around(request, relation, rng))
         elif relation.target == TABLE and relation.kind in SIDES:
             way = np.array(SIDES[relation.kind][2])
-            sets.append(
-                way * 0.3 * (high - low) + rng.normal(0, 0.1, (_RELATED, 2)) * (high - low)
-            )
+            sets.append(way * 0.3 * (high - low) + rng.normal(0, 0.1, (_RELATED, 2)) * (high - low))
         elif relation.kind == "center":
             sets.append(rng.normal(0, 0.03, (_RELATED, 2)))
         elif relation.kind == "edge":

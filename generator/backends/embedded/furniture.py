@@ -7,7 +7,7 @@ from typing import cast
 import numpy as np
 
 from ...scene import OutlineKind, PlannedTable
-from .statements import Reading
+from .drafts import Reading
 from .themes import Theme
 from .vocabulary import COLORS, LEGS, OUTLINES, SHADES, SIZES, TABLE_MATERIALS
 

@@ -134,7 +134,7 @@ def _is_number(word: str) -> bool:
 
 
 def _is_content(word: str) -> bool:
-    counted = _is_number(word) or word in VAGUE or word in DEFINITE or word == "half"
+    counted = _is_number(word) or word in VAGUE or word in DEFINITE or word in ("half", "x")
     return not counted and word not in OTHERS
 
 
@@ -178,9 +178,11 @@ def _trimmed(content: tuple[str, ...]) -> tuple[str, ...]:
             lexicon.category_of((w,)) or w in TABLE_NOUNS or w in GROUP_NOUNS for w in content[:-1]
         )
         describes = last in STATES or last in SIZES or last in SHADES or last in COLORS
-        if not earlier or not (
-            describes or last.endswith(("ing", "ed", "ly")) or last in GROUP_NOUNS
-        ) or " ".join(content) in COLLECTIVES:
+        if (
+            not earlier
+            or not (describes or last.endswith(("ing", "ed", "ly")) or last in GROUP_NOUNS)
+            or " ".join(content) in COLLECTIVES
+        ):
             break
         content = content[:-1]
     return content

@@ -1,4 +1,4 @@
-"""Words to catalogue categories: exact name first, then the reviewed synonyms; never by spelling."""
+"""Words to catalogue categories: exact names first, then reviewed synonyms; never by spelling."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def singular(word: str) -> str:
 @cache
 def _index() -> Mapping[str, str]:
     """Return every noun the planner knows with its category key; the catalogue's own words win."""
-    index = {alias: c.key for c in reversed(CATEGORIES.values()) for alias in c.aliases}
+    index = {alias: c.key for c in reversed(list(CATEGORIES.values())) for alias in c.aliases}
     index |= {c.noun: c.key for c in CATEGORIES.values()}
     for _ in range(2):  # a synonym may lead to another synonym
         for word, meaning in SYNONYMS:

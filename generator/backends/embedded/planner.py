@@ -10,11 +10,12 @@ import numpy as np
 
 from ...catalogue import CATEGORIES
 from ...errors import InputError
-from ...scene import PlannedObject, PlannedTable, Relation, RelationKind, ScenePlan
+from ...scene import PlannedObject, Relation, RelationKind, ScenePlan
 from . import lexicon, relations
+from .drafts import Draft, Reading
 from .furniture import plan_table
 from .grammar import chunks
-from .statements import Draft, Reader, Reading
+from .statements import Reader
 from .themes import DEFAULT_TABLES, THEMES, Theme
 from .vocabulary import (
     COLORS,
@@ -40,10 +41,11 @@ _ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
     *NUMBERS, *VAGUE,
 }  # fmt: skip
 _REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")
+_SOME = "|".join(PEOPLE)
 _PEOPLE = re.compile(
-    rf"\b(?:(?:set |laid )?for ({'|'.join(PEOPLE)})(?: (?:people|persons|guests|diners|children|kids))?"
+    rf"\b(?:(?:set |laid )?for ({_SOME})(?: (?:people|persons|guests|diners|children|kids))?"
     r"(?=\s*(?:[.,;]|$|with|and|on|in|at))"
-    rf"|({'|'.join(PEOPLE)})[ -](?:person|seat|seater))\b"
+    rf"|({_SOME})[ -](?:person|seat|seater))\b"
 )
 
 
@@ -160,7 +162,7 @@ def _fill(
     things = [_thing(entry) for entry in theme.things]
     if not objects and people > 1 and any(key == "plate" for key, _, _ in things):
         return _place_settings(people, theme, excluded)
-    core = [t for t in things[: theme.core]] if not objects else []
+    core = [] if objects else things[: theme.core]
     others = [t for t in things if t not in core]
     order = [others[i] for i in rng.permutation(len(others))]
     count = target if objects else int(rng.integers(max(theme.core, target - 2), target + 1))
@@ -188,8 +190,10 @@ def _thing(entry: str) -> tuple[str | None, RelationKind | None, str | None]:
     if at == len(words):
         return key, None, None
     to = words[at + 1 :]
-    return key, relations.kind(words[at]), (
-        "table" if to == ["table"] else lexicon.category_of(tuple(to))
+    return (
+        key,
+        relations.kind(words[at]),
+        ("table" if to == ["table"] else lexicon.category_of(tuple(to))),
     )
 
 
@@ -206,8 +210,10 @@ def _place_settings(people: int, theme: Theme, excluded: set[str]) -> list[Plann
                 continue
             if where is not None and side == "behind":  # as seen by who sits across
                 where = relations.OPPOSITE[where]
-            relation = Relation(side) if where is None else Relation(
-                relations.kind(where), f"plate_{person + 1}"
+            relation = (
+                Relation(side)
+                if where is None
+                else Relation(relations.kind(where), f"plate_{person + 1}")
             )
             out.append(PlannedObject(f"{key}_{person + 1}", word, key, {}, (relation,)))
     for word in ("candle", "salt shaker"):

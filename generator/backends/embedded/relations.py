@@ -142,5 +142,5 @@ def fits(
         mouth = 0.85 * min(outer[:2])
         upright = inner[2] == longest or narrow < 0.5 * mouth
         widest = middle if upright else max(inner[:2])
-        return container and widest <= mouth and longest < 5 * outer[2]
+        return container and widest <= mouth and longest < 2.6 * outer[2]
     return min(inner[:2]) <= 1.15 * min(outer[:2]) and max(inner[:2]) <= 1.6 * max(outer[:2])

@@ -3,58 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
-from ...catalogue import CATEGORIES
 from ...errors import InputError
 from ...scene import TABLE
+from .drafts import Draft, Group, Reading, assumed_relation, said, same, shares
 from .grammar import Chunk, NounPhrase
-from .relations import fits
 from .vocabulary import STACKED, SUBSTANCES
 
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")
-
-MAX_OBJECTS = 24
-"""More objects than this no table of the catalogue holds."""
-
-
-@dataclass(eq=False)
-class Draft:
-    """An object while the text is being read; ``relations`` are (kind, Draft or "table")."""
-
-    noun: str
-    category: str | None
-    attributes: dict[str, str]
-    lengths: tuple[float, ...] = ()
-    relations: list[tuple[str, Draft | str]] = field(default_factory=list)
-    provisional: bool = False
-    implied: bool = False
-    listed: bool = True
-
-    def relate(self, kind: str, target: Draft | str) -> None:
-        """Add a relation; it replaces one that was only assumed."""
-        if self.provisional:
-            self.relations.clear()
-            self.provisional = False
-        if (kind, target) not in self.relations:
-            self.relations.append((kind, target))
-
-
-Group = list[Draft]
-
-
-@dataclass(eq=False)
-class Reading:
-    """What the text said, read so far."""
-
-    objects: list[Draft] = field(default_factory=list)
-    table: list[NounPhrase] = field(default_factory=list)
-    table_parts: list[NounPhrase] = field(default_factory=list)
-    excluded: set[str] = field(default_factory=set)
-    warnings: list[str] = field(default_factory=list)
-    vague: bool = False
 
 
 class Reader:
@@ -98,6 +58,7 @@ class Reader:
             self, "_earlier", None
         )
         self._topic: Group | None = None  # the first subject of this sentence
+        self._finished: list[Group] = []  # subjects before the last "and", done with
         self._related = False  # the current subjects have got a relation
         self._subject_is_table = False
         self._group: list[Group] = []  # coordinated subjects, each some equal objects
@@ -120,6 +81,8 @@ class Reader:
     def _relation(self, text: str) -> None:
         self._end_relation()
         self._last = None
+        if self._listing and not self._group:  # "left of the cup and behind the pen"
+            self._group, self._listing = self._finished, False
         kind, _, target = text.partition(" ")
         if target == "table":
             beside = self._owner if kind in _SIDES and self._group else None
@@ -145,7 +108,7 @@ class Reader:
         self._last = None
         self._comma = kind == "comma" or self._comma
         if self._related:
-            self._group, self._related = [], False
+            self._finished, self._group, self._related = self._group, [], False
         if kind == "comma" and self._owner not in (None, TABLE) and self._carried != "without":
             self._owner, self._carried, self._group = None, None, []
 
@@ -178,6 +141,8 @@ class Reader:
         group = self._refer(noun) or self._introduce(noun)
         if not group:
             return
+        if self._each and self._pending is not None and len(group) > 1:
+            self._one_each(group)
         self._last = noun if joining else None
         if self._pending is not None:
             self._target(list(group))
@@ -194,6 +159,8 @@ class Reader:
                 return NounPhrase("place", noun.words)
             self._carry("hold")
             return noun
+        if of.kind == "unknown" and noun.noun in SUBSTANCES:
+            return replace(of, attributes={**of.attributes, "state": f"with {noun.noun}"})
         if of.kind in ("group", "amount", "vague"):
             several = of.kind == "group" and of.words[-1] not in ("piece", "slice", "type", "kind")
             vague = of.vague or ((3, 3) if several and noun.plural else None)
@@ -252,7 +219,7 @@ class Reader:
     def _table(self, noun: NounPhrase) -> None:
         if (noun.count or 1) > 1 or noun.vague or noun.plural:
             raise InputError(
-                f"A scene has exactly one table, the text asks for several ({_said(noun)!r}). "
+                f"A scene has exactly one table, the text asks for several ({said(noun)!r}). "
                 "Describe one table."
             )
         pending = self._pending
@@ -327,11 +294,11 @@ class Reader:
             return
         spread = self._joined or (kind in ("on", "in") and not self._comma)
         for group in self._group if spread else self._group[-1:]:
-            if self._joined or group is self._group[-1] or _shares(kind, group, targets):
+            if self._joined or group is self._group[-1] or shares(kind, group, targets):
                 self._apply(kind, group, targets)
         self._owner, self._carried, self._related = None, None, True
         support = [target for target in targets if isinstance(target, Draft)]
-        if kind in ("on", "in") and support:
+        if kind in ("on", "in", "center") and support:
             self._group = [support]
 
     def _apply(self, kind: str, group: Group, targets: Sequence[Draft | str]) -> None:
@@ -352,9 +319,6 @@ class Reader:
                     )
                 elif (kind, target) not in (("on", TABLE), ("in", TABLE), ("next_to", TABLE)):
                     draft.relate(kind, target)
-                elif draft.provisional:
-                    draft.relations.clear()
-                    draft.provisional = False
 
     def _antecedent(self) -> Group | str | None:
         """Return what "it" means: the owner of the current group, else the thing before."""
@@ -382,27 +346,25 @@ class Reader:
         """Return the objects that "the red mug" means, if they were mentioned."""
         if noun.kind not in ("object", "unknown"):
             return None
-        same = [d for d in self.reading.objects if _same(d, noun)]
-        if self._each and self._pending is not None and len(same) > 1:
-            return self._one_each(same)
+        alike = [d for d in self.reading.objects if same(d, noun)]
+        if self._each and self._pending is not None and len(alike) > 1:
+            return alike
         if not (noun.definite or noun.other):
             return None
-        if noun.other and len(same) > 1:
-            return [same[1]]
+        if noun.other and len(alike) > 1:
+            return [alike[1]]
         if noun.plural and (noun.count or 2) > 1:
-            return same or None
-        return same[:1] or None
+            return alike or None
+        return alike[:1] or None
 
-    def _one_each(self, owners: Group) -> Group:
+    def _one_each(self, owners: Group) -> None:
         """Multiply the current subject so that each owner gets its own ("on each plate")."""
         if self._group:
             group = self._group[-1]
             for _ in range(len(owners) - len(group)):
-                self._check_room()
-                copy = Draft(group[0].noun, group[0].category, dict(group[0].attributes))
-                self.reading.objects.append(copy)
-                group.append(copy)
-        return owners
+                one = group[0]
+                group.append(self.reading.add(one.noun, one.category, one.attributes))
+        self._each = False
 
     def _introduce(self, noun: NounPhrase) -> Group:
         if self._bare is not None:
@@ -413,94 +375,28 @@ class Reader:
         if noun.kind == "mixed":
             self.reading.vague = True
             members = [m for m in noun.members if m not in self.reading.excluded]
-            return [self._draft(noun, category, category.replace("_", " ")) for category in members]
+            return [
+                self.reading.add(category.replace("_", " "), category, noun.attributes)
+                for category in members
+            ]
         introduced = noun.determined or noun.plural or noun.category is not None
         if noun.kind == "unknown" and not (introduced or self._listing or self._carried):
             self.reading.warnings.append(f"Not understood and left out: {' '.join(noun.words)!r}.")
             return []
-        claimed = [d for d in self.reading.objects if d.implied and _same(d, noun)]
+        claimed = [d for d in self.reading.objects if d.implied and same(d, noun)]
         if claimed and not noun.definite and (noun.count or 1) == 1 and not noun.plural:
             claimed[0].implied = False
             claimed[0].attributes.update(noun.attributes)
             return claimed[:1]
-        group = [self._draft(noun, noun.category, noun.noun) for _ in range(self._number(noun))]
+        owners = len(self._owner) if self._each and isinstance(self._owner, list) else 1
+        group = [
+            self.reading.add(
+                noun.noun, noun.category, noun.attributes,
+                lengths=noun.lengths, implied=noun.definite,
+            )
+            for _ in range(self.reading.number(noun, self._rng) * owners)
+        ]  # fmt: skip
         if noun.attributes.get("stack"):
-            for below, above in zip(group, group[1:], strict=False):
+            for below, above in pairwise(group):
                 above.relate("on", below)
         return group
-
-    def _number(self, noun: NounPhrase) -> int:
-        if noun.count is not None:
-            room = MAX_OBJECTS - len(self.reading.objects)
-            if noun.count != int(noun.count) or noun.count < 1:
-                raise InputError(f"{_said(noun)!r}: say a whole number of objects, from 1 up.")
-            if noun.count > room:
-                raise InputError(
-                    f"{_said(noun)!r} is too many: a table holds at most {MAX_OBJECTS} objects in "
-                    "all. Ask for fewer."
-                )
-            per_owner = 1
-            if self._each and isinstance(self._owner, list):
-                per_owner = len(self._owner)
-            return int(noun.count) * per_owner
-        if noun.vague or noun.plural:
-            self.reading.vague = True
-            low, high = noun.vague or (2, 3)
-            if noun.vague and not noun.plural and noun.vague == (2, 3):
-                return 1
-            return int(self._rng.integers(low, high + 1))
-        return 1
-
-    def _check_room(self) -> None:
-        if len(self.reading.objects) >= MAX_OBJECTS:
-            raise InputError(
-                f"The text asks for more than {MAX_OBJECTS} objects, more than a table holds. "
-                "Ask for fewer."
-            )
-
-    def _draft(self, noun: NounPhrase, category: str | None, word: str) -> Draft:
-        self._check_room()
-        attributes = {k: v for k, v in noun.attributes.items() if k != "stack"}
-        draft = Draft(word, category, attributes, noun.lengths, implied=noun.definite)
-        self.reading.objects.append(draft)
-        return draft
-
-
-def _same(draft: Draft, noun: NounPhrase) -> bool:
-    alike = draft.category == noun.category and (noun.category or draft.noun == noun.noun)
-    return bool(alike) and all(
-        draft.attributes.get(k, v) == v for k, v in noun.attributes.items() if k != "state"
-    )
-
-
-def _said(noun: NounPhrase) -> str:
-    amount = f"{noun.count:g} " if noun.count is not None else ""
-    return amount + " ".join(noun.words)
-
-
-def _shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
-    """Tell whether "an apple and a pear on a plate" may mean that the apple is on it too."""
-    target = targets[0]
-    if isinstance(target, str):
-        return True
-    if any(not d.category for d in (group[0], target)):
-        return False
-    outer = CATEGORIES[str(target.category)]
-    return all(
-        fits(kind, CATEGORIES[str(d.category)].size, outer.size, outer.container)
-        and not d.relations
-        for d in group
-    )
-
-
-def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
-    """Return where a thing named with its owner goes: in a vessel, on a plate, else beside it."""
-    if owner.category is None or draft.category is None:
-        return "in" if held else "next_to"
-    outer = CATEGORIES[owner.category]
-    inner = CATEGORIES[draft.category].size
-    if fits("in", inner, outer.size, outer.container) and (held or min(inner) < 0.06):
-        return "in"
-    if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(outer.size[:2])):
-        return "on"
-    return "next_to"

@@ -59,34 +59,52 @@ STACKED = _words("stack stacks pile piles heap")
 
 RELATIONS = _table(
     """
-    left_of: to the left of, on the left of, on the left side of, at the left of, left of, on the left hand side of, to the left side of, in the left of, on the left part of, at the left side of
-    right_of: to the right of, on the right of, on the right side of, at the right of, right of, on the right hand side of, to the right side of, in the right of, on the right part of, at the right side of
+    left_of: to the left of, on the left of, on the left side of, at the left of, left of
+    left_of: on the left hand side of, to the left side of, in the left of, on the left part of
+    left_of: at the left side of
+    right_of: to the right of, on the right of, on the right side of, at the right of, right of
+    right_of: on the right hand side of, to the right side of, in the right of
+    right_of: on the right part of, at the right side of
     left_of it: to its left, on its left
     right_of it: to its right, on its right
     left_of table: on the left, at the left, to the left, on the left side, on the left hand side
-    right_of table: on the right, at the right, to the right, on the right side, on the right hand side
+    right_of table: on the right, at the right, to the right, on the right side
+    right_of table: on the right hand side
     in_front_of: in front of, at the front of, ahead of, before
     in_front_of it: in front of it
     in_front_of table: in front, at the front, in the foreground
     behind: behind, in back of, at the back of, across from, beyond, at the rear of
     behind table: at the back, in the back, in the background, at the rear, further back
-    next_to: next to, beside, near, close to, adjacent to, alongside, along side, by, nearby, against, leaning against, leaning on, around, surrounding, together with, not far from, along, touching, opposite, surrounded by, flanked by, by the side of, at the side of
+    next_to: next to, beside, near, close to, adjacent to, alongside, along side, by, nearby
+    next_to: against, leaning against, leaning on, around, surrounding, together with
+    next_to: not far from, along, touching, opposite, surrounded by, flanked by, by the side of
+    next_to: at the side of
     between: between, in between, amid, among
-    on: on, on top of, atop, upon, onto, on top, above, over, over the top of, resting on top of, stacked on, stacked on top of, balanced on
+    on: on, on top of, atop, upon, onto, on top, above, over, over the top of, resting on top of
+    on: stacked on, stacked on top of, balanced on
     in: in, inside, inside of, within, into
     under: under, beneath, underneath, below, under neath
-    center: in the middle of, in the center of, in the centre of, at the center of, at the centre of, at the middle of, on the middle of, in the very middle of, on the center of, on the centre of
-    center table: in the middle, in the center, in the centre, at the center, at the centre, as the centerpiece, as a centerpiece, as centerpiece, centrally, centered
-    edge: at the edge of, on the edge of, near the edge of, at the corner of, in the corner of, on the corner of, near the corner of, at the end of, by the edge of, along the edge of, close to the edge of, at one end of, at the far end of, in one corner of
-    edge table: at the edge, on the edge, near the edge, at the corner, in the corner, on the corner, in one corner, at one end
+    center: in the middle of, in the center of, in the centre of, at the center of
+    center: at the centre of, at the middle of, on the middle of, in the very middle of
+    center: on the center of, on the centre of
+    center table: in the middle, in the center, in the centre, at the center, at the centre
+    center table: as the centerpiece, as a centerpiece, as centerpiece, centrally, centered
+    edge: at the edge of, on the edge of, near the edge of, at the corner of, in the corner of
+    edge: on the corner of, near the corner of, at the end of, by the edge of, along the edge of
+    edge: close to the edge of, at one end of, at the far end of, in one corner of
+    edge table: at the edge, on the edge, near the edge, at the corner, in the corner
+    edge table: on the corner, in one corner, at one end
     """
 )  # fmt: skip
 """Phrases to relation kinds. After a blank: the target they carry themselves, "it" or "table"."""
 
 CARRIES = _table(
     """
-    with: with, has, have, having, featuring, including, includes, bearing, plus a, carrying, along with, decorated with, set with, equipped with, covered with, covered in, topped with
-    hold: containing, contains, holding, holds, filled with, full of, contain, hold, that holds, stuffed with
+    with: with, has, have, having, featuring, including, includes, bearing, plus a, carrying
+    with: along with, decorated with, set with, equipped with, covered with, covered in
+    with: topped with
+    hold: containing, contains, holding, holds, filled with, full of, contain, hold, that holds
+    hold: stuffed with
     without: without, no, not, except, excluding, minus, free of, lacking
     """
 )  # fmt: skip
@@ -235,7 +253,8 @@ SYNONYMS = _pairs(
     mug: beer mug, tea mug, tankard, travel mug
     teacup: tea cup, cappuccino cup, espresso cup
     cup: paper cup, tumbler
-    glass: water glass, drinking glass, juice glass, beer glass, glass of water, glass of milk, glass of juice, drink, tumbler
+    glass: water glass, drinking glass, juice glass, beer glass, glass of water, glass of milk
+    glass: glass of juice, drink, tumbler
     wine glass: goblet, wineglass, champagne glass, stemware, chalice
     bottle: water bottle, bottle of water, plastic bottle, beer bottle, soda bottle, flagon
     wine bottle: bottle of wine, wine, champagne bottle
@@ -243,7 +262,8 @@ SYNONYMS = _pairs(
     bowl: basin, fruit bowl, cereal bowl, salad bowl, soup bowl, mixing bowl, dish, ramen bowl
     plate: dinner plate, dish, side plate, dessert plate, platter
     fork: dinner fork, salad fork
-    knife: table knife, butter knife, kitchen knife, chef's knife, chefs knife, steak knife, paring knife
+    knife: table knife, butter knife, kitchen knife, chef's knife, chefs knife, steak knife
+    knife: paring knife
     spoon: teaspoon, tablespoon, soup spoon, wooden spoon, ladle
     teapot: tea pot, tea kettle
     kettle: electric kettle, coffee pot
@@ -255,7 +275,8 @@ SYNONYMS = _pairs(
     napkin: serviette, cloth napkin, paper napkin
     candle: tea light, tealight, pillar candle
     vase: flower vase, flower, bouquet, rose, tulip, bouquet of flowers, vase of flowers
-    plant: potted plant, houseplant, house plant, succulent, cactus, flower pot, flowerpot, plant pot
+    plant: potted plant, houseplant, house plant, succulent, cactus, flower pot, flowerpot
+    plant: plant pot
     apple: red apple, green apple
     orange: mandarin, tangerine, clementine, grapefruit
     lemon: lime
@@ -289,7 +310,8 @@ SYNONYMS = _pairs(
     ruler: measuring stick
     scissors: pair of scissors, shears
     stapler: staple gun
-    tape: adhesive tape, scotch tape, sticky tape, tape dispenser, roll of tape, duct tape, masking tape
+    tape: adhesive tape, scotch tape, sticky tape, tape dispenser, roll of tape, duct tape
+    tape: masking tape
     tape measure: measuring tape
     glue: glue bottle, glue stick, bottle of glue
     pencil holder: pen holder, pencil cup, pen cup, desk organizer, brush holder
