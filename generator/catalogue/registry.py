@@ -11,7 +11,20 @@ import numpy as np
 
 from ..errors import InputError, choices
 from ..scene import Model
-from . import bakery, craft, dining, electronics, food, lab, office, pantry, tools, toys, vanity
+from . import (
+    bakery,
+    craft,
+    dining,
+    electronics,
+    food,
+    games,
+    lab,
+    office,
+    pantry,
+    tools,
+    toys,
+    vanity,
+)
 from .category import Category, model_of
 from .look import Look
 
@@ -27,6 +40,7 @@ CATEGORIES: Mapping[str, Category] = MappingProxyType(
             electronics,
             tools,
             toys,
+            games,
             craft,
             vanity,
             lab,

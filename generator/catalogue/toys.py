@@ -1,4 +1,4 @@
-"""Toys and games."""
+"""Toys."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 from . import prints, textures
 from .category import Category
 from .collision import box_part, cylinder_part, hull_of
-from .colors import RGB, tinted
+from .colors import tinted
 from .look import Look
 from .shape import Shape, shape
 from .solids import (
@@ -18,10 +18,63 @@ from .solids import (
     ellipsoid,
     joined,
     lathe,
+    prism,
     torus,
 )
 
 BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet")
+
+
+def _side(outline: list[tuple[float, float]], width: float, bevel: float = 0.0) -> Solid:
+    """Return a side view (x, z; counter-clockwise) as thick as ``width`` along y."""
+    return prism(outline, -width / 2, width / 2, bevel).turned(0, np.pi / 2)
+
+
+def toy_car(look: Look) -> Shape:
+    """A model car; it drives towards +x."""
+    color = look.color("red", "blue", "navy", "silver", "yellow", "green", "white")
+    paint, dark = textures.speckled(look.rng, color, 4), textures.plain((34, 38, 44))
+    glass = textures.gradient((30, 36, 44), (92, 106, 118), look.rng)
+    k, w = look.between(0.92, 1.1), look.between(0.062, 0.068)
+    cabin = look.pick([-0.01, 0.0, 0.008])
+    hull = _side(
+        [(-0.07 * k, 0.009), (0.072 * k, 0.009), (0.08 * k, 0.016), (0.079 * k, 0.026),
+         (0.052 * k, 0.034), (-0.072 * k, 0.037), (-0.079 * k, 0.03), (-0.08 * k, 0.016)],
+        w, 0.006,
+    )  # fmt: skip
+    windows = _side(
+        [(cabin - 0.06, 0.033), (cabin + 0.034, 0.031), (cabin + 0.008, 0.053),
+         (cabin - 0.038, 0.054)],
+        0.86 * w, 0.005,
+    )  # fmt: skip
+    roof = _side(
+        [(cabin - 0.04, 0.0525), (cabin + 0.01, 0.0515), (cabin + 0.006, 0.0565),
+         (cabin - 0.034, 0.0575)],
+        0.78 * w, 0.002,
+    )  # fmt: skip
+    pillar = _side([(cabin - 0.018, 0.033), (cabin - 0.01, 0.033), (cabin - 0.012, 0.0535),
+                    (cabin - 0.017, 0.0535)], 0.875 * w)  # fmt: skip
+    places = [(x * k, s * (w / 2 - 0.004)) for x in (-0.048, 0.05) for s in (-1, 1)]
+    wheel = cylinder(0.0135, 0.011, 18, bevel=0.002).turned(0, np.pi / 2).moved(y=0.0055)
+    rim = cylinder(0.008, 0.0122, 12).turned(0, np.pi / 2).moved(y=0.0061)
+    lamps = [ellipsoid(0.008, 0.013, 0.007, 10, 6).moved(0.075 * k, s * 0.022, 0.0255)
+             for s in (-1, 1)]  # fmt: skip
+    tails = [box(0.004, 0.013, 0.006).moved(-0.0785 * k, s * 0.022, 0.022) for s in (-1, 1)]
+    pieces = [
+        (hull, paint), (windows, glass), (roof, paint), (pillar, paint),
+        (joined([wheel.moved(x, y, 0.0135) for x, y in places]), dark),
+        (joined([rim.moved(x, y, 0.0135) for x, y in places]), textures.plain((196, 198, 202))),
+        (joined(lamps), textures.plain((246, 244, 226))),
+        (joined(tails), textures.plain((150, 20, 24))),
+    ]  # fmt: skip
+    if look.chance(0.4):
+        stripe = textures.plain(look.fixed("white", "black", "yellow"))
+        pieces.append(
+            (box(0.044 * k, 0.014, 0.0012).turned(1, 0.28).moved(0.054 * k, 0, 0.0335), stripe)
+        )
+        pieces.append((box(0.04, 0.014, 0.001).moved(cabin - 0.014, 0, 0.0572), stripe))
+    track = box_part(0.125 * k, w, 0.012)
+    return shape(pieces, [track, hull_of(hull), hull_of(windows, roof)])
 
 
 def toy_block(look: Look) -> Shape:
@@ -49,35 +102,6 @@ def brick(look: Look) -> Shape:
     ]
     top = box_part(x - 0.006, y - 0.006, 0.0036, (0, 0, h))
     return shape([(box(x, y, h), tile), (joined(studs), tile)], [box_part(x, y, h), top])
-
-
-def puzzle_cube(look: Look) -> Shape:
-    """A 3x3 colour puzzle cube, scrambled."""
-    side = 0.057
-    paints: tuple[RGB, ...] = (
-        (200, 40, 40), (40, 90, 190), (245, 245, 240),
-        (245, 205, 50), (50, 150, 70), (240, 130, 40),
-    )  # fmt: skip
-    pieces = [(box(side, side, side), textures.plain((26, 26, 28)))]
-    places = [
-        (0.0, -side / 2, 0), (0.0, side / 2, np.pi), (-side / 2, 0.0, -np.pi / 2),
-        (side / 2, 0.0, np.pi / 2),
-    ]  # fmt: skip
-    plate = box(0.97 * side, 0.0008, 0.97 * side)
-    for x, y, turn in places:
-        pieces.append((plate.turned(2, turn).moved(x, y, 0.015 * side), _stickers(look, paints)))
-    top = box(0.97 * side, 0.97 * side, 0.0004).moved(z=side)
-    pieces.append((top, _stickers(look, paints)))
-    return shape(pieces, [box_part(side, side, side)])
-
-
-def _stickers(look: Look, paints: tuple[RGB, ...]) -> textures.Tile:
-    image = prints.canvas(96, 96, (26, 26, 28))
-    for i in range(3):
-        for j in range(3):
-            paint = paints[int(look.rng.integers(len(paints)))]
-            prints.fill(image, 0.03 + 0.32 * i, 0.03 + 0.32 * j, 0.29, 0.29, paint)
-    return image
 
 
 def toy_robot(look: Look) -> Shape:
@@ -182,45 +206,6 @@ def rubber_duck(look: Look) -> Shape:
     )
 
 
-def die(look: Look) -> Shape:
-    """One large die; the visible faces carry different counts."""
-    side = look.between(0.018, 0.024)
-    ground = look.color("white", "red", "blue", "black", "green")
-    ink: RGB = (30, 30, 32) if sum(ground) > 420 else (244, 244, 240)
-    cube = box(side, side, side)
-    pieces = []
-    for k, count in enumerate((1, 6, 2, 5, 3, 4)):
-        face = Solid(cube.vertices[4 * k : 4 * k + 4], [[0, 1, 2], [0, 2, 3]],
-                     cube.uv[4 * k : 4 * k + 4])  # fmt: skip
-        pieces.append((face, prints.pips(count, ground, ink)))
-    return shape(pieces, [box_part(side, side, side)])
-
-
-def playing_cards(look: Look) -> Shape:
-    """A squared-up deck of cards, face up."""
-    x, y, h = 0.063, 0.088, look.between(0.014, 0.018)
-    red = look.chance(0.5)
-    ink: RGB = (190, 30, 40) if red else (28, 28, 32)
-    face = prints.canvas(96, 134, (250, 249, 244))
-    rank = look.pick(["A", "K", "Q", "7"])
-    prints.write(face, rank, 0.14, 0.09, 0.11, ink, bold=True)
-    face = face[::-1, ::-1].copy()
-    prints.write(face, rank, 0.14, 0.09, 0.11, ink, bold=True)
-    prints.disc(face, 0.5, 0.5, 0.19, ink)
-    prints.disc(face, 0.5, 0.5, 0.11, (250, 249, 244))
-    prints.fill(face, 0.42, 0.4, 0.16, 0.2, ink)
-    edge = textures.stripes([(250, 249, 244), (206, 204, 198)], 12)
-    back = look.color("navy", "crimson", "green")
-    return shape(
-        [
-            (block(x, y, h, 0.003), edge),
-            (box(x - 0.003, y - 0.003, 0.0006).moved(z=h - 0.0002), face),
-            (box(x - 0.002, y - 0.002, 0.0008).moved(z=0.0001), textures.plain(back)),
-        ],
-        [box_part(x, y, h)],
-    )
-
-
 def toy_train(look: Look) -> Shape:
     """A wooden locomotive with four wheels."""
     paint = textures.speckled(look.rng, look.color("red", "blue", "green", "violet"), 4)
@@ -271,23 +256,17 @@ def stacking_rings(look: Look) -> Shape:
     return shape(pieces, [cylinder_part(0.045, 0.012), hull_of(body.moved(z=0.001))])
 
 
-def chess_piece(look: Look) -> Shape:
-    """A chess piece: pawn, bishop-like or rook-like."""
-    wood = look.surface(look.color("cream", "black", "brown"), "plastic")
-    kind = int(look.rng.integers(3))
-    r, h = 0.016, (0.042, 0.06, 0.048)[kind]
-    neck = [(0, 0), (r, 0), (r, 0.006), (0.8 * r, 0.011), (0.42 * r, 0.5 * h), (0.62 * r, 0.62 * h)]
-    if kind == 2:
-        head = [(0.72 * r, 0.66 * h), (0.72 * r, h), (0, h)]
-    else:
-        angles = np.linspace(-0.9, np.pi / 2, 7)
-        ball = np.column_stack([0.6 * r * np.cos(angles), 0.8 * h + 0.2 * h * np.sin(angles)])
-        head = [tuple(p) for p in ball[:-1]] + [(0, h)]
-    body = lathe([*neck, *head], 20)
-    return shape([(body, wood)], [cylinder_part(r, 0.008), hull_of(body)])
-
-
 CATEGORIES = (
+    Category(
+        "toy_car",
+        toy_car,
+        (0.16, 0.07, 0.058),
+        0.16,
+        ("car", "model car", "miniature car", "race car", "truck", "vehicle"),
+        ("toys", "craft"),
+        (),
+        ("red", "blue", "yellow"),
+    ),
     Category(
         "toy_block",
         toy_block,
@@ -307,14 +286,6 @@ CATEGORIES = (
         ("toys", "craft"),
         (),
         BRIGHT,
-    ),
-    Category(
-        "puzzle_cube",
-        puzzle_cube,
-        (0.058, 0.058, 0.058),
-        0.09,
-        ("rubik's cube", "rubiks cube", "magic cube", "rubik cube"),
-        ("toys", "office"),
     ),
     Category(
         "toy_robot",
@@ -349,26 +320,6 @@ CATEGORIES = (
         ("yellow",),
     ),
     Category(
-        "die",
-        die,
-        (0.021, 0.021, 0.021),
-        0.012,
-        ("dice", "gaming die"),
-        ("toys", "games"),
-        (),
-        ("white", "red"),
-    ),
-    Category(
-        "playing_cards",
-        playing_cards,
-        (0.063, 0.088, 0.016),
-        0.095,
-        ("deck of cards", "pack of cards", "cards", "card deck", "deck"),
-        ("games", "coffee"),
-        ("flat",),
-        state="lying flat",
-    ),
-    Category(
         "toy_train",
         toy_train,
         (0.115, 0.058, 0.088),
@@ -386,15 +337,5 @@ CATEGORIES = (
         ("ring stacker", "stacking toy"),
         ("toys",),
         ("round",),
-    ),
-    Category(
-        "chess_piece",
-        chess_piece,
-        (0.032, 0.032, 0.05),
-        0.035,
-        ("pawn", "rook", "chessman", "bishop"),
-        ("games",),
-        ("round",),
-        ("cream", "black"),
     ),
 )
