@@ -249,6 +249,8 @@ def _fit(
     points = candidate.points[:: max(1, len(candidate.points) // 100)]
     arguments = (points, kind, aspect, frame)
     starts = [np.clip(s, _LOWER, _UPPER) for s in _starts(candidate.hull, frame)]
+    if kind.shape != "rectangle":  # seen turned, the others look much the same
+        starts = [s for s in starts if s[0] == 0]
     costs = [float((_residuals(s, *arguments) ** 2).sum()) for s in starts]
     found = [
         least_squares(

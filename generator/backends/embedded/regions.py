@@ -12,21 +12,23 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, Int
-from scipy.ndimage import uniform_filter
+from scipy.ndimage import maximum_filter, median_filter, uniform_filter
 
 from .outline import background_patch, flat_patches, gradient
 from .plane import TablePlane
 
 _SHADOW_EDGE = 2.6  # CIELAB units per pixel: the steepest edge of a soft shadow
-_GLOW_EDGE = 1.4  # the steepest edge of coloured light or of a coloured shadow
-_TINT = 10.0  # CIELAB units by which such light changes the hue
+_GLOW_EDGE = 1.2  # the steepest edge of coloured light or of a coloured shadow
+_TINT = 14.0  # CIELAB units by which such light changes the hue
+_FAINT_EDGE = 0.8  # an outline against the background has at least this
 _DARKEST = 0.55  # share of the light that a shadow leaves
 _PATTERN = 0.08  # of the top: a pattern must explain this much more than one even colour
-_PATTERN_EDGE = 5.5  # CIELAB units per pixel: a pattern's edges are softer than things' outlines
+_PATTERN_EDGE = 6.3  # CIELAB units per pixel: a pattern's edges are softer than things' outlines
 _ISLAND = 0.02  # of the top: cut-off bare spots below this lie inside things
 _GRID = (12, 16)  # rows and columns of cells on the top
 _ALONG = 0.8  # of a row or column of cells: what a plank's colour fills
 _BIN, _BINS = 5.0, (21, 24, 24)  # CIELAB units of a colour bin, and bins along L, a, b
+_BANDS = 160  # bands along each side of the top in which joints are sought
 _SMALLEST = 2.5e-4  # of the picture: fewer pixels are a speck
 
 
@@ -95,10 +97,25 @@ def bare(
     """Return the pixels of ``within`` that show the bare surface, shadows included."""
     color, spread = smooth_color(lab, sure)
     plain = (np.abs(lab - color) < 3.5 * spread).all(-1) & within
-    shade = _dimmed(lab, color, 3.0 + 3 * spread[1:]) & (strength < _SHADOW_EDGE) & within
-    glow = _dimmed(lab, color, _TINT) & (strength < _GLOW_EDGE) & within
-    glow = cv2.morphologyEx(glow.astype(np.uint8), cv2.MORPH_OPEN, disc(2)) > 0
-    return _reach(plain, shade | glow) | plain
+    shade = _dimmed(lab, color, 3.0 + 3 * spread[1:]) & (strength < _SHADOW_EDGE)
+    glow = (_dimmed(lab, color, _TINT) & (strength < _GLOW_EDGE) & within).astype(np.uint8)
+    glow = cv2.morphologyEx(glow, cv2.MORPH_OPEN, disc(2)) > 0
+    return _reach(plain, (shade | glow) & within) | plain
+
+
+def _open_ground(
+    lab: Float[np.ndarray, "h w 3"],
+    strength: Float[np.ndarray, "h w"],
+    background: Bool[np.ndarray, "h w"],
+) -> Bool[np.ndarray, "h w"]:
+    """Return the background that a ball reaches from the border without touching a faint edge.
+
+    A white thing before a white ground has at least a faint outline; its inside is not reached.
+    """
+    color, spread = smooth_color(lab, background)
+    plain = (np.abs(lab - color) < 3.5 * spread).all(-1)
+    reached = background_patch(flat_patches(strength, _FAINT_EDGE, 2))
+    return reached | (plain & _wider(reached, 3))
 
 
 def patterned(
@@ -163,8 +180,12 @@ def find_regions(lab: Float[np.ndarray, "h w 3"], plane: TablePlane) -> Regions:
     background = background_patch(flat_patches(strength, 1.0, 4)) & around
     if not background.any():
         background = ~_wider(top, 9)
-    ground = bare(lab, strength, background, ~top)
+    far = int(np.flatnonzero(top.any(1))[0])  # above, no floor can lie in the table's shadow
+    sky = np.arange(size[0])[:, None] < far
+    floor = bare(lab, strength, background, ~top)
+    ground = np.where(sky, _open_ground(lab, strength, background), floor)
     other = np.where(top, ~_bare_top(lab, strength, plane, top), ~ground)
+    other = cv2.morphologyEx(other.astype(np.uint8), cv2.MORPH_CLOSE, disc(1)) > 0
     raw = other & above_front(top)
     edge = cv2.morphologyEx(top.astype(np.uint8), cv2.MORPH_GRADIENT, disc(3)) > 0
     grown = cv2.morphologyEx((raw & ~edge).astype(np.uint8), cv2.MORPH_OPEN, disc(1)) > 0
@@ -194,11 +215,30 @@ def _bare_top(
     soft = gained.any() and np.percentile(strength[gained], 75) < _PATTERN_EDGE
     if soft and gained.sum() > _PATTERN * inner.sum():
         even = even | pattern
-    return even & ~_islands(even, _ISLAND * int(top.sum()))
+    even |= _seams(~even & top, top, place)
+    return even & ~_islands(even, _ISLAND * int(top.sum()), top & ~inner)
 
 
-def _islands(mask: Bool[np.ndarray, "h w"], smallest: float) -> Bool[np.ndarray, "h w"]:
-    """Return the parts of a mask that are cut off from its largest part, and small.
+def _seams(
+    mask: Bool[np.ndarray, "h w"], top: Bool[np.ndarray, "h w"], place: Float[np.ndarray, "h w 2"]
+) -> Bool[np.ndarray, "h w"]:
+    """Return the pixels of narrow bands that run along or across most of the top: joints."""
+    found = np.zeros_like(mask)
+    for axis in (0, 1):
+        slot = np.clip(place[..., axis] * _BANDS, 0, _BANDS - 1).astype(int)
+        share = np.bincount(slot[mask], minlength=_BANDS) / np.maximum(
+            np.bincount(slot[top], minlength=_BANDS), 1
+        )
+        around = median_filter(share, 21, mode="nearest")
+        narrow = (share > 0.7) & (share > around + 0.25)
+        found |= maximum_filter(narrow, 3)[slot] & mask
+    return found
+
+
+def _islands(
+    mask: Bool[np.ndarray, "h w"], smallest: float, rim: Bool[np.ndarray, "h w"]
+) -> Bool[np.ndarray, "h w"]:
+    """Return the small parts of a mask that are cut off from its largest part and from ``rim``.
 
     They are insides of things: a page, a label, the lens of a magnifying glass.
     """
@@ -207,6 +247,7 @@ def _islands(mask: Bool[np.ndarray, "h w"], smallest: float) -> Bool[np.ndarray,
     areas[0] = 0
     small = areas < smallest
     small[[0, int(areas.argmax())]] = False
+    small[np.unique(numbers[rim])] = False
     return small[numbers]
 
 
