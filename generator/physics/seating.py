@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -11,7 +11,7 @@ from jaxtyping import Float
 from ..geometry import inside_margin
 from ..scene import TABLE, Object, Pose, Scene
 from .parts import base, highest, lowest
-from .separation import TOLERANCE, ancestry, with_poses
+from .separation import TOLERANCE, ancestry, off_table, with_poses
 from .simulation import ON_TABLE, Simulation
 
 _GOLDEN = np.pi * (3 - np.sqrt(5))
@@ -39,22 +39,76 @@ def seat_stacked(scene: Scene) -> Scene:
     return scene
 
 
-def nearest_free(scene: Scene, name: str) -> Pose | None:
-    """Return the nearest pose on the table where ``name`` overlaps nothing, or None."""
+def relocate(
+    scene: Scene, stuck: Sequence[str], wanted: Mapping[str, Pose]
+) -> tuple[Scene, tuple[str, ...]]:
+    """Give objects that could not be freed the free places nearest to where they were wanted.
+
+    The largest chooses first, with the others still in hand. What stands on them comes along.
+
+    Returns:
+        The scene, and the names of those for which no place is left (a stacked one has none but
+        its own).
+    """
+    waiting = sorted(stuck, key=lambda n: -float(np.prod(scene.object(n).scale[:2])))
+    homeless = []
+    while waiting:
+        name = waiting.pop(0)
+        if scene.object(name).placement.on != TABLE:
+            homeless.append(name)
+            continue
+        place = nearest_free(scene, name, wanted[name], {*waiting, *homeless})
+        if place is None:
+            homeless.append(name)
+        else:
+            scene = carried(scene, {name: place})
+    return scene, tuple(
+        name
+        for name in homeless
+        if off_table(scene, scene.object(name)) or overlapping(scene, name, set(homeless) - {name})
+    )
+
+
+def nearest_free(
+    scene: Scene, name: str, wanted: Pose, absent: Collection[str] = ()
+) -> Pose | None:
+    """Return the pose on the table nearest to ``wanted`` where ``name`` overlaps nothing.
+
+    Objects in ``absent`` are looked through. None means that there is no such place.
+    """
     index = [o.name for o in scene.objects].index(name)
     thing = scene.objects[index]
+    others = _others(scene, name, absent)
     simulation = Simulation(scene)
     simulation.place([o.pose for o in scene.objects])
     z = scene.table.height + _GAP - lowest(thing)
     size = float(np.linalg.norm(np.ptp(scene.table.outline, axis=0)))
     for offset in spiral(size, size / 40):
-        pose = Pose(np.append(thing.pose.position[:2] + offset, z), thing.pose.quaternion)
+        pose = Pose(np.append(wanted.position[:2] + offset, z), thing.pose.quaternion)
         if inside_margin(base(thing, pose), scene.table.outline).min() < 0:
             continue
         simulation.positions[index] = pose.position
-        if _depth(simulation, index) <= TOLERANCE:
+        if _depth(simulation, index, others) <= TOLERANCE:
             return pose
     return None
+
+
+def overlapping(scene: Scene, name: str, absent: Collection[str] = ()) -> bool:
+    """Whether ``name`` overlaps another object, those in ``absent`` aside, by more than contact."""
+    index = [o.name for o in scene.objects].index(name)
+    simulation = Simulation(scene)
+    simulation.place([o.pose for o in scene.objects])
+    return _depth(simulation, index, _others(scene, name, absent)) > TOLERANCE
+
+
+def carried(scene: Scene, places: Mapping[str, Pose]) -> Scene:
+    """Put objects at new places, and what stands on them along."""
+    poses = []
+    for chain, thing in zip(ancestry(scene.objects), scene.objects, strict=True):
+        movers = [scene.objects[k] for k in chain if scene.objects[k].name in places]
+        shift = places[movers[0].name].position - movers[0].pose.position if movers else 0.0
+        poses.append(Pose(thing.pose.position + shift, thing.pose.quaternion))
+    return scene.replace(objects=with_poses(scene.objects, poses))
 
 
 def spiral(radius: float, spacing: float) -> Iterator[Float[np.ndarray, "2"]]:
@@ -106,7 +160,7 @@ def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> f
 
     def free(z: float) -> bool:
         simulation.positions[last] = [*xy, z]
-        return _depth(simulation, last, table=True) <= 1e-6
+        return _depth(simulation, last, range(ON_TABLE, last)) <= 1e-6
 
     if not free(top):
         return None
@@ -120,13 +174,19 @@ def _lower(simulation: Simulation, xy: np.ndarray, top: float, fall: float) -> f
     return high + _GAP
 
 
-def _depth(simulation: Simulation, index: int, *, table: bool = False) -> float:
-    """Return how deep object ``index`` overlaps others."""
-    return max(
-        (
-            depth
-            for (a, b), depth in simulation.contacts().deepest().items()
-            if index in (a, b) and (table or a != ON_TABLE)
-        ),
-        default=0.0,
-    )
+def _others(scene: Scene, name: str, absent: Collection[str]) -> set[int]:
+    """Indices of the objects, ``name`` and what it carries or stands on aside, that are there."""
+    chains = ancestry(scene.objects)
+    names = [o.name for o in scene.objects]
+    index = names.index(name)
+    return {
+        k for k, chain in enumerate(chains)
+        if k not in chains[index] and index not in chain
+        and not any(names[m] in absent for m in chain)
+    }  # fmt: skip
+
+
+def _depth(simulation: Simulation, index: int, others: Collection[int]) -> float:
+    """Return how deep object ``index`` overlaps any of ``others``."""
+    deep = simulation.contacts().deepest().items()
+    return max((d for (a, b), d in deep if index in (a, b) and a + b - index in others), default=0)

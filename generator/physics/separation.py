@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
-from ..geometry import quaternion_yaw
+from ..geometry import inside_margin, quaternion_yaw
 from ..scene import TABLE, Object, Pose, Scene
 from .parts import base
 from .simulation import Simulation
@@ -23,7 +23,7 @@ from .simulation import Simulation
 TOLERANCE = 2e-4
 """Overlaps shallower than this, metres, are contact."""
 
-_ROUNDS = 40
+_PATIENCE = 6  # rounds without fewer overlaps before giving up
 _SWEEPS = 400
 
 
@@ -44,7 +44,8 @@ def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
     ``clearance`` is the gap left between objects that had overlapped, metres.
 
     Returns:
-        The scene with new poses, and the names of objects that still overlap another.
+        The scene with new poses, and the names of objects that still overlap another, or found
+        room only beyond the table's edge.
     """
     chains = ancestry(scene.objects)
     start = [o.pose for o in scene.objects]
@@ -52,12 +53,15 @@ def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
     cuts = _edge_cuts(scene)
     poses = start
     pairs: list[tuple[int, int]] = []
-    for _ in range(_ROUNDS):
+    fewest, stalled = len(start) ** 2, 0
+    while stalled < _PATIENCE:
         poses = _moved(start, _least_squares(cuts, chains))
         simulation.place(poses)
         pairs = _overlapping(simulation, chains)
         if not pairs:
             break
+        stalled = 0 if len(pairs) < fewest else stalled + 1
+        fewest = min(fewest, len(pairs))
         now = scene.replace(objects=with_poses(scene.objects, poses))
         for a, b in pairs:
             direction, distance = least_push(now.objects[a], now.objects[b], now, clearance)
@@ -65,8 +69,14 @@ def separate(scene: Scene, clearance: float) -> tuple[Scene, tuple[str, ...]]:
                 poses[a].position - start[a].position
             )
             cuts.append(Cut(a, b, direction, distance + float(direction @ already[:2])))
-    stuck = sorted({scene.objects[i].name for pair in pairs for i in pair})
-    return scene.replace(objects=with_poses(scene.objects, poses)), tuple(stuck)
+    moved = scene.replace(objects=with_poses(scene.objects, poses))
+    stuck = {moved.objects[i].name for pair in pairs for i in pair}
+    return moved, tuple(sorted(stuck | {o.name for o in moved.objects if off_table(moved, o)}))
+
+
+def off_table(scene: Scene, thing: Object) -> bool:
+    """Whether the centre of mass of an upright object lies beyond the table's outline."""
+    return bool(inside_margin(base(thing, thing.pose)[-1:], scene.table.outline)[0] < 0)
 
 
 def ancestry(objects: Sequence[Object]) -> list[tuple[int, ...]]:

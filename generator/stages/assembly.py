@@ -19,8 +19,8 @@ from ..geometry import convex_outline, yaw_quaternion
 from ..physics.gate import Limits, fallen, judge
 from ..physics.inertia import body_mass
 from ..physics.parts import lowest, model_parts
-from ..physics.seating import nearest_free, seat_on_table, seat_stacked
-from ..physics.separation import TOLERANCE, ancestry, separate, with_poses
+from ..physics.seating import carried, relocate, seat_on_table, seat_stacked
+from ..physics.separation import ancestry, separate, with_poses
 from ..physics.settling import has_toppled, settle
 from ..physics.simulation import Simulation, shifted
 from ..scene import (
@@ -121,18 +121,9 @@ def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...
     scene = scene.replace(objects=tuple(standing))
     roots = tuple(o for o in scene.objects if o.placement.on == TABLE)
     apart, _ = separate(scene.replace(objects=roots), config.clearance)
-    scene = seat_stacked(_carried(scene, {o.name: o.pose for o in apart.objects}))
+    scene = seat_stacked(carried(scene, {o.name: o.pose for o in apart.objects}))
     scene, stuck = separate(scene, config.clearance)
-    taken = []
-    for name in sorted(stuck, key=lambda n: float(np.prod(scene.object(n).scale[:2]))):
-        if scene.object(name).placement.on != TABLE or not overlapping(scene, name):
-            continue
-        place = nearest_free(scene, name)
-        if place is None:
-            taken.append(name)
-        else:
-            scene = _carried(scene, {name: place})
-    return scene, tuple(taken)
+    return relocate(scene, stuck, {o.name: o.pose for o in standing})
 
 
 def rest(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
@@ -207,26 +198,6 @@ def _checked(placements: Sequence[Placement]) -> Sequence[Placement]:
 
 
 # -------------------------------------------------------------------------------------- the scene
-
-
-def overlapping(scene: Scene, name: str) -> bool:
-    """Whether ``name`` overlaps another object by more than contact."""
-    index = [o.name for o in scene.objects].index(name)
-    simulation = Simulation(scene)
-    simulation.place([o.pose for o in scene.objects])
-    deep = simulation.contacts().deepest().items()
-    return any(index in pair and pair[0] >= 0 and depth > TOLERANCE for pair, depth in deep)
-
-
-def _carried(scene: Scene, places: Mapping[str, Pose]) -> Scene:
-    """Put objects at new places, and what stands on them along."""
-    chains = ancestry(scene.objects)
-    poses = []
-    for chain, thing in zip(chains, scene.objects, strict=True):
-        root = scene.objects[next((k for k in chain if scene.objects[k].name in places), chain[0])]
-        shift = places[root.name].position - root.pose.position if root.name in places else 0.0
-        poses.append(Pose(thing.pose.position + shift, thing.pose.quaternion))
-    return scene.replace(objects=with_poses(scene.objects, poses))
 
 
 def _toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:

@@ -1,0 +1,83 @@
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+from shapes import UNIT, sphere_mesh
+from toy import cube_mesh
+
+from generator.errors import SceneError
+from generator.physics import decomposition
+from generator.physics.decomposition import decompose
+from generator.physics.parts import model_parts, scaled
+from generator.scene import ConvexPart, Mesh, Model
+
+
+def angle_mesh() -> Mesh:
+    """An L: a floor and a wall, as one outline drawn along y."""
+    outline = np.array([[-5, -5], [5, -5], [5, 5], [4, 5], [4, -4], [-5, -4]]) / 10
+    front, back = (np.insert(outline, 1, y, axis=1) for y in (-0.5, 0.5))
+    sides = []
+    for k in range(6):
+        n = (k + 1) % 6
+        sides += [[k, n, n + 6], [k, n + 6, k + 6]]
+    caps = [[0, 4, 1], [0, 5, 4], [1, 4, 2], [2, 4, 3]]
+    caps = [[a, c, b] for a, b, c in caps] + [[a + 6, b + 6, c + 6] for a, b, c in caps]
+    return Mesh(np.concatenate([front, back]), sides + caps, np.zeros((12, 2)), np.zeros((2, 2, 3)))
+
+
+def inside(parts: tuple[ConvexPart, ...], point: list[float]) -> bool:
+    from scipy.spatial import ConvexHull
+
+    hulls = [ConvexHull(part.vertices).equations for part in parts]
+    return any((h[:, :3] @ point + h[:, 3] < 1e-9).all() for h in hulls)
+
+
+def test_a_hollow_stays_open(tmp_path: Path) -> None:
+    parts = decompose(angle_mesh(), np.full(3, 0.1), cache=tmp_path)
+    assert len(parts) >= 2
+    assert inside(parts, [0, 0, -0.45])
+    assert inside(parts, [0.45, 0, 0.2])
+    assert not inside(parts, [-0.2, 0, 0.2])
+
+
+def test_a_ball_is_one_hull_and_is_kept(tmp_path: Path, monkeypatch) -> None:
+    parts = decompose(sphere_mesh(), np.full(3, 0.1), cache=tmp_path)
+    assert len(parts) == 1
+    monkeypatch.setattr(decomposition, "_coacd", None)  # not called a second time
+    again = decompose(sphere_mesh(), np.full(3, 0.1), cache=tmp_path)
+    np.testing.assert_array_equal(again[0].vertices, parts[0].vertices)
+
+
+def test_a_damaged_cache_is_made_again(tmp_path: Path) -> None:
+    parts = decompose(cube_mesh(), np.full(3, 0.1), cache=tmp_path)
+    next(tmp_path.iterdir()).write_bytes(b"not an archive")
+    again = decompose(cube_mesh(), np.full(3, 0.1), cache=tmp_path)
+    np.testing.assert_array_equal(again[0].vertices, parts[0].vertices)
+
+
+def test_an_unwritable_cache_only_costs_time(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    assert decompose(cube_mesh(), np.full(3, 0.1), cache=tmp_path / "file" / "below")
+
+
+def test_the_time_limit_holds(tmp_path: Path) -> None:
+    with pytest.raises(SceneError, match=r"longer than 0\.01 s"):
+        decompose(sphere_mesh(), np.full(3, 0.1), seconds=0.01, cache=tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
+def test_known_parts_are_scaled_not_made(monkeypatch) -> None:
+    monkeypatch.setattr(decomposition, "decompose", None)
+    part = ConvexPart(UNIT, "cylinder", 1)
+    model = Model("a", "a", cube_mesh(), np.ones(3), parts=(part,))
+    (found,) = model_parts(model, np.array([0.1, 0.2, 0.3]))
+    assert (found.kind, found.axis) == ("cylinder", 1)
+    np.testing.assert_allclose(np.ptp(found.vertices, axis=0), [0.1, 0.2, 0.3])
+
+
+def test_flat_parts_get_a_thickness() -> None:
+    sheet = dataclasses.replace(ConvexPart(UNIT), vertices=UNIT * [1, 1, 1e-6])
+    assert np.ptp(scaled(sheet, np.full(3, 0.1)).vertices, axis=0)[2] >= 3.9e-4
