@@ -33,6 +33,10 @@ WALL_DEPTH = 0.015
 THICKEST_WALL = 0.03
 """Thickest wall that is taken by its rim, metres."""
 
+WIDEST_FLARE = 0.5
+"""Most that a wall may lean outwards to be taken by its rim, metres a metre: a hand that points
+straight down slips off walls that lean more."""
+
 _GRID = 48
 _UPRIGHT = np.cos(np.deg2rad(20.0))
 
@@ -43,7 +47,8 @@ class Opening:
 
     ``center`` (x, y) and ``semi`` (semi-axes along the body's x and y, metres) describe the clear
     cross-section; ``floor`` (of the hollow) and ``rim`` are heights z; ``wall`` is the thickness of
-    the wall at the rim and ``thickness`` that of the floor.
+    the wall at the rim and ``thickness`` that of the floor; ``flare`` is how much the hollow's
+    radius grows with height (0 for upright walls, 1 for 45 degrees).
     """
 
     center: Float[np.ndarray, "2"]
@@ -52,6 +57,7 @@ class Opening:
     rim: float
     wall: float
     thickness: float
+    flare: float
 
     @property
     def depth(self) -> float:
@@ -97,7 +103,7 @@ def why_not_graspable(obj: Object, hollow: Opening | None) -> str | None:
     if width <= limit:
         return None
     if hollow is not None and hollow.wall <= THICKEST_WALL and hollow.depth >= 2 * WALL_DEPTH:
-        return None
+        return None if hollow.flare <= WIDEST_FLARE else "its walls lean too far to be gripped"
     return f"{100 * width:.1f} cm is wider than the gripper's {100 * limit:.1f} cm"
 
 
@@ -127,7 +133,12 @@ def opening(obj: Object) -> Opening | None:
     center = np.array([x[inner].mean(), y[inner].mean()])
     spans = np.array([np.ptp(x[inner]), np.ptp(y[inner])]) + cell
     wall = float(((high - low)[:2] - spans).min() / 2)
-    return Opening(center, spans / 2, floor, rim, wall, floor - float(low[2]))
+    below, above = floor + 0.25 * (rim - floor), rim - WALL_DEPTH
+    narrow, wide = (
+        np.sqrt((inner & (top < z)).sum() * cell.prod() / np.pi) for z in (below, above)
+    )
+    flare = float((wide - narrow) / (above - below)) if above > below + 1e-3 else 0.0
+    return Opening(center, spans / 2, floor, rim, wall, floor - float(low[2]), flare)
 
 
 def _hollow(
@@ -138,7 +149,8 @@ def _hollow(
 
     labels = np.empty(below.shape, dtype=np.int32)
     count = int(ndimage.label(below, output=labels))  # type: ignore[arg-type]
-    whole = ndimage.binary_fill_holes(solid)  # parts may leave hairline gaps between them
+    # Parts may leave hairline gaps between them.
+    whole = np.asarray(ndimage.binary_fill_holes(solid), dtype=bool)
     outside = ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
     best = np.zeros_like(below)
     for k in range(1, count + 1):
