@@ -135,8 +135,8 @@ def can(look: Look) -> Shape:
     steel = textures.plain((196, 198, 202))
     rim = 0.0022 if soup else 0.005
     body = lathe(
-        [(0, 0.001), (r - rim, 0), (r, rim), (r, h - rim), (r - rim, h), (r - rim - 0.002, h - 0.002),
-         (0, h - 0.002)],
+        [(0, 0.001), (r - rim, 0), (r, rim), (r, h - rim), (r - rim, h),
+         (r - rim - 0.002, h - 0.002), (0, h - 0.002)],
         v=[0, 0.02, 0.04, 0.96, 0.98, 0.99, 1],
     )  # fmt: skip
     tile = textures.stacked((steel, 4), (print_, 92), (steel, 4), side=160)

@@ -14,10 +14,11 @@ from ..scene import Model
 from . import (
     bakery,
     craft,
+    decor,
     dining,
     electronics,
     food,
-    games,
+    kitchen,
     lab,
     office,
     pantry,
@@ -28,25 +29,13 @@ from . import (
 from .category import Category, model_of
 from .look import Look
 
+_SHELVES = (
+    *(dining, pantry, food, bakery, kitchen, office, electronics, decor),
+    *(tools, toys, craft, vanity, lab),
+)
+
 CATEGORIES: Mapping[str, Category] = MappingProxyType(
-    {
-        c.key: c
-        for module in (
-            dining,
-            pantry,
-            food,
-            bakery,
-            office,
-            electronics,
-            tools,
-            toys,
-            games,
-            craft,
-            vanity,
-            lab,
-        )
-        for c in module.CATEGORIES
-    }
+    {c.key: c for shelf in _SHELVES for c in shelf.CATEGORIES}
 )
 """Every category by key."""
 
