@@ -51,8 +51,10 @@ def test_gradients_agree_with_finite_differences():
     image = picture(1, 16, torch.float64).requires_grad_()
 
     def total(x: torch.Tensor) -> torch.Tensor:
-        return sum((m * torch.linspace(0, 1, m.shape[-1], dtype=m.dtype)).sum()
-                   for m in Encoder().features(x))  # fmt: skip
+        maps = Encoder().features(x)
+        return torch.stack(
+            [(m * torch.linspace(0, 1, m.shape[-1], dtype=m.dtype)).sum() for m in maps]
+        ).sum()
 
     (gradient,) = torch.autograd.grad(total(image), image)
     offset = torch.zeros_like(image)

@@ -19,7 +19,7 @@ def l_shape() -> Mesh:
     outline = np.array([[0, 0], [1, 0], [1, 0.4], [0.4, 0.4], [0.4, 1], [0, 1]]) - 0.5
     n = len(outline)
     low = np.column_stack([outline, np.full(n, -0.5)])
-    vertices = np.concatenate([low, low + [0, 0, 1]])
+    vertices = np.concatenate([low, low + np.array([0, 0, 1])])
     caps = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]])
     i, j = np.arange(n), (np.arange(n) + 1) % n
     sides = np.concatenate([np.stack([i, j, j + n], 1), np.stack([i, j + n, i + n], 1)])
