@@ -34,7 +34,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.backends", ("generator.backends.select",)),
     ("generator.catalogue.sheet", (*VALUES, "generator.catalogue", "generator.render")),
     ("generator.catalogue", (*VALUES, "generator.catalogue")),
-    ("generator.layout", (*VALUES, "generator.catalogue")),
+    ("generator.layout", (*VALUES, "generator.layout", "generator.catalogue")),
     ("generator.physics", (*VALUES, "generator.physics", "generator.mjcf")),
     (
         "generator.stages",

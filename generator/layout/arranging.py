@@ -71,6 +71,7 @@ def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: in
             f"{table.size[0]:.2f} x {table.size[1]:.2f} m with {len(plan.objects)} objects. "
             "Ask for fewer or smaller things, or a larger table."
         )
+    _center(best, plan, outline)
     return Layout(tuple(best.places[o.name] for o in plan.objects), tuple(best.warnings))
 
 
@@ -107,6 +108,28 @@ def _place_all(
                     return planned.name
         above = [o for o in above if o not in ready]
     return None
+
+
+def _center(state: _State, plan: ScenePlan, outline: Float[np.ndarray, "k 2"]) -> None:
+    """Move the whole arrangement towards the table's middle, where no relation forbids it."""
+    kinds = {r.kind for o in plan.objects for r in o.relations if r.target == TABLE}
+    fixed = bool(kinds & {"center", "edge"})
+    free = np.array(
+        [not fixed and not kinds & {"left_of", "right_of"},
+         not fixed and not kinds & {"behind", "in_front_of"}], float
+    )  # fmt: skip
+    standing = [n for name, n in state.neighbours.items() if state.places[name].on == TABLE]
+    low = np.min([n.center - n.shape.half for n in standing], axis=0)
+    high = np.max([n.center + n.shape.half for n in standing], axis=0)
+    for share in (0.85, 0.6, 0.35, 0.15):
+        move = -share * free * (low + high) / 2
+        inside = min(float(margins(n.shape, (n.center + move)[None], outline)[0]) for n in standing)
+        if inside >= MARGIN:
+            break
+    else:
+        return
+    for name, place in state.places.items():
+        state.places[name] = replace(place, translation=place.translation + [*move, 0.0])
 
 
 def support_of(planned: PlannedObject) -> str | None:
@@ -196,7 +219,7 @@ def _put(
     models: Mapping[str, Model],
     rng: np.random.Generator,
     state: _State,
-    shapes: Mapping[str, Footprint],
+    shapes: dict[str, Footprint],
 ) -> bool:
     """Lower an object onto or into its support, at the place where it comes to lie deepest."""
     base = state.places[support]
@@ -207,7 +230,10 @@ def _put(
     siblings = [p for p in state.places.values() if p.on == support]
     below = [stacking.triangles(models[p.name], p) for p in (base, *siblings)]
     top = float(below[0][..., 2].max())
-    model, shape = models[planned.name], shapes[planned.name]
+    model = models[planned.name]
+    if not inside:  # what lies on another thing lies nearly in line with it
+        shapes[planned.name] = footprint(model, base.yaw + float(rng.normal(0, 0.07)))
+    shape = shapes[planned.name]
     best: tuple[float, Placement] | None = None
     for offset in _offsets(models[support], model, base.yaw, share, rng):
         center = base.translation[:2] + offset
@@ -226,17 +252,17 @@ def _put(
         )
         if best is None or cost < best[0]:
             best = cost, placement
-    if best is None or (inside and not _sunk(best[1], top)):
+    if best is None or (inside and not _sunk(best[1], top, heaped=bool(siblings))):
         return False
     state.places[planned.name] = best[1]
     state.neighbours[planned.name] = Neighbour(shape, best[1].translation[:2])
     return True
 
 
-def _sunk(placement: Placement, rim: float) -> bool:
-    """Tell whether something is in a vessel rather than on its rim or on a heap above it."""
+def _sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
+    """Tell whether something is in a vessel, or ``heaped`` on what is in it, not on its rim."""
     bottom = placement.translation[2] - placement.scale[2] / 2
-    return bool(bottom < rim - 0.004)
+    return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
 
 
 def _offsets(

@@ -122,9 +122,10 @@ def _broken(
     size = np.ptp(request.outline, axis=0)
     if relation.target == TABLE:
         if relation.kind in SIDES:
-            along = centers @ np.array(SIDES[relation.kind][2])
-            wanted = 0.2 * float(np.abs(np.array(SIDES[relation.kind][2])) @ size)
-            return np.clip(wanted - along, 0, None) / max(wanted, 1e-6)
+            way = np.array(SIDES[relation.kind][2])
+            wanted = 0.2 * float(np.abs(way) @ size)
+            aside = np.abs(centers @ way[::-1]) / float(np.abs(way[::-1]) @ size)
+            return np.clip(wanted - centers @ way, 0, None) / wanted + 0.3 * aside
         if relation.kind == "center":
             return np.hypot(*centers.T) / 0.1
         if relation.kind == "edge":

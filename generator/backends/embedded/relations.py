@@ -143,4 +143,4 @@ def fits(
         upright = inner[2] == longest or narrow < 0.5 * mouth
         widest = middle if upright else max(inner[:2])
         return container and widest <= mouth and longest < 2.6 * outer[2]
-    return min(inner[:2]) <= 1.15 * min(outer[:2]) and max(inner[:2]) <= 1.6 * max(outer[:2])
+    return min(inner[:2]) <= 1.25 * min(outer[:2]) and max(inner[:2]) <= 1.6 * max(outer[:2])

@@ -23,6 +23,9 @@ class Reader:
     def __init__(self, rng: np.random.Generator) -> None:
         self.reading = Reading()
         self._rng = rng
+        self._mentioned: Group | str | None = None  # the last thing named
+        self._topic: Group | None = None  # the first subject of this sentence
+        self._earlier: Group | None = None  # the first subject of the one before
         self._begin()
 
     def read(self, chunks: Sequence[Chunk]) -> Reading:
@@ -54,10 +57,9 @@ class Reader:
 
     def _begin(self) -> None:
         """Start a sentence; what the last one was about stays known to pronouns."""
-        self._earlier: Group | None = getattr(self, "_topic", None) or getattr(
-            self, "_earlier", None
-        )
-        self._topic: Group | None = None  # the first subject of this sentence
+        self._earlier = self._topic or self._earlier
+        self._it: Group | str | None = None
+        self._topic = None
         self._finished: list[Group] = []  # subjects before the last "and", done with
         self._related = False  # the current subjects have got a relation
         self._subject_is_table = False
@@ -74,7 +76,6 @@ class Reader:
         self._of: NounPhrase | None = None
         self._last: NounPhrase | None = None
         self._bare: NounPhrase | None = None
-        self._mentioned: Group | str | None = getattr(self, "_mentioned", None)
 
     # -------------------------------------------------------------------------- connectors
 
@@ -321,9 +322,16 @@ class Reader:
                     draft.relate(kind, target)
 
     def _antecedent(self) -> Group | str | None:
-        """Return what "it" means: the owner of the current group, else the thing before."""
+        """Return what "it" means, and remember it for the rest of the sentence."""
+        self._it = self._meant()
+        return self._it
+
+    def _meant(self) -> Group | str | None:
+        """Guess "it": the owner of the current group, what "it" meant, else the thing before."""
         if self._owner is not None and self._group:
             return self._owner
+        if self._group and self._it is not None and self._it not in self._group:
+            return self._it
         if not self._group and self._earlier:
             return self._earlier
         subjects = self._group if self._joined else self._group[-1:]

@@ -1,0 +1,302 @@
+"""Sentences to plans: objects, counts, attributes, relations, tables, themes, refusals."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from generator.backends.embedded import relations, themes
+from generator.backends.embedded.lexicon import category_of, singular, tokens
+from generator.backends.embedded.planner import MAX_CHARACTERS, plan_scene
+from generator.backends.embedded.vocabulary import COLLECTIVES, SYNONYMS
+from generator.catalogue import CATEGORIES
+from generator.errors import InputError
+from generator.scene import PlannedObject, Relation, ScenePlan
+
+
+def counted(plan: ScenePlan) -> Counter[str]:
+    return Counter(o.category for o in plan.objects)
+
+
+def related(plan: ScenePlan, name: str) -> set[tuple[str, str]]:
+    (found,) = [o for o in plan.objects if o.name == name]
+    return {(r.kind, r.target) for r in found.relations}
+
+
+OBJECTS = [
+    ("two red mugs on a desk", {"mug": 2}),
+    ("3 pencils and an apple", {"pencil": 3, "apple": 1}),
+    ("a table with a mug, a book and a plate", {"mug": 1, "book": 1, "plate": 1}),
+    ("half a dozen eggs in a bowl", {"egg": 6, "bowl": 1}),
+    ("a pair of mugs beside a plate", {"mug": 2, "plate": 1}),
+    ("a pair of pliers and a hammer", {"pliers": 1, "hammer": 1}),
+    ("a stack of three books", {"book": 3}),
+    ("a coffee mug next to a dinner plate", {"mug": 1, "plate": 1}),
+    ("a desk without a laptop, with a mug", {"mug": 1}),
+    ("a red and a blue mug", {"mug": 2}),
+    ("two plates each with a fork to the left", {"plate": 2, "fork": 2}),
+    ("Can you put a mug on a table?", {"mug": 1}),
+    ("There is a mug. The mug is blue.", {"mug": 1}),
+    ("a plate between the fork and the knife", {"plate": 1, "fork": 1, "knife": 1}),
+    ("an orange orange and an apple", {"orange": 1, "apple": 1}),
+    ("a loaf of bread", {"bread_loaf": 1}),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), OBJECTS)
+def test_explicit_objects_are_counted_exactly(text: str, expected: dict[str, int]) -> None:
+    assert counted(plan_scene(text, 0)) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "low", "high"),
+    [("a few apples on a table", 3, 3), ("several books", 3, 4), ("many eggs in a tray", 5, 6),
+     ("a dozen eggs", 12, 12), ("some pencils on a desk", 2, 3)],
+)  # fmt: skip
+def test_vague_amounts_stay_in_their_range(text: str, low: int, high: int) -> None:
+    for seed in range(5):
+        (category, _), *_ = counted(plan_scene(text, seed)).items()
+        assert low <= counted(plan_scene(text, seed))[category] <= high
+
+
+RELATIONS = [
+    ("a book to the left of the laptop", "book_1", {("left_of", "laptop_1")}),
+    ("a mug behind the notebook and next to a pen", "mug_1",
+     {("behind", "notebook_1"), ("next_to", "pen_1")}),
+    ("a plate with an apple on it", "apple_1", {("on", "plate_1")}),
+    ("a mug with a pencil in it", "pencil_1", {("in", "mug_1")}),
+    ("a bowl of apples", "apple_1", {("in", "bowl_1")}),
+    ("an apple and a pear on a plate", "apple_1", {("on", "plate_1")}),
+    ("an apple and a pear on a plate", "pear_1", {("on", "plate_1")}),
+    ("a mug on the book and a pen on the notebook", "mug_1", {("on", "book_1")}),
+    ("a mug on the book and a pen on the notebook", "pen_1", {("on", "notebook_1")}),
+    ("To the right of the plate is a knife", "knife_1", {("right_of", "plate_1")}),
+    ("A laptop. A mug is in front of it.", "mug_1", {("in_front_of", "laptop_1")}),
+    ("a plate with an apple on it and a fork to its left", "fork_1", {("left_of", "plate_1")}),
+    ("a knife between two plates", "knife_1", {("next_to", "plate_1"), ("next_to", "plate_2")}),
+    ("a cake in the middle of the table", "cake_1", {("center", "table")}),
+    ("a mug at the edge of the desk", "mug_1", {("edge", "table")}),
+    ("a mug on the left and a book on the right of the table", "mug_1", {("left_of", "table")}),
+    ("a stack of two books", "book_2", {("on", "book_1")}),
+    ("a book under a mug", "mug_1", {("on", "book_1")}),
+    ("a pencil in a mug behind the notebook", "mug_1", {("behind", "notebook_1")}),
+    ("a fork on each of the three plates", "fork_3", {("on", "plate_3")}),
+    ("a mug and a pen are left of the laptop", "mug_1", {("left_of", "laptop_1")}),
+    ("a pen inside the cup, a book atop the box", "book_1", {("on", "box_1")}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "name", "expected"), RELATIONS)
+def test_relations(text: str, name: str, expected: set[tuple[str, str]]) -> None:
+    assert related(plan_scene(text, 0), name) == expected
+
+
+def test_attributes() -> None:
+    plan = plan_scene("a small dark blue ceramic mug, a large wooden bowl and an old book", 0)
+    mug, bowl, book = (dict(o.attributes) for o in plan.objects)
+    assert mug == {"size": "small", "color": "dark blue", "material": "ceramic"}
+    assert bowl == {"size": "large", "material": "wooden"}
+    assert book == {"state": "old"}
+
+
+def test_a_length_fixes_the_size() -> None:
+    (vase,) = plan_scene("a 30 cm tall teddy bear on a table", 0).objects
+    assert vase.size is not None
+    assert max(vase.size) == pytest.approx(0.30)
+
+
+TABLES = [
+    ("a mug on a round wooden table", {"outline": "round", "material": "oak"}),
+    ("a mug on a white desk", {"color": "white", "outline": "rectangle"}),
+    ("a mug on a triangular walnut table", {"outline": "triangle", "material": "walnut"}),
+    ("a slatted pine table with a mug", {"outline": "slatted", "material": "pine"}),
+    ("a marble coffee table with hairpin legs and a mug", {"material": "marble", "legs": "hairpin"}),
+    ("a mug on an oval glass table", {"outline": "oval", "material": "glass"}),
+    ("a mug on a square pedestal table", {"outline": "square", "legs": "pedestal"}),
+    ("a mug on a 150 x 80 cm desk", {"size": (1.5, 0.8, 0.74)}),
+    ("a mug on a low table", {}),
+    ("a table with a marble top, and a mug", {"material": "marble"}),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), TABLES)
+def test_tables(text: str, expected: dict[str, object]) -> None:
+    table = plan_scene(text, 3).table
+    assert {key: getattr(table, key) for key in expected} == expected
+    assert ("low" not in text) or table.size[2] < 0.5
+
+
+THEMES = {
+    "an office desk": "laptop", "a dining table": "plate", "a kitchen table": "knife",
+    "a coffee table": "mug", "a workbench": "hammer", "a craft table": "scissors",
+    "a vanity": "perfume_bottle", "a lab bench": "microscope", "a gaming desk": "keyboard",
+    "a breakfast table": "plate", "a kids' toy table": "toy_block", "a dining table for two": "fork",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("text", THEMES)
+def test_a_theme_alone_is_filled_with_what_belongs_there(text: str) -> None:
+    for seed in range(4):
+        plan = plan_scene(text, seed)
+        assert 3 <= len(plan.objects) <= 10
+        assert not plan.warnings
+        if THEMES[text] in CATEGORIES:
+            assert THEMES[text] in counted(plan), counted(plan)
+        names = {o.name for o in plan.objects} | {"table"}
+        assert all(r.target in names for o in plan.objects for r in o.relations)
+
+
+def test_functional_relations_of_themes() -> None:
+    desk, dinner = plan_scene("an office desk", 0), plan_scene("a dining table for two", 0)
+    assert ("right_of", "laptop_1") in related(desk, "computer_mouse_1")
+    assert related(dinner, "fork_1") == {("left_of", "plate_1")}
+    assert related(dinner, "fork_2") == {("right_of", "plate_2")}  # left for who sits across
+
+
+def test_vague_items_are_kept_and_joined_by_theme_things() -> None:
+    plan = plan_scene("A hobby desk with some model cars and tools.", 1)
+    nouns = [o.noun for o in plan.objects]
+    assert nouns.count("model car") in (2, 3)
+    assert {"hammer", "screwdriver", "wrench", "pliers"} <= set(counted(plan))
+    assert len(plan.objects) <= 7
+
+
+def test_exact_items_are_not_joined_by_anything() -> None:
+    assert len(plan_scene("an office desk with a laptop and a red mug", 0).objects) == 2
+
+
+def test_every_theme_word_and_synonym_leads_somewhere() -> None:
+    for theme in themes.THEMES.values():
+        plan = plan_scene(f"a {theme.words[0]}", 0)
+        assert len(plan.objects) >= 3, theme.words[0]
+    reached = [word for word, _ in SYNONYMS if category_of(tuple(tokens(word)))]
+    assert len(reached) > 0.5 * len(SYNONYMS)
+    assert len(COLLECTIVES) > 20
+
+
+def test_unknown_words_become_generic_with_a_warning() -> None:
+    plan = plan_scene("a zorbulator and two small flurbs on a table", 0)
+    assert counted(plan) == {"generic": 3}
+    assert [o.noun for o in plan.objects] == ["zorbulator", "flurb", "flurb"]
+    assert len(plan.warnings) == 2 and "zorbulator" in plan.warnings[0]
+    big, small, _ = plan.objects
+    assert big.size and small.size and max(small.size) < max(big.size)
+
+
+def test_a_head_noun_decides_not_its_modifier() -> None:
+    plan = plan_scene("a mouse trap and a coffee mug on a table", 0)
+    assert [o.category for o in plan.objects] == ["generic", "mug"]
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("", "empty"), ("  \n ", "empty"), ("12345 !!!", "no words"), ("a mug " * 2000, "characters"),
+        ("une table avec une tasse et un livre sur la table", "English"),
+        ("ein Tisch mit einer Tasse und einem Buch", "English"),
+        ("una mesa con una taza y un libro", "English"),
+        ("桌子上有一个杯子", "English"), ("стол с кружкой", "English"), ("qwrtz plmk xyzzy", "English"),
+        ("200 mugs", "at most 24"), ("two hundred mugs on a desk", "at most 24"),
+        ("20 mugs and 20 plates", "at most 24"), ("0 mugs", "from 1 up"), ("2.5 mugs", "whole"),
+        ("a table on the mug", "Turn it round"), ("two tables with mugs", "exactly one table"),
+        ("the mug is on the mug", "itself"), ("the stock market", "an office desk"),
+        ("a mug on a book and the book on the mug", "contradict"),
+        ("a mug left of the pen, the pen left of the mug", "contradict"),
+        ("a mug left of the laptop and right of the laptop", "contradict"),
+        ("a pen behind the mug. The mug is behind the pen.", "contradict"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_planned_is_refused_clearly(text: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        plan_scene(text, 0)
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "expected"),
+    [
+        ("a laptop in a mug", "laptop_1", {("next_to", "mug_1")}),
+        ("a laptop on a pen", "laptop_1", {("next_to", "pen_1")}),
+        ("an apple in a book", "apple_1", {("on", "book_1")}),
+        ("a bowl in a spoon", "bowl_1", {("next_to", "spoon_1")}),
+    ],
+)
+def test_implausible_relations_step_aside_with_a_warning(
+    text: str, name: str, expected: set[tuple[str, str]]
+) -> None:
+    plan = plan_scene(text, 0)
+    assert related(plan, name) == expected
+    assert any("does not fit" in warning for warning in plan.warnings)
+
+
+def test_two_supports_contradict() -> None:
+    objects = [
+        PlannedObject("a", "mug", "mug", {}, (Relation("on", "b"), Relation("on", "c"))),
+        PlannedObject("b", "book", "book"),
+        PlannedObject("c", "box", "box"),
+    ]
+    with pytest.raises(InputError, match="two things at once"):
+        relations.checked(objects)
+
+
+def test_same_seed_same_plan_and_seeds_differ() -> None:
+    assert plan_scene("an office desk", 5) == plan_scene("an office desk", 5)
+    plans = [tuple(o.name for o in plan_scene("an office desk", s).objects) for s in range(6)]
+    assert len(set(plans)) > 2
+
+
+@pytest.mark.parametrize(
+    ("plural", "one"),
+    [("mugs", "mug"), ("boxes", "box"), ("knives", "knife"), ("dishes", "dish"), ("glass", "glass"),
+     ("cherries", "cherry"), ("mice", "mouse"), ("dice", "die"), ("cactus", "cactus")],
+)  # fmt: skip
+def test_singular(plural: str, one: str) -> None:
+    assert singular(plural) == one
+
+
+def _consistent(plan: ScenePlan) -> None:
+    names = [o.name for o in plan.objects]
+    assert len(set(names)) == len(names) <= 24
+    assert names, "a plan holds at least one object"
+    assert all(r.target in {*names, "table"} and r.target != o.name
+               for o in plan.objects for r in o.relations)  # fmt: skip
+    assert all(o.category == "generic" or o.category in CATEGORIES for o in plan.objects)
+    assert all(o.category != "generic" or o.size for o in plan.objects)
+
+
+WORDS = st.sampled_from(
+    "a the two 7 dozen several each it them no without mug mugs table desk plate apple pencil zorb "
+    "red wooden round small , . and or of with in on behind between left to the of next under is "
+    "are bowl full glass stack pair set legs kitchen 20 cm x top middle corner for people 's".split()
+)
+
+
+@settings(max_examples=250, deadline=None)
+@given(st.lists(WORDS, min_size=1, max_size=24), st.integers(0, 5))
+def test_any_sentence_gives_a_consistent_plan_or_an_input_error(words: list[str], seed: int) -> None:
+    try:
+        plan = plan_scene(" ".join(words), seed)
+    except InputError as error:
+        assert str(error)
+    else:
+        _consistent(plan)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.text(max_size=200))
+def test_any_text_gives_a_plan_or_an_input_error(text: str) -> None:
+    try:
+        plan = plan_scene(text, 0)
+    except InputError as error:
+        assert str(error)
+    else:
+        _consistent(plan)
+
+
+def test_the_limit_is_what_the_message_says() -> None:
+    text = "a mug on a table".ljust(MAX_CHARACTERS)
+    assert len(plan_scene(text, 0).objects) == 1
+    with pytest.raises(InputError, match=str(MAX_CHARACTERS)):
+        plan_scene(text + " ", 0)
