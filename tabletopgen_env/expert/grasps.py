@@ -40,6 +40,7 @@ _LEAST_HOLD = 0.008
 _MARGIN = 0.011
 _ABOVE_TABLE = 0.003
 _STEEPEST = 0.4
+_MOST_LEAN = 0.6
 
 
 @dataclass(frozen=True, eq=False)
@@ -179,7 +180,7 @@ def _quality(run: Bool[np.ndarray, "k n z"]) -> float | None:
     first_rise, last_rise = (_trend(side, layers * _RISE) for side in ends[1])
     slope = max(abs(first_slope), abs(last_slope))
     squeeze, lean = (first_rise - last_rise) / 2, abs(first_rise + last_rise) / 2
-    if slope > _STEEPEST or squeeze > _STEEPEST or squeeze < -1.0 or lean > 0.8:
+    if slope > _STEEPEST or squeeze > _STEEPEST or squeeze < -1.0 or lean > _MOST_LEAN:
         return None
     rough = float(np.ptp(ends[0][0]) + np.ptp(ends[0][1]))
     bent = 2.0 * slope + 2.0 * max(squeeze, 0.0) + 1.5 * lean + 20.0 * rough

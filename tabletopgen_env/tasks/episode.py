@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 SPOT = "spot"
 """Name of the goal that is a marked free spot."""
 
-ROOM = 0.025
-"""Room that a container must leave around what is put into it, metres."""
+ROOM = 0.008
+"""What the hollow of a container must be wider than what is put into it, however that is turned."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,6 +98,8 @@ def _unfit(world: World, obj: Object) -> str | None:
         return reason
     if not reachable(world.mount, obj.pose.position):
         return "out of the robot's reach"
+    if obj.placement.inside:
+        return f"it lies inside {obj.placement.on}, where fingers do not reach"
     loaded = [o.name for o in world.scene.objects if o.placement.on == obj.name]
     return f"{loaded[0]} stands on it" if loaded else None
 
@@ -128,8 +130,11 @@ def _fits(world: World, obj: Object, container: Object) -> bool:
     if not reachable(world.mount, container.pose.position):
         return False
     hollow = world.openings[container.name]
-    across = np.sort(obj.scale)[:2] + ROOM
-    return hollow is not None and bool((across <= 2 * np.sort(hollow.semi)).all())
+    if hollow is None:
+        return False
+    outline = world.footprints[obj.name]  # however the hand turns it, it goes in lying as it does
+    across = np.linalg.norm(outline[:, None] - outline[None], axis=-1).max()
+    return bool(across + ROOM <= 2 * hollow.semi.min())
 
 
 def _into(world: World, obj: Object, container: Object) -> Episode:
