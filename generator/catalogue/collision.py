@@ -43,6 +43,16 @@ def hull_of(*solids: Solid) -> ConvexPart:
     return hull_part(np.concatenate([s.vertices for s in solids]))
 
 
+def footed(points: Any, share: float = 0.3) -> ConvexPart:
+    """Return the hull of ``points`` with the lowest ``share`` of its height set down on z = 0.
+
+    What is round below gets a flat foot this way and does not roll.
+    """
+    p = np.array(points, float)
+    p[p[:, 2] < share * p[:, 2].max(), 2] = 0.0
+    return hull_part(p)
+
+
 def _extremes(points: np.ndarray) -> np.ndarray:
     """Pick at most 32 points that span the hull best, the lowest ones first."""
     middle = (points.min(0) + points.max(0)) / 2

@@ -174,21 +174,22 @@ def tablet(look: Look) -> Shape:
 
 
 def headphones(look: Look) -> Shape:
-    """Over-ear headphones standing on their cups, the band leaning back."""
+    """Over-ear headphones lying on their cups and the back of their band."""
     color, pad = look.color("black", "white", "navy", "red", "silver"), look.fixed("black", "brown")
     shell = textures.speckled(look.rng, color, 3, 32)
     soft = textures.speckled(look.rng, tinted(pad, 0.9), 4, 32)
     r, half = 0.036, look.between(0.072, 0.08)
     curve = arc((0, 0), half, 0, np.pi, 18) * [1, 1.2]
-    path = np.column_stack([curve[:, 0], curve[:, 1], 0.2 * curve[:, 1]])
-    band = sweep(path, rectangle(0.007, 0.026, 0.003, 2))
     cups, cushions = [], []
     for side in (-1, 1):
         way = -side * 0.45 * np.pi
         cups.append(cylinder(r, 0.018, 24, bevel=0.005).moved(z=-0.009).turned(1, way))
         cushions.append(torus(r - 0.011, 0.0105, 24, 8).moved(z=0.014).turned(1, way))
     lift = -min(solid.bounds[0, 2] for solid in cups + cushions)
-    band = band.moved(z=lift)
+    drop = (lift - 0.013) / curve[:, 1].max()  # the band's far end touches the table
+    path = np.column_stack([curve, lift - drop * curve[:, 1]])
+    band = sweep(path, rectangle(0.007, 0.026, 0.003, 2))
+    band = band.moved(z=max(0.0, -band.bounds[0, 2]))
     cups = [c.moved(x=side * half, z=lift) for c, side in zip(cups, (-1, 1), strict=True)]
     cushions = [c.moved(x=side * half, z=lift) for c, side in zip(cushions, (-1, 1), strict=True)]
     across = band.vertices[:, 0]

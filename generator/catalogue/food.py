@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..scene import ConvexPart
 from . import textures
 from .category import Category
-from .collision import hull_of, hull_part, resting_ball
+from .collision import footed, hull_of, resting_ball
 from .colors import RGB, tinted
 from .look import Look
 from .shape import Shape, shape
@@ -106,7 +107,7 @@ def banana(look: Look) -> Shape:
         image[i : i + 3, j : j + 2] = np.array(tinted(color, 0.5), np.uint8)
     image[:7], image[-7:] = (86, 66, 38), (96, 84, 40)
     body = tube(path, radii, 8, squash=0.93)
-    pieces = [hull_part(np.concatenate([_slice(body, k) for k in range(a, b + 1)]))
+    pieces = [footed(np.concatenate([_slice(body, k) for k in range(a, b + 1)]))
               for a, b in ((1, 4), (4, 8), (8, 11))]  # fmt: skip
     return shape([(body, image)], pieces)
 
@@ -160,13 +161,13 @@ def _root(look: Look, length: float, radii: list[float]) -> Solid:
     )  # fmt: skip
 
 
-def halves(body: Solid, pieces: int) -> list:
+def halves(body: Solid, pieces: int) -> list[ConvexPart]:
     """Return hulls of equal lengths of a lying body, each reaching down to the table."""
     p = body.vertices
     cuts = np.linspace(p[:, 0].min(), p[:, 0].max(), pieces + 1)
     width = (cuts[1] - cuts[0]) * 0.55
     middles = (cuts[1:] + cuts[:-1]) / 2
-    return [hull_part(p[np.abs(p[:, 0] - m) <= width + 0.004]) for m in middles]
+    return [footed(p[np.abs(p[:, 0] - m) <= width + 0.004]) for m in middles]
 
 
 def cucumber(look: Look) -> Shape:

@@ -6,7 +6,7 @@ import numpy as np
 
 from . import textures
 from .category import Category
-from .collision import box_part, cylinder_part, hull_of, hull_part, ring_parts
+from .collision import box_part, cylinder_part, footed, hull_of, hull_part, ring_parts
 from .colors import tinted
 from .look import Look
 from .shape import Shape, shape
@@ -264,13 +264,14 @@ def whisk(look: Look) -> Shape:
         path = np.column_stack([np.concatenate([x, x[-2::-1]]), side * reach, np.zeros(len(half))])
         wire = tube(path, 0.0011, 5).turned(0, np.pi / 4 * k)
         pieces.append((wire, steel))
-    low = min(solid.bounds[0, 2] for solid, _ in pieces)
+    lean = np.arctan2(wide - 0.011, 0.21)  # it rests on the wires and the end of its grip
+    turned = [(solid.turned(1, lean), tile) for solid, tile in pieces]
+    low = min(solid.bounds[0, 2] for solid, _ in turned)
+    turned = [(solid.moved(z=-low), tile) for solid, tile in turned]
+    balloon = np.concatenate([solid.vertices for solid, _ in turned[1:]])
     return shape(
-        [(solid.moved(z=-low), tile) for solid, tile in pieces],
-        [
-            box_part(0.09, 1.2 * wide, -2 * low, (-0.07, 0, 0)),
-            box_part(0.12, 0.018, 0.018, (0.08, 0, -low - 0.009)),
-        ],
+        turned,
+        [footed(balloon[np.abs(balloon[:, 0] + 0.075) < 0.04], 0.15), hull_of(turned[0][0])],
     )
 
 

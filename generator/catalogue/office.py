@@ -92,8 +92,6 @@ def cardboard_box(look: Look) -> Shape:
 def _lying(profile: list[tuple[float, float]], sides: int) -> Solid:
     """Return a rod of revolution lying along x on z = 0, its widest facet down."""
     rod = lathe(profile, sides).turned(1, np.pi / 2)
-    if sides == 6:
-        rod = rod.turned(0, np.pi / 6)
     low, high = rod.bounds
     return rod.moved(x=-(low[0] + high[0]) / 2, z=-low[2])
 
