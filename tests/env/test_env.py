@@ -75,9 +75,10 @@ def test_reset_options_choose_scene_target_and_spot() -> None:
 
 
 def test_a_given_container_draws_a_target_that_fits_it() -> None:
-    env = make_env(toy_scene())
+    die = toy_object("die_1", (0.02, 0.02, 0.02), (0.0, -0.2))
+    env = make_env(toy_scene((*toy_objects(), die)))
     drawn = {env.reset(seed=k, options={"goal": "mug_1"})[1]["target"] for k in range(5)}
-    assert drawn == {"cube_1"}
+    assert drawn == {"die_1"}
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_objects, toy_scene
 
+from generator.errors import SceneError
 from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan
 from tabletopgen_env.actions import SUBSTEPS
@@ -154,14 +155,17 @@ def test_targets_and_spots_are_drawn_from_what_can_be_done() -> None:
                     gap = np.linalg.norm(other.pose.position[:2] - episode.spot[:2])
                     assert gap > other.scale[:2].min() / 2 + 0.03
     assert targets == {"cube_1", "can_1", "mug_1", "bowl_1", "bottle_1"}  # not the heavy box
-    assert goals == {"spot", "bowl_1", "mug_1"}
+    assert goals == {"spot", "bowl_1"}  # nothing here goes into the mug with room to spare
 
 
-def test_what_something_stands_on_is_no_target() -> None:
-    bowl, cube = toy_objects()[3], toy_objects()[0]
-    above = replace(cube, placement=replace(cube.placement, on="bowl_1", inside=True))
-    env = make_env(toy_scene((bowl, above)))
+def test_what_carries_or_lies_inside_something_is_no_target() -> None:
+    can, bowl, cube = toy_objects()[1], toy_objects()[3], toy_objects()[0]
+    above = replace(cube, placement=replace(cube.placement, on="can_1"))
+    env = make_env(toy_scene((can, above)))
     assert {env.reset(seed=k)[1]["target"] for k in range(6)} == {"cube_1"}
+    within = replace(cube, placement=replace(cube.placement, on="bowl_1", inside=True))
+    with pytest.raises(SceneError, match=r"inside bowl_1.*cube_1 stands on it|cube_1.*bowl_1"):
+        make_env(toy_scene((bowl, within))).reset(seed=0)
 
 
 def test_the_instruction_tells_alike_things_apart() -> None:
