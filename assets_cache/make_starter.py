@@ -18,9 +18,9 @@ from generator.figures import preview
 
 PROMPTS: dict[str, str] = {
     "office-desk": "an office desk with a laptop, a mouse, a notebook, a pen, a mug and a stapler",
-    "office-round": "a small round table with a laptop, a mug, two books and a pair of glasses",
+    "office-round": "a small round table with a laptop, a mug, two books and an apple",
     "dining-two": "a round dining table for two",
-    "dining-family": "a rectangular dining table with three plates, three forks, three glasses, "
+    "dining-family": "a rectangular dining table with three plates, three forks, three tumblers, "
     "a bowl and a bottle",
     "dining-fruit": "an oval dining table with a bowl, an apple, an orange, a banana and a vase",
     "kitchen-baking": "a kitchen table with a mixing bowl, two eggs, a rolling pin and a mug",

@@ -51,7 +51,9 @@ def document(scene: Scene, *, visuals: bool = True) -> Document:
     _settings(root)
     assets = _Assets(ET.SubElement(root, "asset"), visuals)
     world = ET.SubElement(root, "worldbody")
-    _surroundings(world, scene)
+    _floor(world)
+    if visuals:
+        _light_and_cameras(world, scene)
     table = ET.SubElement(world, "body", name=TABLE, pos=_text([0, 0, scene.table.height / 2]))
     assets.draw(table, scene.table.model.mesh, scene.table.scale)
     for part in scene.table.parts:
@@ -130,11 +132,14 @@ def _settings(root: ET.Element) -> None:
     ET.SubElement(solid, "geom", group="3", condim="4", solref="0.01 1", rgba=".3 .6 .9 .4")
 
 
-def _surroundings(world: ET.Element, scene: Scene) -> None:
+def _floor(world: ET.Element) -> None:
     ET.SubElement(
         world, "geom", name=FLOOR, type="plane", size="4 4 0.05", rgba=".93 .93 .92 1",
         condim="4", solref="0.01 1",
     )  # fmt: skip
+
+
+def _light_and_cameras(world: ET.Element, scene: Scene) -> None:
     ET.SubElement(
         world, "light", type="directional", pos=_text([0, 0, scene.table.height + 2]),
         dir="0.3 0.4 -1", diffuse=".5 .5 .5", specular=".1 .1 .1",
