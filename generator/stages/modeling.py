@@ -41,8 +41,7 @@ def make_models(
     for instance in instances:
         if instance.name not in sizes:
             raise BackendError(
-                f"The reasoner gave no size for {instance.name!r}."
-                + choices(instance.name, sizes)
+                f"The reasoner gave no size for {instance.name!r}." + choices(instance.name, sizes)
             )
         size = sizes[instance.name]
         own = ray_view(view, (instance.box[:2] + instance.box[2:]) / 2, width, height)
@@ -51,9 +50,7 @@ def make_models(
     return models
 
 
-def align_canonically(
-    raw: Model, instance: Instance, size: SizePrior, reasoner: Reasoner
-) -> Model:
+def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner: Reasoner) -> Model:
     """Turn a model so that +z is up and x, y are the size's length and width (Sec. 3.2)."""
     model = turned(raw, reasoner.review_orientation(raw.mesh, instance, size))
     model = turned(model, size_axes_turn(model.size, size.extent))

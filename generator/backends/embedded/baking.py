@@ -12,15 +12,17 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
-from scipy import ndimage, spatial
+from scipy.spatial import KDTree
 
 from ...render.raster import rasterise
 from ...scene import Mesh
+from .pixels import nearest_inside
 from .projection import Projection
 from .unwrap import Atlas, face_normals, unwrap
 
 _GRAZING = 0.13  # cosine below which a surface shows too few pixels to be painted from them
 _PALETTE = 8
+_LIKE = 22.0  # grey levels by which mirrored places of a symmetric object differ at most
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,9 +40,7 @@ class Surface:
         """Return the points reflected about a plane (unit normal, offset)."""
         n = plane[:3]
         away = (self.point @ n - plane[3])[:, None]
-        return Surface(
-            self.point - 2 * away * n, self.normal - 2 * (self.normal @ n)[:, None] * n
-        )
+        return Surface(self.point - 2 * away * n, self.normal - 2 * (self.normal @ n)[:, None] * n)
 
 
 def opaque_colors(
@@ -50,7 +50,7 @@ def opaque_colors(
     mask = crop[..., 3] > 127
     core = cv2.erode(mask.astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0) > 0
     core = core if core.sum() > 16 else mask
-    rows, columns = ndimage.distance_transform_edt(~core, return_distances=False, return_indices=True)
+    rows, columns = nearest_inside(core)
     return crop[rows, columns, :3], mask
 
 
@@ -146,7 +146,7 @@ def _palette(base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         centers.append(stride[int(np.argsort(gap)[int(0.995 * (len(gap) - 1))])])
         gap = np.minimum(gap, np.linalg.norm(stride - centers[-1], axis=1))
     table = np.array(centers)
-    return spatial.cKDTree(table).query(base)[1], table
+    return np.asarray(KDTree(table).query(base)[1]), table
 
 
 def paint(
@@ -156,17 +156,36 @@ def paint(
     projection: Projection,
     planes: tuple[Float[np.ndarray, "4"], ...],
     size: int = 384,
+    sure: bool = True,
 ) -> tuple[Atlas, UInt8[np.ndarray, "s s 3"]]:
     """Unwrap a mesh (vertices in the object frame) and paint all of it from one crop.
 
-    ``planes`` are those of the object's supposed mirror symmetries.
+    ``planes`` are those of the object's mirror symmetries; unless ``sure``, those that the
+    picture's own colours contradict are left out.
     """
     atlas = unwrap(vertices, faces, size)
     surface = surface_of(atlas, vertices)
     image, _ = opaque_colors(crop)
     sight = Sight.of(vertices, faces, projection)
+    if not sure:
+        planes = tuple(p for p in planes if agrees(surface, sight, image, p))
     colors, known = seen_colors(surface, sight, image, planes)
     return atlas, lay_out(atlas, fill_nearest(surface, known, colors, sight.size))
+
+
+def agrees(
+    surface: Surface,
+    sight: Sight,
+    image: UInt8[np.ndarray, "h w 3"],
+    plane: Float[np.ndarray, "4"],
+) -> bool:
+    """Tell whether points seen together with their mirror images mostly have the same colour."""
+    twin = surface.mirrored(plane)
+    both = sight.sees(surface) & sight.sees(twin)
+    if both.sum() < 0.02 * len(both):
+        return True
+    here, there = (sample(image, sight.projection.project(s.point[both])) for s in (surface, twin))
+    return bool(np.median(np.abs(here - there).mean(1)) < _LIKE)
 
 
 def seen_colors(
@@ -212,7 +231,7 @@ def fill_nearest(
     index = index[:: max(1, len(index) // 4000)]
     lost = np.flatnonzero(~known)
     scaled = np.hstack([surface.point, 0.3 * size * surface.normal])
-    near = spatial.cKDTree(scaled[index]).query(scaled[lost], k=min(5, len(index)))[1]
+    near = KDTree(scaled[index]).query(scaled[lost], k=min(5, len(index)))[1]
     painted[lost] = np.median(colors[index[near.reshape(len(lost), -1)]], axis=1)
     under = lost[surface.normal[lost, 2] < -0.7]
     painted[under] = np.median(colors[known], 0) * 0.8
@@ -223,13 +242,10 @@ def lay_out(atlas: Atlas, colors: Float[np.ndarray, "t 3"]) -> UInt8[np.ndarray,
     """Write texel colours into a texture and spread them over the gutters."""
     texture = np.zeros((atlas.size * atlas.size, 3), np.uint8)
     texture[atlas.texel] = np.clip(np.round(colors), 0, 255).astype(np.uint8)
-    empty = np.ones(atlas.size * atlas.size, bool)
-    empty[atlas.texel] = False
+    filled = np.zeros(atlas.size * atlas.size, bool)
+    filled[atlas.texel] = True
     side = (atlas.size, atlas.size)
-    rows, columns = ndimage.distance_transform_edt(
-        empty.reshape(side), return_distances=False, return_indices=True
-    )
-    return texture.reshape(*side, 3)[rows, columns]
+    return texture.reshape(*side, 3)[nearest_inside(filled.reshape(side))]
 
 
 def textured(

@@ -9,7 +9,8 @@ from scipy import optimize
 from ...geometry import rotation_z
 from ...scene import ConvexPart
 from .framing import frame_to_mask, proportion_gap, simplex
-from .projection import Projection, mask_iou
+from .pixels import mask_iou
+from .projection import Projection
 from .solids import Posed, Solid, box, heightfield
 
 Mask = Bool[np.ndarray, "h w"]
@@ -17,7 +18,9 @@ Mask = Bool[np.ndarray, "h w"]
 _UNIT_BOX = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (0.0, 1.0)])
 
 
-def _box_at(parameters: np.ndarray, projection: Projection, mask: Mask) -> tuple[np.ndarray, float, np.ndarray]:
+def _box_at(
+    parameters: np.ndarray, projection: Projection, mask: Mask
+) -> tuple[np.ndarray, float, np.ndarray]:
     yaw, width, height = parameters[0], np.exp(parameters[1]), np.exp(parameters[2])
     corners = (_UNIT_BOX * [width, 1.0, height]) @ rotation_z(yaw).T
     scale, shift = frame_to_mask(corners, projection, mask)
@@ -50,8 +53,12 @@ def fit_box(
     ]
     starts = sorted(grid, key=loss)[:4]
     found = [
-        optimize.minimize(loss, s, method="Nelder-Mead",
-                          options={"maxfev": 110, "initial_simplex": simplex(s, (0.15, 0.2, 0.25))})
+        optimize.minimize(
+            loss,
+            s,
+            method="Nelder-Mead",
+            options={"maxfev": 110, "initial_simplex": simplex(s, (0.15, 0.2, 0.25))},
+        )
         for s in starts
     ]
     best = min(found, key=lambda r: r.fun).x
@@ -62,15 +69,16 @@ def fit_box(
     return Posed("box", box(scale * width, scale, scale * height), yaw, shift)
 
 
-def fit_carved(mask: Mask, projection: Projection, bounding: Posed, cells: int = 26) -> Posed | None:
+def fit_carved(
+    mask: Mask, projection: Projection, bounding: Posed, cells: int = 26
+) -> Posed | None:
     """Return what the silhouette leaves of a box when carved as columns from above.
 
     Mirrored halves of the box are made alike where the silhouette allows.
     """
     width, depth, height = np.ptp(bounding.solid.vertices, axis=0)
-    x, y = np.meshgrid(
-        np.linspace(-width / 2, width / 2, cells), np.linspace(-depth / 2, depth / 2, cells), indexing="ij"
-    )
+    along = np.linspace(-0.5, 0.5, cells)
+    x, y = np.meshgrid(along * width, along * depth, indexing="ij")
     turn = rotation_z(bounding.yaw)
     base = np.stack([x, y, np.zeros_like(x)], -1) @ turn.T + bounding.position
     levels = np.linspace(0, 1.3 * height, 40)
@@ -89,7 +97,7 @@ def fit_carved(mask: Mask, projection: Projection, bounding: Posed, cells: int =
 
     reached = score(heights)
     for mirrored in (np.minimum(heights, heights[:, ::-1]), np.minimum(heights, heights[::-1])):
-        if (mirrored > 0).sum() >= 9 and score(mirrored) > reached - 0.02:
+        if (mirrored > 0).sum() >= 9 and score(mirrored) > reached - 0.012:
             heights = np.minimum(heights, mirrored)
     return recentered(posed(heights))
 

@@ -11,13 +11,15 @@ from scipy import spatial
 from .boxes import fit_box, fit_carved
 from .extrusions import base_line, fit_prism, fit_upright
 from .framing import proportion_gap
-from .projection import Projection, mask_iou
+from .pixels import mask_iou
+from .projection import Projection
 from .rounds import fit_revolution
 from .solids import Posed
 
 Mask = Bool[np.ndarray, "h w"]
 
-_PRIOR = 0.04  # weight of the size prior's proportions
+_STRICT = 0.94  # a real box is met at least that well
+_PRIOR = 0.03  # weight of the size prior's proportions
 _ACCIDENT = 0.08  # price of an elongated thing pointing straight away from the camera
 
 
@@ -31,10 +33,10 @@ class Price:
 
 _PRICES = {
     "box": Price(0.0, 0.0),
-    "revolution": Price(0.0, 0.0),
-    "prism": Price(0.09, 0.03),
-    "upright": Price(0.06, 0.04),
-    "carved": Price(0.05, 0.05),
+    "revolution": Price(-0.02, -0.02),
+    "prism": Price(0.14, 0.05),
+    "upright": Price(0.08, 0.05),
+    "carved": Price(0.035, 0.035),
 }
 
 
@@ -63,22 +65,21 @@ def candidates(
 
 def best_solid(mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]) -> Posed:
     """Return the generic solid that explains the silhouette best."""
-    return max(
-        candidates(mask, small, expected), key=lambda p: score(p, mask, small, expected)
-    )
+    return max(candidates(mask, small, expected), key=lambda p: score(p, mask, small, expected))
 
 
-def score(
-    posed: Posed, mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]
-) -> float:
+def score(posed: Posed, mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]) -> float:
     """Return how well a solid explains the picture: silhouette overlap less what it costs.
 
-    A family that can take on any outline is cheap only where the outline is regular; things that
-    happen to point straight at the camera are unlikely; proportions should be the prior's.
+    A family that can take on any outline is cheap only where the outline is regular, a box must
+    fit well; things that happen to point straight at the camera are unlikely; proportions should
+    be the prior's.
     """
     overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
     price = _PRICES[posed.kind]
     cost = price.regular if is_regular(posed) else price.irregular
+    if posed.kind == "box":
+        cost += max(0.0, _STRICT - overlap)
     extent = np.ptp(posed.solid.vertices, axis=0)
     return overlap - cost - accident(posed, small) - _PRIOR * proportion_gap(extent, expected)
 

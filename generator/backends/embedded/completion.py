@@ -9,6 +9,7 @@ from scipy import ndimage
 
 from ...geometry import mask_box
 from ...scene import TABLE, Detection, Instance, Reference
+from .pixels import hull_of, largest_piece, nearest_inside
 
 _LONG = 288  # least long side of a crop, pixels
 _MOST = 640
@@ -17,9 +18,7 @@ _MARGIN = 0.04
 Mask = Bool[np.ndarray, "h w"]
 
 
-def complete(
-    reference: Reference, detection: Detection, others: tuple[Detection, ...]
-) -> Instance:
+def complete(reference: Reference, detection: Detection, others: tuple[Detection, ...]) -> Instance:
     """Return the instance of a detection, drawn whole on a transparent ground (Sec. 3.1).
 
     Where another detection lies within the object's outline, or touches it and the outline is
@@ -66,27 +65,15 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
     near = cv2.dilate(own.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
     if (near & other).sum() < 8:
         return mask
-    touching = ndimage.binary_propagation(near & other, mask=other)
+    touching = np.asarray(ndimage.binary_propagation(near & other, mask=other))
     guess = hull_of(own)
     mirror = mirrored_mask(own, other)
     if mirror is not None:
         guess = guess | mirror
     grown = own | (guess & touching)
-    labels, count = ndimage.label(grown)
-    if count > 1:
-        biggest = 1 + int(np.argmax(np.bincount(labels.ravel())[1:]))
-        grown = (labels == biggest) | own
     whole = mask.copy()
-    whole[rows, columns] = grown
+    whole[rows, columns] = largest_piece(grown) | own
     return whole
-
-
-def hull_of(mask: Mask) -> Mask:
-    """Return the filled convex hull of a mask."""
-    points = np.column_stack(np.nonzero(mask)[::-1]).astype(np.int32)
-    canvas = np.zeros(mask.shape, np.uint8)
-    cv2.fillConvexPoly(canvas, cv2.convexHull(points), 1)
-    return canvas > 0
 
 
 def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
@@ -98,7 +85,7 @@ def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
     width, columns = x1 - x0, mask.shape[1]
     best: tuple[float, Mask] | None = None
     ys, xs = np.nonzero(mask)
-    for twice in range(2 * x0 + width // 2, 2 * x1 - width // 2 + 1, max(1, width // 60)):
+    for twice in range(2 * x0, 2 * x1 + 1, max(1, width // 60)):
         other = twice - xs
         inside = (other >= 0) & (other < columns)
         reflected = np.zeros_like(mask)
@@ -122,15 +109,13 @@ def carry_colors(
     cut = slice(max(y0 - 4, 0), y1 + 4), slice(max(x0 - 4, 0), x1 + 4)
     core = cv2.erode(mask[cut].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
     core = core if core.any() else mask[cut]
-    rows, columns = ndimage.distance_transform_edt(
-        ~core, sampling=(3.0, 1.0), return_distances=False, return_indices=True
-    )
-    carried = image[cut][rows, columns]
+    carried = image[cut][nearest_inside(core, (3.0, 1.0))]
     missing = (whole & ~mask)[cut]
     soft = cv2.GaussianBlur(carried, (0, 0), 2.0)
     patch = np.where(missing[..., None], soft, image[cut])
-    seam = cv2.dilate(missing.astype(np.uint8), np.ones((5, 5), np.uint8))
-    seam = ((seam > 0) & ~cv2.erode(missing.astype(np.uint8), np.ones((5, 5), np.uint8)).astype(bool))
+    brush = np.ones((5, 5), np.uint8)
+    seam = cv2.dilate(missing.astype(np.uint8), brush) > 0
+    seam &= cv2.erode(missing.astype(np.uint8), brush) == 0
     patch = np.where(seam[..., None] & whole[cut][..., None], carried, patch)
     patch = cv2.inpaint(
         np.ascontiguousarray(patch), (seam & whole[cut]).astype(np.uint8), 3, cv2.INPAINT_TELEA
@@ -161,13 +146,14 @@ def cut_out(
     inside[:, (np.arange(x0, x1) != columns)] = False
     core = cv2.erode(inside.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
     core = core if core.sum() > 9 else inside
-    near = ndimage.distance_transform_edt(~core, return_distances=False, return_indices=True)
-    clean = np.where(core[..., None], color, color[near[0], near[1]])
+    clean = color[nearest_inside(core)]
     long = max(x1 - x0, y1 - y0)
     zoom = float(np.clip(_LONG / long, 1.0 if long <= _MOST else _MOST / long, None))
     size = max(1, round((x1 - x0) * zoom)), max(1, round((y1 - y0) * zoom))
     how = cv2.INTER_CUBIC if zoom > 1 else cv2.INTER_AREA
-    alpha = cv2.resize(inside.astype(np.float32), size, interpolation=cv2.INTER_LINEAR if zoom > 1 else how)
+    alpha_how = cv2.INTER_LINEAR if zoom > 1 else how
+    alpha = cv2.resize(inside.astype(np.float32), size, interpolation=alpha_how)
     alpha = cv2.GaussianBlur(alpha, (0, 0), max(0.6, 0.5 * zoom))
     soft = np.clip((alpha - 0.5) * max(zoom, 1.0) * 1.5 + 0.5, 0, 1)
-    return np.dstack([cv2.resize(clean, size, interpolation=how), np.round(soft * 255).astype(np.uint8)])
+    clean = cv2.resize(clean, size, interpolation=how)
+    return np.dstack([clean, np.round(soft * 255).astype(np.uint8)])

@@ -9,7 +9,7 @@ import shapely.affinity
 from jaxtyping import Bool, Float
 
 from .projection import Projection
-from .solids import Posed, prism, upright
+from .solids import Posed, largest_polygon, prism, upright
 
 Mask = Bool[np.ndarray, "h w"]
 
@@ -47,17 +47,14 @@ def plane_outline(
 def _traced(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
     """Return the largest region of a grid as a simple polygon (cell units), large holes kept."""
     smooth = cv2.GaussianBlur(free.astype(np.float32), (0, 0), 0.8) > 0.45
-    rings, tree = cv2.findContours(
-        smooth.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE
-    )
+    rings, tree = cv2.findContours(smooth.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
     areas = [cv2.contourArea(ring) for ring in rings]
     outer = [k for k in range(len(rings)) if tree[0, k, 3] < 0 and areas[k] > 20]
     if not outer:
         return None
     largest = max(outer, key=lambda k: areas[k])
-    holes = [
-        k for k in range(len(rings)) if tree[0, k, 3] == largest and areas[k] > 0.02 * areas[largest]
-    ]
+    inside = [k for k in range(len(rings)) if tree[0, k, 3] == largest]
+    holes = [k for k in inside if areas[k] > 0.02 * areas[largest]]
     slack = 0.008 * max(free.shape)
     edge, *inner = (cv2.approxPolyDP(rings[k], slack, True)[:, 0] for k in (largest, *holes))
     if len(edge) < 3:
@@ -65,14 +62,13 @@ def _traced(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
     grown = shapely.Polygon(edge).buffer(0.5, join_style="mitre")
     cut = [shapely.Polygon(ring) for ring in inner if len(ring) >= 3]
     outline = grown.difference(shapely.union_all([hole.buffer(0) for hole in cut]))
-    if isinstance(outline, shapely.MultiPolygon):
-        outline = max(outline.geoms, key=lambda g: g.area)
+    outline = largest_polygon(outline)
     return outline if outline.is_valid and outline.area > 0 else None
 
 
 def _longest_side(outline: shapely.Polygon) -> float:
     """Return the direction of the longer side of the smallest rectangle around an outline."""
-    corners = np.asarray(shapely.minimum_rotated_rectangle(outline).exterior.coords)[:3]
+    corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(outline))[:3]
     sides = np.diff(corners, axis=0)
     long = sides[int(np.linalg.norm(sides, axis=1).argmax())]
     return float(np.arctan2(long[1], long[0]))
@@ -152,13 +148,10 @@ def _stand(outline: shapely.Polygon) -> shapely.Polygon:
     tall = y1 - y0
     level = y0 + 0.015 * tall
     cut = outline.intersection(shapely.box(x0 - 1, level, x1 + 1, y1 + 1))
-    if isinstance(cut, shapely.MultiPolygon):
-        cut = max(cut.geoms, key=lambda g: g.area)
+    cut = largest_polygon(cut)
     chord = cut.intersection(shapely.box(x0 - 1, level - 1, x1 + 1, level + 0.03 * tall)).bounds
     center, need = cut.centroid.x, 0.12 * max(tall, x1 - x0)
     left, right = min(chord[0], center - need), max(chord[2], center + need)
     if left < chord[0] - 1e-9 or right > chord[2] + 1e-9:
         cut = cut.union(shapely.box(left, level, right, level + 0.035 * tall))
-    if isinstance(cut, shapely.MultiPolygon):
-        cut = max(cut.geoms, key=lambda g: g.area)
-    return cut
+    return largest_polygon(cut)

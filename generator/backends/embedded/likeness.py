@@ -15,7 +15,8 @@ from ...render.shading import sample_texture
 from ...scene import Mesh, Model
 from . import baking
 from .framing import frame_to_mask, simplex
-from .projection import Projection, mask_iou
+from .pixels import mask_iou
+from .projection import Projection
 from .unwrap import Atlas, unwrap
 
 VARIANTS = 3

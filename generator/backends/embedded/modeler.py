@@ -77,7 +77,8 @@ def likeness_model(
 
 def small_mask(instance: Instance, small: Projection) -> Bool[np.ndarray, "h w"]:
     """Return the crop's silhouette at the size of ``small``."""
-    alpha = cv2.resize(instance.crop[..., 3], (small.width, small.height), interpolation=cv2.INTER_AREA)
+    size = small.width, small.height
+    alpha = cv2.resize(instance.crop[..., 3], size, interpolation=cv2.INTER_AREA)
     return alpha > 127
 
 
@@ -86,8 +87,9 @@ def solid_model(
 ) -> Model:
     """Paint a posed solid from the crop and bring it to the canonical frame."""
     world = posed.world
+    planes = mirror_planes(posed, projection)
     atlas, picture = baking.paint(
-        world, posed.solid.faces, instance.crop, projection, mirror_planes(posed, projection), texture
+        world, posed.solid.faces, instance.crop, projection, planes, texture, posed.kind != "carved"
     )
     mesh, center, extent = to_unit_box(baking.textured(atlas, posed.solid.vertices, picture))
     return Model(

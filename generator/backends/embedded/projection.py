@@ -160,9 +160,3 @@ def fill_hull(canvas: UInt8[np.ndarray, "h w"], pixels: Float[np.ndarray, "n 2"]
     """Fill the convex hull of ``pixels`` (centres at halves) with 1, in place."""
     fixed = np.round((pixels - 0.5) * 16).clip(-(2**20), 2**20).astype(np.int32)
     cv2.fillConvexPoly(canvas, cv2.convexHull(fixed), 1, cv2.LINE_8, 4)
-
-
-def mask_iou(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
-    """Return the intersection over union of two masks."""
-    union = np.count_nonzero(a | b)
-    return np.count_nonzero(a & b) / union if union else 0.0

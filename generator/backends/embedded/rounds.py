@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import cv2
 import numpy as np
 from jaxtyping import Bool
 
 from .extrusions import plane_outline
-from .projection import Projection, fill_hull, mask_iou
+from .pixels import mask_iou
+from .projection import Projection, fill_hull
 from .solids import Posed, Solid, revolution, simplify_profile, upright
 
 Mask = Bool[np.ndarray, "h w"]
@@ -21,8 +24,9 @@ def _stack(
     projection: Projection, axis: np.ndarray, heights: np.ndarray, radii: np.ndarray
 ) -> Mask:
     canvas = np.zeros((projection.height, projection.width), np.uint8)
-    rings = [projection.project(_CIRCLE * r + axis + [0, 0, z]) for z, r in zip(heights, radii, strict=True)]
-    for lower, upper in zip(rings[:-1], rings[1:], strict=True):
+    centers = axis + heights[:, None] * np.array([0, 0, 1.0])
+    rings = [projection.project(_CIRCLE * r + c) for c, r in zip(centers, radii, strict=True)]
+    for lower, upper in pairwise(rings):
         fill_hull(canvas, np.concatenate([lower, upper]))
     return canvas > 0
 
@@ -67,13 +71,13 @@ def fit_revolution(mask: Mask, projection: Projection) -> Posed | None:
     z, r = _trim(mask, projection, axis, z, r)
     r = np.convolve(np.pad(r, 1, mode="edge"), [0.25, 0.5, 0.25], "valid")
     keep = simplify_profile(z, r, 18, 0.012)
-    axis = axis + [0, 0, z[0]]
-    body = Posed("revolution", revolution(z[keep] - z[0], r[keep]), 0.0, axis)
+    foot = axis + z[0] * np.array([0, 0, 1.0])
+    body = Posed("revolution", revolution(z[keep] - z[0], r[keep]), 0.0, foot)
     return _with_handle(body, mask, projection)
 
 
 def _with_handle(body: Posed, mask: Mask, projection: Projection) -> Posed:
-    """Add what sticks out of a round body sideways as a flat piece in the plane facing the camera."""
+    """Add what sticks out of a round body as a flat piece in the plane facing the camera."""
     covered = projection.silhouette(body.world, body.solid.faces)
     rest = cv2.morphologyEx(
         (mask & ~covered).astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)
@@ -87,9 +91,7 @@ def _with_handle(body: Posed, mask: Mask, projection: Projection) -> Posed:
     piece = cv2.dilate((labels == largest).astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
     facing = projection.right
     axes = np.array([facing, [0, 0, 1.0]])
-    outline = plane_outline(
-        piece & mask, projection, body.position, axes, np.zeros((1, 3))
-    )
+    outline = plane_outline(piece & mask, projection, body.position, axes, np.zeros((1, 3)))
     if outline is None or outline.bounds[1] < 0:
         return body
     low, high = body.solid.vertices.min(0), body.solid.vertices.max(0)

@@ -7,6 +7,7 @@ it into the object frame of ``projection``.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import shapely
@@ -17,6 +18,7 @@ from jaxtyping import Float, Int
 
 from ...geometry import rotation_z
 from ...scene import ConvexPart
+from .pixels import largest_piece
 
 Polygon = shapely.Polygon
 
@@ -48,7 +50,7 @@ class Posed:
 def box(width: float, depth: float, height: float) -> Solid:
     """Return a box of the given x, y, z extent."""
     mesh = trimesh.creation.box(extents=(width, depth, height))
-    vertices = np.asarray(mesh.vertices) + [0, 0, height / 2]
+    vertices = np.asarray(mesh.vertices) + np.array([0, 0, height / 2])
     return Solid(vertices, np.asarray(mesh.faces), (ConvexPart(vertices, "box"),))
 
 
@@ -60,7 +62,10 @@ def revolution(
     ring = np.column_stack([np.cos(angle), np.sin(angle)])
     k = len(heights)
     rings = np.concatenate(
-        [np.column_stack([r * ring, np.full(segments, z)]) for z, r in zip(heights, radii, strict=True)]
+        [
+            np.column_stack([r * ring, np.full(segments, z)])
+            for z, r in zip(heights, radii, strict=True)
+        ]
     )
     vertices = np.concatenate([rings, [[0, 0, heights[0]], [0, 0, heights[-1]]]])
     here, after = np.arange(segments), np.roll(np.arange(segments), -1)
@@ -83,7 +88,7 @@ def _frusta(
     angle = np.arange(20) * 2 * np.pi / 20
     ring = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(20)])
     parts = []
-    for a, b in zip(keep[:-1], keep[1:], strict=True):
+    for a, b in pairwise(keep):
         ends = [radii[i] * ring + [0, 0, heights[i]] for i in (a, b)]
         straight = abs(radii[a] - radii[b]) < 0.04 * max(radii[a], radii[b])
         parts.append(ConvexPart(np.concatenate(ends), "cylinder" if straight else "hull"))
@@ -114,8 +119,8 @@ def prism(outline: Polygon, height: float) -> Solid:
     mesh.merge_vertices()
     parts = []
     for piece in convex_pieces(outline):
-        flat = np.asarray(piece.convex_hull.exterior.coords)[:-1]
-        points = np.concatenate([np.column_stack([flat, np.full(len(flat), z)]) for z in (0, height)])
+        flat = np.asarray(hull_ring(piece).coords)[:-1]
+        points = np.concatenate([np.insert(flat, 2, z, axis=1) for z in (0, height)])
         rectangular = piece.area > 0.995 * piece.envelope.area
         parts.append(ConvexPart(points, "box" if rectangular else "hull"))
     return Solid(np.asarray(mesh.vertices), np.asarray(mesh.faces), tuple(parts))
@@ -151,19 +156,31 @@ def convex_pieces(outline: Polygon, most: int = 8, slack: float = 0.03) -> list[
     return pieces[:most] if len(pieces) > most else pieces
 
 
+def largest_polygon(shape: shapely.Geometry) -> Polygon:
+    """Return the largest polygon of a shape; an empty one if it has none."""
+    polygons = [g for g in shapely.get_parts(shape) if isinstance(g, Polygon)]
+    return max(polygons, key=lambda g: g.area, default=Polygon())
+
+
+def hull_ring(shape: Polygon) -> shapely.LinearRing:
+    """Return the outline of a polygon's convex hull."""
+    return shapely.LinearRing(shapely.get_coordinates(shape.convex_hull))
+
+
 def _cut_at_dent(piece: Polygon) -> list[Polygon]:
     """Cut a polygon through its largest hole or deepest dent, in the best of 12 directions."""
     ring = np.asarray(piece.exterior.coords)[:-1]
-    hull = piece.convex_hull.exterior
+    hull = hull_ring(piece)
     depth = np.array([hull.distance(shapely.Point(p)) for p in ring])
     dent, reach = ring[int(depth.argmax())], float(np.ptp(ring, axis=0).max()) * 4
     if piece.interiors:
-        dent = np.array(max(piece.interiors, key=lambda r: shapely.Polygon(r).area).centroid.coords[0])
+        hole = max(piece.interiors, key=lambda ring: shapely.Polygon(ring).area)
+        dent = np.array(hole.centroid.coords[0])
     best: tuple[float, list[Polygon]] = (np.inf, [piece])
     for angle in np.arange(12) * np.pi / 12:
         step = reach * np.array([np.cos(angle), np.sin(angle)])
         cut = shapely.ops.split(piece, shapely.LineString([dent - step, dent + step]))
-        halves = [g for g in cut.geoms if g.area > 1e-3 * piece.area]
+        halves = [g for g in cut.geoms if isinstance(g, Polygon) and g.area > 1e-3 * piece.area]
         lack = sum(h.convex_hull.area - h.area for h in halves)
         # Every further piece costs, and so does one that is a sliver.
         cost = lack / piece.area + 0.02 * len(halves)
@@ -180,7 +197,7 @@ def heightfield(heights: Float[np.ndarray, "a b"], width: float, depth: float) -
     a, b = heights.shape
     used = heights > 0
     cells = used[:-1, :-1] | used[1:, :-1] | used[:-1, 1:] | used[1:, 1:]
-    cells = _largest(cells)
+    cells = largest_piece(cells)
     floor = 0.02 * float(heights.max())
     x, y = np.meshgrid(
         np.linspace(-width / 2, width / 2, a), np.linspace(-depth / 2, depth / 2, b), indexing="ij"
@@ -201,15 +218,6 @@ def heightfield(heights: Float[np.ndarray, "a b"], width: float, depth: float) -
     kept, triangles = np.unique(triangles, return_inverse=True)
     parts = _strips(vertices, quads, width)
     return Solid(vertices[kept], triangles.reshape(-1, 3), parts)
-
-
-def _largest(cells: np.ndarray) -> np.ndarray:
-    from scipy import ndimage
-
-    labels, count = ndimage.label(cells)
-    if count < 2:
-        return cells
-    return labels == 1 + int(np.argmax(np.bincount(labels.ravel())[1:]))
 
 
 def _strips(

@@ -15,7 +15,8 @@ from ...scene import Instance, Mesh, Model, OutlineKind, PlannedTable, SizePrior
 from . import baking
 from .framing import frame_to_mask
 from .likeness import base_colors
-from .projection import Projection, mask_iou
+from .pixels import mask_iou
+from .projection import Projection
 from .unwrap import unwrap
 
 _MATERIALS = ("oak", "walnut", "pine", "marble", "steel", "white")
@@ -89,7 +90,8 @@ def _place(plan: PlannedTable, seed: int, mask: np.ndarray, small: Projection) -
         used: Int[np.ndarray, "k"] = np.unique(faces)
         scale, shift = frame_to_mask(shape[used], small, mask)
         world = shape * scale + shift
-        found.append(_Seen(plan, model, world, mask_iou(small.silhouette(world, faces), mask), legs))
+        iou = mask_iou(small.silhouette(world, faces), mask)
+        found.append(_Seen(plan, model, world, iou, legs))
     whole, bare = found
     return bare if bare.iou > whole.iou + _LEGLESS else whole
 

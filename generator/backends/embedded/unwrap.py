@@ -84,9 +84,7 @@ def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.n
         scale *= 0.95
 
 
-def unwrap(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], size: int
-) -> Atlas:
+def unwrap(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], size: int) -> Atlas:
     """Unwrap a mesh: connected faces of like direction become one chart, laid flat along it.
 
     ``vertices`` are in true proportions; ``size`` is the texture's side in texels.

@@ -1,0 +1,111 @@
+"""Completion of one object: clean outline, hidden halves redrawn."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from generator.backends.embedded.completion import complete
+from generator.geometry import mask_box
+from generator.scene import Detection, Reference
+
+H, W = 200, 240
+RED, BLUE, GROUND = (200, 40, 40), (30, 60, 190), (240, 240, 240)
+
+
+def disc(x: float, y: float, r: float) -> np.ndarray:
+    rows, columns = np.mgrid[:H, :W]
+    return (columns + 0.5 - x) ** 2 + (rows + 0.5 - y) ** 2 <= r * r
+
+
+def detect(mask: np.ndarray, label: str = "thing") -> Detection:
+    return Detection(label, mask_box(mask), mask)
+
+
+def picture(*layers: tuple[np.ndarray, tuple[int, int, int]]) -> Reference:
+    image = np.full((H, W, 3), GROUND, np.uint8)
+    for mask, color in layers:
+        image[mask] = color
+    return Reference(image)
+
+
+def iou(a: np.ndarray, b: np.ndarray) -> float:
+    return (a & b).sum() / (a | b).sum()
+
+
+def alpha_in_picture(instance) -> np.ndarray:
+    """Return the crop's opaque pixels laid back over the reference picture."""
+    x0, y0, x1, y1 = instance.crop_box
+    ch, cw = instance.crop.shape[:2]
+    rows, columns = np.mgrid[:H, :W] + 0.5
+    i = np.floor((rows - y0) / (y1 - y0) * ch).astype(int)
+    j = np.floor((columns - x0) / (x1 - x0) * cw).astype(int)
+    on = (i >= 0) & (j >= 0) & (i < ch) & (j < cw)
+    out = np.zeros((H, W), bool)
+    out[on] = instance.crop[i[on], j[on], 3] > 127
+    return out
+
+
+def test_a_visible_object_is_cut_out_clean():
+    mask = disc(100, 90, 40)
+    found = complete(picture((mask, RED)), detect(mask), ())
+    assert not found.occluded
+    assert max(found.crop.shape[:2]) >= 256
+    np.testing.assert_array_equal(found.mask, mask)
+    np.testing.assert_array_equal(found.box, mask_box(mask))
+    assert iou(alpha_in_picture(found), mask) > 0.97
+    alpha = found.crop[..., 3]
+    assert alpha[0].max() == 0 and alpha[:, 0].max() == 0, "the margin is clear"
+    assert ((alpha > 0) & (alpha < 255)).any(), "the edge is soft"
+    # No ground colour bleeds through the soft edge.
+    assert np.abs(found.crop[alpha > 0][:, :3].astype(int) - RED).max() < 25
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_the_hidden_half_of_a_round_object_comes_back(side):
+    whole = disc(120, 100, 45)
+    hider = np.zeros((H, W), bool)
+    hider[60:150, slice(130, 200) if side > 0 else slice(40, 110)] = True
+    seen = whole & ~hider
+    found = complete(picture((whole, RED), (hider, BLUE)), detect(seen), (detect(hider),))
+    assert found.occluded
+    assert iou(alpha_in_picture(found), seen) < 0.9
+    assert iou(alpha_in_picture(found), whole) > 0.95
+    opaque = found.crop[found.crop[..., 3] > 250][:, :3].astype(int)
+    assert np.abs(opaque - RED).mean() < 12, "the hider's colour is gone"
+    np.testing.assert_array_equal(found.mask, seen)
+
+
+def test_a_neighbour_that_hides_nothing_changes_nothing():
+    mask, other = disc(80, 100, 35), disc(180, 100, 35)
+    reference = picture((mask, RED), (other, BLUE))
+    alone = complete(reference, detect(mask), ())
+    beside = complete(reference, detect(mask), (detect(other),))
+    np.testing.assert_array_equal(alone.crop, beside.crop)
+    assert not beside.occluded
+
+
+def test_things_on_the_table_are_painted_over():
+    table = np.zeros((H, W), bool)
+    table[40:160, 20:220] = True
+    thing = disc(120, 100, 25)
+    seen = table & ~thing
+    found = complete(picture((table, RED), (thing, BLUE)), detect(seen, "table"), (detect(thing),))
+    assert found.occluded
+    assert iou(alpha_in_picture(found), table) > 0.97
+    opaque = found.crop[found.crop[..., 3] > 250][:, :3].astype(int)
+    assert np.abs(opaque - RED).max(1).mean() < 8
+
+
+def test_an_object_at_the_picture_edge_keeps_its_place():
+    mask = disc(4, 100, 30)
+    found = complete(picture((mask, RED)), detect(mask), ())
+    assert found.crop_box[0] < 0
+    assert iou(alpha_in_picture(found), mask) > 0.95
+
+
+def test_same_input_same_bytes():
+    mask = disc(100, 90, 30)
+    reference = picture((mask, RED))
+    first, second = (complete(reference, detect(mask), ()) for _ in range(2))
+    np.testing.assert_array_equal(first.crop, second.crop)

@@ -1,0 +1,213 @@
+"""Analysis by synthesis: what the modeler makes of rendered shapes it is told nothing about."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+import shapely
+import trimesh
+
+from generator.backends.embedded import choosing, solids
+from generator.backends.embedded.baking import sample
+from generator.backends.embedded.completion import complete
+from generator.backends.embedded.framing import frame_to_mask
+from generator.backends.embedded.modeler import Modeler, small_mask
+from generator.backends.embedded.pixels import mask_iou
+from generator.backends.embedded.projection import Projection, camera_view
+from generator.catalogue import build, build_table
+from generator.geometry import Camera, mask_box, ray_view, rotation_z, yaw_quaternion
+from generator.render.raster import Item, place, render
+from generator.scene import (
+    Detection,
+    Instance,
+    Model,
+    PlannedTable,
+    Reference,
+    SizePrior,
+    View,
+)
+
+VIEW = View(0.0, np.deg2rad(48), np.deg2rad(36))
+SIZE = 480, 640
+BOTTLE = np.array([[0, 0.03], [0.12, 0.035], [0.16, 0.013], [0.22, 0.012]])
+L_SHAPE = shapely.Polygon([(0, 0), (0.2, 0), (0.2, 0.05), (0.06, 0.05), (0.06, 0.16), (0, 0.16)])
+FRAME = shapely.Polygon([(-0.08, 0), (0.08, 0), (0.08, 0.22), (-0.08, 0.22)])
+
+SHAPES = {
+    "box": (solids.box(0.18, 0.1, 0.12), (0.18, 0.1, 0.12)),
+    "cylinder": (solids.revolution(np.array([0, 0.12]), np.array([0.05, 0.05])), (0.1, 0.1, 0.12)),
+    "bottle": (solids.revolution(BOTTLE[:, 0], BOTTLE[:, 1]), (0.07, 0.07, 0.22)),
+    "prism": (solids.prism(L_SHAPE, 0.015), (0.2, 0.16, 0.015)),
+    "upright": (solids.upright(FRAME, 0.02), (0.16, 0.02, 0.22)),
+}
+YAWS = {"box": 0.6, "prism": 0.4, "upright": 0.25}
+
+
+def shot(item: Item, label: str) -> tuple[Instance, View]:
+    """Render one item off the picture's centre and complete its crop, as the stages would."""
+    camera = Camera.looking_at(np.array([0.1, -0.05, 0]), VIEW, 1.6, SIZE[1], SIZE[0])
+    drawn = render([item], camera, background=(235, 230, 222))
+    mask = drawn.ids == item.id
+    detection = Detection(label, mask_box(mask), mask)
+    instance = complete(Reference(drawn.image), detection, ())
+    middle = (instance.box[:2] + instance.box[2:]) / 2
+    return instance, ray_view(VIEW, middle, SIZE[1], SIZE[0])
+
+
+@cache
+def generic(kind: str) -> tuple[Instance, View, Model]:
+    solid, size = SHAPES[kind]
+    world = solid.vertices @ rotation_z(YAWS.get(kind, 0.0)).T + [-0.15, 0.1, 0]
+    uv = np.column_stack([np.full(len(world), 0.5), np.full(len(world), 0.5)])
+    texture = np.full((2, 2, 3), (60, 140, 90), np.uint8)
+    instance, view = shot(Item(world, solid.faces, uv, texture, 1), "object")
+    return instance, view, Modeler().model(instance, SizePrior("object", np.array(size)), view)
+
+
+def overlap(model: Model, instance: Instance, view: View) -> float:
+    """Return the best silhouette overlap of a model over yaw, from the instance's own view."""
+    small = Projection.of_instance(instance, view).resized(120)
+    mask = small_mask(instance, small)
+
+    def at(yaw: float) -> float:
+        shape = model.mesh.vertices * model.size @ rotation_z(yaw).T
+        scale, shift = frame_to_mask(shape, small, mask)
+        return mask_iou(small.silhouette(shape * scale + shift, model.mesh.faces), mask)
+
+    return max(at(yaw) for yaw in np.arange(0, 2 * np.pi, np.pi / 36))
+
+
+def welded(model: Model) -> trimesh.Trimesh:
+    mesh = trimesh.Trimesh(model.mesh.vertices, model.mesh.faces, process=False)
+    mesh.merge_vertices(merge_tex=True, merge_norm=True)
+    return mesh
+
+
+@pytest.mark.parametrize("kind", SHAPES)
+def test_silhouettes_are_met_again_from_the_same_view(kind):
+    instance, view, model = generic(kind)
+    assert overlap(model, instance, view) >= 0.85
+
+
+@pytest.mark.parametrize("kind", SHAPES)
+def test_meshes_are_closed_and_parts_cover_them(kind):
+    model = generic(kind)[2]
+    mesh = welded(model)
+    assert mesh.is_watertight and mesh.volume > 0
+    points = np.concatenate([p.vertices for p in model.parts])
+    np.testing.assert_allclose(points.min(0), -0.5, atol=0.03)
+    np.testing.assert_allclose(points.max(0), 0.5, atol=0.03)
+    hulls = [trimesh.convex.convex_hull(p.vertices) for p in model.parts]
+    assert sum(h.volume for h in hulls) >= 0.9 * mesh.volume
+
+
+@pytest.mark.parametrize("kind", SHAPES)
+def test_bottoms_are_flat_under_the_centre_of_mass(kind):
+    mesh = welded(generic(kind)[2])
+    low = mesh.vertices[mesh.vertices[:, 2] < -0.5 + 1e-3, :2]
+    foot = shapely.MultiPoint(low).convex_hull
+    assert foot.contains(shapely.Point(mesh.center_mass[:2]))
+
+
+@pytest.mark.parametrize("kind", SHAPES)
+def test_colors_come_from_the_picture(kind):
+    instance, _, model = generic(kind)
+    opaque = instance.crop[instance.crop[..., 3] > 250][:, :3]
+    uv = model.mesh.uv[model.mesh.faces].mean(1)
+    side = np.array(model.mesh.texture.shape[1::-1])
+    texels = sample(model.mesh.texture, np.column_stack([uv[:, 0], 1 - uv[:, 1]]) * side)
+    assert np.abs(np.median(texels, 0) - np.median(opaque, 0)).max() < 45
+
+
+def test_a_box_keeps_its_measures_and_its_primitive():
+    model = generic("box")[2]
+    assert [p.kind for p in model.parts] == ["box"]
+    np.testing.assert_allclose(model.size, [0.18, 0.1, 0.12], rtol=0.15)
+
+
+def test_round_things_become_revolutions():
+    for kind, height in (("cylinder", 0.12), ("bottle", 0.22)):
+        model = generic(kind)[2]
+        assert model.size[0] == pytest.approx(model.size[1], rel=0.02)
+        assert model.size[2] / model.size[0] == pytest.approx(height / SHAPES[kind][1][0], rel=0.15)
+        assert len(model.parts) <= 8
+
+
+def test_same_input_same_bytes():
+    instance, view, model = generic("box")
+    again = Modeler().model(instance, SizePrior("object", np.array([0.18, 0.1, 0.12])), view)
+    np.testing.assert_array_equal(model.mesh.vertices, again.mesh.vertices)
+    np.testing.assert_array_equal(model.mesh.texture, again.mesh.texture)
+
+
+@pytest.mark.parametrize("key, yaw", [("mug", 0.7), ("screwdriver", -2.0)])
+def test_catalogue_things_are_recognised_in_shape_and_color(key, yaw):
+    truth = build(key, 77)
+    item = place(
+        truth.mesh, truth.size, np.array([0.0, 0.05, truth.size[2] / 2]), yaw_quaternion(yaw), 1
+    )
+    instance, view = shot(item, key)
+    model = Modeler().model(instance, SizePrior(key, truth.size), view)
+    assert model.category == key and model.container == truth.container
+    assert overlap(model, instance, view) >= 0.85
+    np.testing.assert_allclose(model.size, truth.size, rtol=0.2)
+
+
+def test_a_wrong_label_gives_way_to_the_silhouette():
+    instance, view, _ = generic("prism")
+    wrong = Instance("mug_1", "mug", instance.box, instance.mask, instance.crop, instance.crop_box)
+    model = Modeler().model(wrong, SizePrior("mug_1", np.array([0.2, 0.16, 0.015])), view)
+    assert model.category == "generic"
+
+
+def test_the_table_takes_outline_size_and_color():
+    truth = build_table(PlannedTable("oval", "walnut", "straight", (1.3, 0.8, 0.7)), 3)
+    camera = Camera.looking_at(np.array([0, 0, 0.5]), VIEW, 3.0, SIZE[1], SIZE[0])
+    item = place(truth.mesh, truth.size, np.array([0, 0, 0.35]), yaw_quaternion(0), 1)
+    drawn = render([item], camera)
+    mask = drawn.ids == 1
+    instance = complete(Reference(drawn.image), Detection("table", mask_box(mask), mask), ())
+    view = ray_view(VIEW, (instance.box[:2] + instance.box[2:]) / 2, SIZE[1], SIZE[0])
+    model = Modeler().model(instance, SizePrior("table", np.array([1.3, 0.8, 0.7])), view)
+    np.testing.assert_allclose(model.size, [1.3, 0.8, 0.7])
+    corner = np.abs(model.mesh.vertices[:, :2]).sum(1)[model.mesh.vertices[:, 2] > 0.49]
+    assert corner.max() < 0.9, "an oval has no corners"
+    assert (
+        np.linalg.norm(
+            np.median(model.mesh.texture.reshape(-1, 3), 0) - np.median(drawn.image[mask], 0)
+        )
+        < 70
+    )
+
+
+def test_projection_agrees_with_the_camera_that_took_the_picture():
+    instance, view, _ = generic("box")
+    assert camera_view(
+        view, (instance.box[:2] + instance.box[2:]) / 2, SIZE[1], SIZE[0]
+    ).elevation == pytest.approx(VIEW.elevation, abs=1e-6)
+    projection = Projection.of_instance(instance, view)
+    x0, y0, x1, _ = instance.crop_box
+    zoom = projection.width / (x1 - x0)
+    middle = ((instance.box[:2] + instance.box[2:]) / 2 - [x0, y0]) * zoom
+    np.testing.assert_allclose(projection.project(np.zeros((1, 3)))[0], middle, atol=1.0)
+    up = projection.project(np.array([[0, 0, 10.0]]))[0]
+    assert up[1] < middle[1]
+
+
+def test_accidental_views_cost():
+    instance, view, _ = generic("box")
+    small = Projection.of_instance(instance, view).resized(60)
+    long = solids.box(3.0, 1.0, 0.5)
+    away = float(np.arctan2(small.away[1], small.away[0]))
+    pointing = solids.Posed("box", long, away, np.zeros(3))
+    across = solids.Posed("box", long, away + np.pi / 2, np.zeros(3))
+    assert choosing.accident(pointing, small) > 0 == choosing.accident(across, small)
+
+
+def test_convex_pieces_tile_the_outline():
+    pieces = solids.convex_pieces(L_SHAPE)
+    assert 2 <= len(pieces) <= 8
+    assert shapely.union_all(pieces).symmetric_difference(L_SHAPE).area < 1e-9
+    assert all(p.convex_hull.area - p.area < 0.05 * L_SHAPE.area for p in pieces)
