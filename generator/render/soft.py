@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 import torch
 from jaxtyping import Bool, Float
-from scipy.spatial import ConvexHull, QhullError
+from scipy.spatial import ConvexHull, KDTree, QhullError
 from torch import Tensor
 from torch.nn import functional
 
@@ -34,14 +34,16 @@ _FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial, sigma of one pix
 class Surface:
     """Sample points of a textured surface, in the object frame in metres.
 
-    ``area`` (m^2) is what one point stands for; ``corners`` are the vertices of the convex hull,
-    which bound the object in any view.
+    ``area`` (m^2) is what one point stands for; ``covered`` marks points just under another
+    surface, such as a body under its label, too close for a depth buffer to tell; ``corners`` are
+    the vertices of the convex hull, which bound the object in any view.
     """
 
     position: Float[Tensor, "n 3"]
     normal: Float[Tensor, "n 3"]
     color: Float[Tensor, "n 3"]
     area: float
+    covered: Bool[Tensor, "n"]
     corners: Float[Tensor, "k 3"]
 
 
@@ -78,6 +80,24 @@ def _hull_corners(vertices: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"
         return np.unique(vertices, axis=0)
 
 
+def _covered(
+    position: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "n 3"], spacing: float
+) -> Bool[np.ndarray, "n"]:
+    """Mark points that lie under another, parallel surface no farther off than ``spacing``.
+
+    Each of the two points must see the other on the matching side of its own plane, which tells
+    a cover from the neighbours on a hollow or bulging surface.
+    """
+    near = KDTree(position).query(position, k=min(12, len(position)))[1]
+    apart = position[near] - position[:, None]
+    above = (apart * normal[:, None]).sum(-1)
+    above_by_theirs = (apart * normal[near]).sum(-1)
+    parallel = (normal[near] * normal[:, None]).sum(-1) > 0.9
+    least = 1e-3 * spacing
+    cover = parallel & (above > least) & (above_by_theirs > least) & (above < spacing)
+    return cover.any(1)
+
+
 def sample_surface(
     mesh: Mesh,
     size: Float[np.ndarray, "3"],
@@ -112,12 +132,19 @@ def sample_surface(
     normal = cross[face] / np.maximum(2 * areas[face, None], 1e-30)
     color = sample_texture(mesh.texture, (mesh.uv[mesh.faces[face]] * weights).sum(1))
     color = color * (0.75 + 0.25 * normal[:, 2:])
+    covered = _covered(position, normal, float(np.sqrt(total / count)))
 
     def tensor(array: np.ndarray) -> Tensor:
         return torch.as_tensor(np.ascontiguousarray(array), dtype=dtype)
 
-    corners = _hull_corners(vertices)
-    return Surface(tensor(position), tensor(normal), tensor(color), total / count, tensor(corners))
+    return Surface(
+        tensor(position),
+        tensor(normal),
+        tensor(color),
+        total / count,
+        torch.as_tensor(covered),
+        tensor(_hull_corners(vertices)),
+    )
 
 
 def object_to_camera(
@@ -202,7 +229,7 @@ def render(
     facing = (normal * p).sum(-1)  # negative towards the camera
     pixels = surface.area * facing.abs() / depth**3 * scale.prod(-1, keepdim=True)
     with torch.no_grad():
-        seen = _visible(pixel, depth, scale, resolution) & (facing < 0)
+        seen = _visible(pixel, depth, scale, resolution) & (facing < 0) & ~surface.covered
         share = torch.where(seen, 1.0, _HIDDEN_WEIGHT)
     weight = pixels * share
     values = torch.cat(

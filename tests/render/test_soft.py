@@ -50,6 +50,21 @@ def test_points_cover_the_surface_evenly():
     assert len(surface.corners) == 10  # the inner corner of the L is not on the hull
 
 
+def test_a_body_under_its_label_does_not_show_through():
+    body = l_shape()
+    label = np.array([[-0.4, -0.4, 0.51], [0.4, -0.4, 0.51], [0.4, -0.2, 0.51], [-0.4, -0.2, 0.51]])
+    vertices = np.concatenate([body.vertices, label])
+    faces = np.concatenate([body.faces, [[12, 13, 14], [12, 14, 15]]])
+    uv = np.concatenate([body.uv, np.full((4, 2), 0.0)])  # blue, over the red top
+    surface = soft.sample_surface(Mesh(vertices, faces, uv, body.texture), SIZE, 8000, 0)
+    assert not bool(soft.sample_surface(body, SIZE, 8000, 0).covered.any())
+    on_top = (surface.normal[:, 2] > 0.99) & (surface.position[:, 2] < SIZE[2] / 2 + 1e-5)
+    assert not bool(surface.covered[~on_top].any())
+    low, high = torch.as_tensor(label[[0, 2], :2] * SIZE[:2])
+    inside = ((surface.position[:, :2] > low) & (surface.position[:, :2] < high)).all(1) & on_top
+    assert float(surface.covered[inside].float().mean()) > 0.95
+
+
 def test_same_seed_same_points_and_other_seed_others():
     first, again, other = (soft.sample_surface(l_shape(), SIZE, 500, s) for s in (1, 1, 2))
     assert torch.equal(first.position, again.position)
