@@ -126,7 +126,67 @@ def button_tin(look: Look) -> Shape:
     return shape([*pieces, (rod, metal)], [cylinder_part(r, h + 0.0015)])
 
 
+def scissors(look: Look) -> Shape:
+    """Scissors lying flat and closed, two finger loops to the right."""
+    long = look.between(0.17, 0.2)
+    color = look.color("red", "black", "orange", "blue", "teal")
+    steel = textures.brushed(look.rng, (190, 193, 198))
+    grip = textures.speckled(look.rng, color, 4, 32)
+    pieces = []
+    for side, low in ((-1, 0.0), (1, 0.0024)):
+        outline = np.array(
+            [(-0.5 * long, 0), (0.02, -0.011), (0.045, -0.006), (0.045, 0.004), (0.0, 0.004)]
+        )
+        if side > 0:
+            outline = outline[::-1] * [1, -1]
+        blade = prism(outline, low, low + 0.0024)
+        loop = torus(1.0, 0.26, 24, 8).scaled(0.024, 0.0165, 0.019)
+        loop = loop.turned(2, side * 0.3).moved(0.5 * long - 0.022, side * 0.021, 0.0052)
+        pieces += [(blade, steel), (loop, grip)]
+    screw = cylinder(0.0045, 0.002, 14).moved(x=0.012, z=0.0046)
+    low = min(solid.bounds[0, 2] for solid, _ in pieces)
+    pieces.append((screw, textures.plain((120, 122, 128))))
+    pieces = [(solid.moved(z=-low), tile) for solid, tile in pieces]
+    return shape(pieces, [hull_of(solid) for solid, _ in pieces[:4]])
+
+
+def glue_stick(look: Look) -> Shape:
+    """A glue stick standing on its foot, with its cap on."""
+    r, h = look.between(0.0125, 0.0145), look.between(0.085, 0.1)
+    color = look.color("yellow", "red", "blue", "green", "violet")
+    print_ = prints.label(look.rng, "GLUE", color, (246, 246, 242))
+    foot = cylinder(r * 1.05, 0.012, 20, bevel=0.001)
+    body = cylinder(r, 0.62 * h, 24).moved(z=0.01)
+    cap = cylinder(r * 1.08, 0.36 * h, 24, top=r, bevel=0.0015).moved(z=0.01 + 0.62 * h)
+    tint = textures.plain(color)
+    return shape(
+        [(foot, tint), (body, print_), (cap, tint)],
+        [cylinder_part(r, 0.01 + 0.62 * h), hull_of(foot), hull_of(cap)],
+    )
+
+
 CATEGORIES = (
+    Category(
+        "scissors",
+        scissors,
+        (0.19, 0.08, 0.011),
+        0.07,
+        ("pair of scissors", "shears", "scissor"),
+        ("craft", "office"),
+        ("flat",),
+        ("red", "black"),
+        state="lying flat, closed",
+    ),
+    Category(
+        "glue_stick",
+        glue_stick,
+        (0.028, 0.028, 0.1),
+        0.035,
+        ("glue", "glue tube"),
+        ("craft", "office"),
+        ("round",),
+        ("yellow", "red"),
+    ),
     Category(
         "yarn_ball",
         yarn_ball,
