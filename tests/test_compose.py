@@ -54,8 +54,10 @@ def test_asked_relations_hold_after_settling() -> None:
 
 
 def test_same_text_and_seed_give_the_same_scene() -> None:
-    one, two, other = compose("a mug and a book", 1), compose("a mug and a book", 1), compose(
-        "a mug and a book", 2
+    one, two, other = (
+        compose("a mug and a book", 1),
+        compose("a mug and a book", 1),
+        compose("a mug and a book", 2),
     )
     for a, b in zip(one.objects, two.objects, strict=True):
         assert np.array_equal(a.pose.position, b.pose.position)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from shapely.geometry import MultiPoint, Polygon
+from shapely.geometry.base import BaseGeometry
 
 from generator.backends.embedded.planner import plan_scene
 from generator.errors import SceneError
@@ -33,7 +34,7 @@ TEXTS = (
 )
 
 
-def polygon(model: Model, placement: Placement) -> Polygon:
+def polygon(model: Model, placement: Placement) -> BaseGeometry:
     points = model.mesh.vertices * placement.scale @ rotation_z(placement.yaw).T
     return MultiPoint((points + placement.translation)[:, :2]).convex_hull
 
@@ -150,15 +151,12 @@ def test_a_crowded_table_grows_and_an_impossible_one_is_refused() -> None:
     models = build_models(many, 0)
     assert table_size(many, models).size[0] > many.table.size[0]
     assert table_size(few, build_models(few, 0)).size == few.table.size
-    full = ScenePlan("full", PlannedTable("round", size=(0.5, 0.5, 0.7)), many.objects * 1)
-    large = {name: model for name, model in build_models(full, 0).items()}
     boards = ScenePlan(
         "boards", PlannedTable("triangle", size=(0.5, 0.5, 0.7)),
         tuple(PlannedObject(f"monitor_{i}", "monitor", "monitor") for i in range(20)),
     )  # fmt: skip
     with pytest.raises(SceneError, match="do not fit"):
         lay_out(boards, build_models(boards, 0), 0)
-    assert len(large) == 14
 
 
 def test_a_table_too_small_names_what_finds_no_place() -> None:
@@ -183,7 +181,7 @@ def test_equal_things_share_a_look_and_unknown_ones_have_their_size() -> None:
     models = build_models(plan, 0)
     textures = [models[f"mug_{i}"].mesh.texture for i in (1, 2, 3)]
     assert np.array_equal(textures[0], textures[1])
-    assert textures[2].shape != textures[0].shape or not np.array_equal(*textures[1:])
+    assert textures[2].shape != textures[0].shape or not np.array_equal(textures[1], textures[2])
     assert models["zorb_1"].size.max() == pytest.approx(0.2)
     assert models["zorb_1"].label == "zorb"
 
@@ -193,8 +191,10 @@ def test_gaps_bound_the_true_distance_from_below() -> None:
     models = build_models(plan_scene("a book, a banana and a fork", 0), 0)
     for _ in range(60):
         first, second = rng.choice(sorted(models), 2)
-        a = Placement(first, rng.uniform(-3, 3), [*rng.uniform(-0.3, 0.3, 2), 0], models[first].size)
-        b = Placement(second, rng.uniform(-3, 3), [*rng.uniform(-0.3, 0.3, 2), 0],
+        a = Placement(
+            first, rng.uniform(-3, 3), np.append(rng.uniform(-0.3, 0.3, 2), 0), models[first].size
+        )
+        b = Placement(second, rng.uniform(-3, 3), np.append(rng.uniform(-0.3, 0.3, 2), 0),
                       models[second].size)  # fmt: skip
         bound = gaps(footprint(models[first], a.yaw), a.translation[None, :2],
                      footprint(models[second], b.yaw), b.translation[:2])[0]  # fmt: skip

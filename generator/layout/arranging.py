@@ -129,7 +129,7 @@ def _center(state: _State, plan: ScenePlan, outline: Float[np.ndarray, "k 2"]) -
     else:
         return
     for name, place in state.places.items():
-        state.places[name] = replace(place, translation=place.translation + [*move, 0.0])
+        state.places[name] = replace(place, translation=place.translation + np.append(move, 0.0))
 
 
 def support_of(planned: PlannedObject) -> str | None:

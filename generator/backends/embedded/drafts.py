@@ -27,7 +27,7 @@ class Draft:
     relations: list[tuple[str, Draft | str]] = field(default_factory=list)
     provisional: bool = False
     implied: bool = False
-    listed: bool = True
+    stacked_under: Draft | None = None
 
     def relate(self, kind: str, target: Draft | str) -> None:
         """Add a relation; it replaces one that was only assumed."""
@@ -130,9 +130,11 @@ def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
 
 def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     """Return where a thing named with its owner goes: in a vessel, on a plate, else beside it."""
-    if owner.category is None or draft.category is None:
+    if owner.category is None:
         return "in" if held else "next_to"
     outer = CATEGORIES[owner.category]
+    if draft.category is None:
+        return "next_to" if not held else "in" if outer.container else "on"
     inner = CATEGORIES[draft.category].size
     if fits("in", inner, outer.size, outer.container) and (held or min(inner) < 0.06):
         return "in"

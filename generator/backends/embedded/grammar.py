@@ -14,6 +14,7 @@ from .vocabulary import (
     DEFINITE,
     FILLERS,
     GROUP_NOUNS,
+    LOOSE_NOUNS,
     MATERIALS,
     NUMBERS,
     OTHERS,
@@ -156,11 +157,15 @@ def noun_phrase(run: tuple[str, ...]) -> NounPhrase:
     kind, head, category = _head(content)
     modifiers = content[: len(content) - len(head)] if head else content
     count, vague = _count([w for w in run if w not in head])
+    if head == ("glasses",) and (count or vague):  # two glasses are for drinking
+        head, category = ("glass",), lexicon.category_of(("glass",))
     attributes = attributes_of(modifiers)
     if category is None and kind == "unknown":
         head = content[-2:] if len(content) > 1 and _is_plain(content[-2]) else content[-1:]
     noun = " ".join((*head[:-1], lexicon.singular(head[-1]))) if head else ""
-    if head and category and " ".join(head) != noun and lexicon.category_of(head) == category:
+    if head and "of" in head:
+        noun = " ".join((lexicon.singular(head[0]), *head[1:]))
+    elif head and category and " ".join(head) != noun and lexicon.category_of(head) == category:
         noun = noun if lexicon.is_plural(head) else " ".join(head)
     return NounPhrase(
         kind, content, noun, category, count, vague,
@@ -198,7 +203,9 @@ def _head(content: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | No
         if lexicon.collective_of(tail):
             return "mixed", tail, None
         if " ".join(tail) not in TABLE_NOUNS and (key := lexicon.category_of(tail)):
-            return "object", tail, key
+            strange = any(_is_strange(word) for word in content[:start])
+            if not (strange and len(tail) == 1 and last in LOOSE_NOUNS):
+                return "object", tail, key
     if last in TABLE_NOUNS:
         return "table", (last,), None
     if last in VAGUE_THINGS:
@@ -209,9 +216,14 @@ def _head(content: tuple[str, ...]) -> tuple[NounKind, tuple[str, ...], str | No
         return "place", (last,), None
     if last in GROUP_NOUNS:
         return "group", (last,), None
-    if not _is_plain(last):
+    if not any(_is_plain(word) for word in content):
         return "adjective", (), None
     return "unknown", (last,), None
+
+
+def _is_strange(word: str) -> bool:
+    """Tell whether a word before a noun may change what it means ("arduino board")."""
+    return _is_plain(word) and word not in lexicon.vocabulary()
 
 
 def _is_plain(word: str) -> bool:

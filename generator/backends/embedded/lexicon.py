@@ -79,7 +79,7 @@ def category_of(words: tuple[str, ...]) -> str | None:
 def is_plural(words: tuple[str, ...]) -> bool:
     """Tell whether a noun stands for several things ("mugs", not "scissors" or "glass")."""
     written = " ".join(words)
-    if written in _index() and written not in ("dice", "glasses"):
+    if written in _index() and written != "dice":
         return False
     return any(singular(word) != word for word in (words[0], words[-1]))
 

@@ -71,9 +71,13 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     _check_content(prompt, reading, theme)
     objects = _plan_objects(reading)
     name = theme or _default_theme(reading, empty=not objects)
-    if name and (not objects or (reading.vague and len(objects) < 6)):
+    _check_bare(reading, objects)
+    laid = people > 1 and not any(o.category == "plate" for o in objects)
+    if name and laid and any(t.startswith("plate ") for t in THEMES[name].things):
+        objects = [*objects, *_place_settings(people, objects, reading.excluded)]
+    elif name and (not objects or (theme and reading.vague and len(objects) < 6)):
         target = 7 if not objects else min(7, len(objects) + 3)
-        objects = _fill(objects, THEMES[name], target, reading.excluded, rng, people)
+        objects = _fill(objects, THEMES[name], target, reading.excluded, rng)
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
     objects, doubts = relations.checked(objects)
     style = next((word for word in words if word in STYLES), "plain")
@@ -119,6 +123,16 @@ def _check_content(prompt: str, reading: Reading, theme: str | None) -> None:
     )
 
 
+def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
+    """Refuse a text that leaves nothing on the table."""
+    bare = any({"empty", "bare"} & set(noun.words) for noun in reading.table)
+    if not objects and (reading.objects or bare):
+        raise InputError(
+            "The text leaves nothing on the table; a scene needs at least one object. Name one, "
+            f"for example {EXAMPLE}."
+        )
+
+
 def _unknown(objects: Sequence[PlannedObject]) -> list[str]:
     nouns = dict.fromkeys(o.noun for o in objects if o.category == "generic")
     return [
@@ -156,12 +170,9 @@ def _fill(
     target: int,
     excluded: set[str],
     rng: np.random.Generator,
-    people: int,
 ) -> list[PlannedObject]:
     """Add a theme's things and their functional relations until there are ``target`` objects."""
     things = [_thing(entry) for entry in theme.things]
-    if not objects and people > 1 and any(key == "plate" for key, _, _ in things):
-        return _place_settings(people, theme, excluded)
     core = [] if objects else things[: theme.core]
     others = [t for t in things if t not in core]
     order = [others[i] for i in rng.permutation(len(others))]
@@ -197,29 +208,29 @@ def _thing(entry: str) -> tuple[str | None, RelationKind | None, str | None]:
     )
 
 
-def _place_settings(people: int, theme: Theme, excluded: set[str]) -> list[PlannedObject]:
+def _place_settings(
+    people: int, objects: Sequence[PlannedObject], excluded: set[str]
+) -> list[PlannedObject]:
     """Lay a table: a plate, cutlery and a glass for each, at most four people."""
     setting = (("plate", None), ("fork", "left_of"), ("knife", "right_of"), ("glass", "behind"))
+    taken = Counter(o.category for o in objects)
     out: list[PlannedObject] = []
-    edges: tuple[RelationKind, ...] = ("in_front_of", "behind", "left_of", "right_of")
-    for person in range(people):
-        side = edges[person] if people <= 2 else edges[person % 4]
+    sides: tuple[RelationKind, ...] = ("in_front_of", "behind", "left_of", "right_of")
+    for person, side in enumerate(sides[:people], start=1):
         for word, where in setting[: 4 if people < 3 else 3]:
             key = lexicon.category_of((word,))
             if key is None or key in excluded:
                 continue
             if where is not None and side == "behind":  # as seen by who sits across
                 where = relations.OPPOSITE[where]
-            relation = (
-                Relation(side)
-                if where is None
-                else Relation(relations.kind(where), f"plate_{person + 1}")
-            )
-            out.append(PlannedObject(f"{key}_{person + 1}", word, key, {}, (relation,)))
-    for word in ("candle", "salt shaker"):
-        key = lexicon.category_of(tuple(word.split()))
-        if key is not None and key not in excluded and word.split()[0] in " ".join(theme.things):
-            out.append(PlannedObject(f"{key}_1", word, key, {}, (Relation("center"),)))
+            relation = Relation(side)
+            if where is not None:
+                relation = Relation(relations.kind(where), f"plate_{person}")
+            name = f"{key}_{taken[key] + person}"
+            out.append(PlannedObject(name, word, key, {}, (relation,)))
+    candle = lexicon.category_of(("candle",))
+    if candle and candle not in excluded and not objects:
+        out.append(PlannedObject(f"{candle}_1", "candle", candle, {}, (Relation("center"),)))
     return out
 
 

@@ -17,6 +17,23 @@ from .vocabulary import STACKED, SUBSTANCES
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")
 
 
+def _returns(rest: Sequence[Chunk]) -> bool:
+    """Tell whether the rest of a sentence puts things on or in "it"."""
+    for chunk, following in pairwise(rest):
+        if chunk.kind == "stop":
+            return False
+        if chunk.kind == "relation" and chunk.text in ("on", "in"):
+            return following.noun is not None and following.noun.kind == "pronoun"
+    return False
+
+
+def _topmost(target: Draft | str) -> Draft | str:
+    """Return the top of a stack that ``target`` is in, else itself."""
+    while isinstance(target, Draft) and target.stacked_under is not None:
+        target = target.stacked_under
+    return target
+
+
 class Reader:
     """Reads chunks from left to right and keeps what pronouns and conjunctions refer to."""
 
@@ -46,10 +63,10 @@ class Reader:
             elif chunk.kind == "carry":
                 self._carry(chunk.text)
             elif chunk.kind in ("and", "comma"):
-                self._conjunction(chunk.kind)
+                self._conjunction(chunk.kind, _returns(chunks[i + 1 :]))
             elif chunk.kind == "are":
                 self._each = self._each or chunk.text == "each"
-                self._joined = True
+                self._joined = chunk.text != "is" or len(self._group) < 2
             elif chunk.kind == "of" and self._last is not None:
                 self._of = self._last
         self._end_relation()
@@ -85,7 +102,9 @@ class Reader:
         if self._listing and not self._group:  # "left of the cup and behind the pen"
             self._group, self._listing = self._finished, False
         kind, _, target = text.partition(" ")
-        if target == "table":
+        if kind == "stacked":
+            self._stack([d for group in self._group for d in group])
+        elif target == "table":
             beside = self._owner if kind in _SIDES and self._group else None
             self._attach(kind, self._one(beside) or [TABLE])
         elif target == "it":
@@ -101,7 +120,8 @@ class Reader:
         self._last = None
         self._joined = self._comma = False
 
-    def _conjunction(self, kind: str) -> None:
+    def _conjunction(self, kind: str, returns: bool) -> None:
+        """Go on with a list; ``returns``: its last words come back to the owner ("on it")."""
         if self._pending == "between" and self._between:
             return
         self._end_relation()
@@ -110,7 +130,8 @@ class Reader:
         self._comma = kind == "comma" or self._comma
         if self._related:
             self._finished, self._group, self._related = self._group, [], False
-        if kind == "comma" and self._owner not in (None, TABLE) and self._carried != "without":
+        ends = self._carried == "of" or (kind == "comma" and not returns)
+        if ends and self._owner not in (None, TABLE) and self._carried != "without":
             self._owner, self._carried, self._group = None, None, []
 
     def _end_relation(self) -> None:
@@ -158,7 +179,7 @@ class Reader:
                 for draft in self._group[-1] if self._group else []:
                     draft.attributes.setdefault("state", f"with {noun.noun or noun.words[-1]}")
                 return NounPhrase("place", noun.words)
-            self._carry("hold")
+            self._carry("of")
             return noun
         if of.kind == "unknown" and noun.noun in SUBSTANCES:
             return replace(of, attributes={**of.attributes, "state": f"with {noun.noun}"})
@@ -261,7 +282,7 @@ class Reader:
             if draft.relations:
                 continue
             owner = owners[i % len(owners)]
-            kind = assumed_relation(draft, owner, held=self._carried == "hold")
+            kind = assumed_relation(draft, owner, held=self._carried != "with")
             draft.relations.append((kind, owner))
             draft.provisional = True
 
@@ -293,9 +314,10 @@ class Reader:
                 return
             self._lead = (kind, list(targets))
             return
-        spread = self._joined or (kind in ("on", "in") and not self._comma)
+        back = isinstance(self._owner, list) and targets == self._owner
+        spread = self._joined or (kind in ("on", "in") and (back or not self._comma))
         for group in self._group if spread else self._group[-1:]:
-            if self._joined or group is self._group[-1] or shares(kind, group, targets):
+            if self._joined or back or group is self._group[-1] or shares(kind, group, targets):
                 self._apply(kind, group, targets)
         self._owner, self._carried, self._related = None, None, True
         support = [target for target in targets if isinstance(target, Draft)]
@@ -305,6 +327,8 @@ class Reader:
     def _apply(self, kind: str, group: Group, targets: Sequence[Draft | str]) -> None:
         paired = len(group) == len(targets) and len(targets) > 1 and kind != "next_to"
         for i, draft in enumerate(group):
+            if kind == "on":
+                targets = [_topmost(target) for target in targets]
             chosen = [targets[i]] if paired else list(targets if kind == "next_to" else targets[:1])
             stacked = any(to in group for _, to in draft.relations)
             for target in [] if stacked else chosen:
@@ -365,6 +389,12 @@ class Reader:
             return alike or None
         return alike[:1] or None
 
+    @staticmethod
+    def _stack(group: Group) -> None:
+        for below, above in pairwise(group):
+            above.relate("on", below)
+            below.stacked_under = above
+
     def _one_each(self, owners: Group) -> None:
         """Multiply the current subject so that each owner gets its own ("on each plate")."""
         if self._group:
@@ -405,6 +435,5 @@ class Reader:
             for _ in range(self.reading.number(noun, self._rng) * owners)
         ]  # fmt: skip
         if noun.attributes.get("stack"):
-            for below, above in pairwise(group):
-                above.relate("on", below)
+            self._stack(group)
         return group

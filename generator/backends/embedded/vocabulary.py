@@ -55,6 +55,9 @@ GROUP_NOUNS = _words(
     "pairs bundle handful heap assortment variety number lot selection cluster type types kind "
     "kinds arrangement array"
 )
+LOOSE_NOUNS = _words("board brush tin ring case dish compact tube powder figure deck note paint")
+"""Heads that mean a known thing alone, but hardly after a strange word ("arduino board")."""
+
 STACKED = _words("stack stacks pile piles heap")
 
 RELATIONS = _table(
@@ -79,6 +82,8 @@ RELATIONS = _table(
     next_to: against, leaning against, leaning on, around, surrounding, together with
     next_to: not far from, along, touching, opposite, surrounded by, flanked by, by the side of
     next_to: at the side of
+    stacked: on top of each other, on each other, on top of one another, one on top of the other
+    stacked: stacked on top of each other, stacked on each other, stacked up, stacked on one another
     between: between, in between, amid, among
     on: on, on top of, atop, upon, onto, on top, above, over, over the top of, resting on top of
     on: stacked on, stacked on top of, balanced on
@@ -132,7 +137,8 @@ SIZES: Mapping[str, str] = _table(
     """
 )
 STATES = _words(
-    "open closed empty full half fresh ripe folded lit old new antique vintage rusty broken used "
+    "open closed bare empty full half fresh ripe folded lit old new antique vintage rusty "
+    "broken used "
     "worn steaming hot cold sliced stacked burning potted framed lidded striped spotted patterned "
     "checkered handmade modern rustic elegant simple cute colorful colourful colored coloured "
     "shiny matte matching beautiful nice clean dirty tidy messy cluttered cozy cosy minimalist "
@@ -211,7 +217,8 @@ PLACES = _words(
     "dinner lunch supper party style person people guest guests child children kid work use "
     "way things thing stuff items item objects object everything something life still "
     "arrangement place setup light sunlight corner date time ground shelf hand light "
-    "distance order place reach lighting hours hour world programmer student artist writer"
+    "arm gripper distance order place reach lighting hours hour world programmer student artist "
+    "writer"
 )
 """Words for where, when and what it is about; no objects."""
 
@@ -226,7 +233,8 @@ VERBS = _words(
     "i we you he she they could should will shall may must do does did let us stacked "
     "partially slightly directly right just closely carefully all each every either neither "
     "ready prepared scattered spread surrounded used using ready made painted looks look slightly "
-    "next goes go belongs up down out off away lined piled"
+    "everywhere somewhere together apart picks pick grasps grasp "
+    "moves move lifts lift holding next goes go belongs up down out off away lined piled"
 )
 FILLERS = _words("of from for at to as or than about onto through per via during after until")
 
@@ -318,6 +326,8 @@ SYNONYMS = _pairs(
     pencil case: pencil pouch
     clock: alarm clock, desk clock
     watch: wristwatch, wrist watch
+    headphones: pair of headphones
+    glasses: pair of glasses, pair of reading glasses, pair of sunglasses
     glasses: eyeglasses, reading glasses, spectacles, sunglasses
     calculator: pocket calculator
     camera: photo camera
