@@ -14,6 +14,7 @@ from .pixels import hull_of, largest_piece, nearest_inside
 _LONG = 288  # least long side of a crop, pixels
 _MOST = 640
 _MARGIN = 0.04
+_MIRRORED = 0.15  # least share of a symmetric outline that must be seen on both sides
 
 Mask = Bool[np.ndarray, "h w"]
 
@@ -54,8 +55,8 @@ def _union(shape: tuple[int, ...], masks: list[np.ndarray]) -> Mask:
 def complete_mask(mask: Mask, hider: Mask) -> Mask:
     """Return ``mask`` grown into ``hider`` where the object probably goes on behind it.
 
-    Two guesses are joined: the object's mirror image about the vertical line that keeps most of
-    the visible outline, and the convex hull of what is visible; both only inside the hider.
+    Two guesses are joined: the object's mirror image about a vertical line, if its outline has
+    such an axis, and the convex hull of what is visible; both only inside the hider.
     """
     x0, y0, x1, y1 = mask_box(mask).astype(int)
     reach = max(x1 - x0, y1 - y0)
@@ -65,7 +66,7 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
     near = cv2.dilate(own.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
     if (near & other).sum() < 8:
         return mask
-    touching = np.asarray(ndimage.binary_propagation(near & other, mask=other))
+    touching = np.array(ndimage.binary_propagation(near & other, mask=other), dtype=bool)
     guess = hull_of(own)
     mirror = mirrored_mask(own, other)
     if mirror is not None:
@@ -77,25 +78,34 @@ def complete_mask(mask: Mask, hider: Mask) -> Mask:
 
 
 def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
-    """Return the mask reflected about its best vertical axis, or None if it has none.
+    """Return the mask reflected about the vertical axis of its outline, or None if it has none.
 
-    An axis is good if the reflection lands on the mask or on the hider, not on the background.
+    The outline against the background must fall onto itself or behind the hider; the axis where
+    most of it does, and next to none falls elsewhere, is taken.
     """
+    brush = np.ones((3, 3), np.uint8)
+    rim = mask & (cv2.erode(mask.astype(np.uint8), brush, borderValue=0) == 0)
+    free = rim & (cv2.dilate(hider.astype(np.uint8), np.ones((5, 5), np.uint8)) == 0)
+    near = cv2.dilate(free.astype(np.uint8), brush) > 0
     x0, _, x1, _ = mask_box(mask).astype(int)
-    width, columns = x1 - x0, mask.shape[1]
-    best: tuple[float, Mask] | None = None
-    ys, xs = np.nonzero(mask)
-    for twice in range(2 * x0, 2 * x1 + 1, max(1, width // 60)):
+    ys, xs = np.nonzero(free)
+    if len(xs) < 12:
+        return None
+    best = (_MIRRORED, 0)
+    for twice in range(2 * x0, 2 * x1 + 1):
         other = twice - xs
-        inside = (other >= 0) & (other < columns)
-        reflected = np.zeros_like(mask)
-        reflected[ys[inside], other[inside]] = True
-        outside = (~inside).sum() + (reflected & ~mask & ~hider).sum()
-        agree = (reflected & mask).sum()
-        value = (agree - 3.0 * outside) / mask.sum()
-        if best is None or value > best[0]:
-            best = (value, reflected)
-    return best[1] if best is not None and best[0] > 0.35 else None
+        on = (other >= 0) & (other < mask.shape[1])
+        met, covered = near[ys[on], other[on]], hider[ys[on], other[on]]
+        astray = 1 - (met | covered).sum() / len(xs)
+        best = max(best, (float(met.mean() - 3 * astray) if on.any() else -1.0, twice))
+    if best[0] <= _MIRRORED:
+        return None
+    ys, xs = np.nonzero(mask)
+    other = best[1] - xs
+    on = (other >= 0) & (other < mask.shape[1])
+    reflected = np.zeros_like(mask)
+    reflected[ys[on], other[on]] = True
+    return reflected
 
 
 def carry_colors(

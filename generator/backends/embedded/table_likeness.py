@@ -21,6 +21,7 @@ from .unwrap import unwrap
 
 _MATERIALS = ("oak", "walnut", "pine", "marble", "steel", "white")
 _WORKING = 140
+_SKETCH = 160  # texture side at which materials are compared
 _LEGLESS = 0.03  # by how much silhouettes must agree better before legs count as unseen
 
 
@@ -52,9 +53,10 @@ def model_table(instance: Instance, size: SizePrior, view: View, seed: int, text
     if best.legs:
         plans = [dataclasses.replace(best.plan, legs=legs) for legs in LEGS]
         best = max((_place(p, seed, mask, small) for p in plans), key=lambda s: s.iou)
-    options = [dataclasses.replace(best.plan, material=m) for m in _MATERIALS]
-    painted = [_paint(best, build_table(p, seed), instance, projection, texture) for p in options]
-    mesh, model, _ = min(painted, key=lambda p: p[2])
+    options = [build_table(dataclasses.replace(best.plan, material=m), seed) for m in _MATERIALS]
+    gaps = [_paint(best, m, instance, projection, _SKETCH)[1] for m in options]
+    model = options[int(np.argmin(gaps))]
+    mesh, _ = _paint(best, model, instance, projection, texture)
     return dataclasses.replace(model, mesh=mesh, size=np.array(size.extent))
 
 
@@ -98,7 +100,7 @@ def _place(plan: PlannedTable, seed: int, mask: np.ndarray, small: Projection) -
 
 def _paint(
     seen: _Seen, model: Model, instance: Instance, projection: Projection, size: int
-) -> tuple[Mesh, Model, float]:
+) -> tuple[Mesh, float]:
     """Recolour a table like the picture; also return how far its material was from it."""
     mesh = model.mesh
     image, mask = baking.opaque_colors(instance.crop)
@@ -117,7 +119,7 @@ def _paint(
         if (visible & part).sum() > 40:
             base[part] = _calmed(base[part], visible[part], colors[part])
             texels[part] = baking.recolor(base[part], visible[part], colors[part])[0]
-    return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels)), model, gap
+    return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels)), gap
 
 
 def _unrest(colors: Float[np.ndarray, "t 3"]) -> float:
