@@ -20,9 +20,11 @@ from .plane import TablePlane
 _SHADOW_EDGE = 2.6  # CIELAB units per pixel: the steepest edge of a soft shadow
 _GLOW_EDGE = 1.2  # the steepest edge of coloured light or of a coloured shadow
 _TINT = 14.0  # CIELAB units by which such light changes the hue
+_WISP_EDGE = 4.0  # thin parts of a thing have at least this beside them
 _FAINT_EDGE = 0.8  # an outline against the background has at least this
 _DARKEST = 0.55  # share of the light that a shadow leaves
 _PATTERN = 0.08  # of the top: a pattern must explain this much more than one even colour
+_SPREAD = 0.33  # of the top's cells: a pattern must explain something in this many
 _PATTERN_EDGE = 6.3  # CIELAB units per pixel: a pattern's edges are softer than things' outlines
 _ISLAND = 0.02  # of the top: cut-off bare spots below this lie inside things
 _GRID = (12, 16)  # rows and columns of cells on the top
@@ -97,7 +99,8 @@ def bare(
     """Return the pixels of ``within`` that show the bare surface, shadows included."""
     color, spread = smooth_color(lab, sure)
     plain = (np.abs(lab - color) < 3.5 * spread).all(-1) & within
-    shade = _dimmed(lab, color, 3.0 + 3 * spread[1:]) & (strength < _SHADOW_EDGE)
+    darker = (lab[..., 0] < color[..., 0] + 3.5 * spread[0]) & (strength < _SHADOW_EDGE)
+    shade = _dimmed(lab, color, 3.0 + 3 * spread[1:]) & darker
     glow = (_dimmed(lab, color, _TINT) & (strength < _GLOW_EDGE) & within).astype(np.uint8)
     glow = cv2.morphologyEx(glow, cv2.MORPH_OPEN, disc(2)) > 0
     return _reach(plain, (shade | glow) & within) | plain
@@ -133,8 +136,7 @@ def patterned(
     """
     code = _color_code(lab)
     rows, columns = _GRID
-    cell = np.clip(place[..., 1] * rows, 0, rows - 1).astype(int) * columns
-    cell += np.clip(place[..., 0] * columns, 0, columns - 1).astype(int)
+    cell = _cells(place)
     size = int(np.prod(_BINS))
     counts = np.bincount((cell * size + code)[within], minlength=rows * columns * size)
     counts = counts.reshape(rows, columns, *_BINS).astype(np.float32)
@@ -186,7 +188,7 @@ def find_regions(lab: Float[np.ndarray, "h w 3"], plane: TablePlane) -> Regions:
     ground = np.where(sky, _open_ground(lab, strength, background), floor)
     other = np.where(top, ~_bare_top(lab, strength, plane, top), ~ground)
     other = cv2.morphologyEx(other.astype(np.uint8), cv2.MORPH_CLOSE, disc(1)) > 0
-    raw = other & above_front(top)
+    raw = _firm(other & above_front(top), strength)
     edge = cv2.morphologyEx(top.astype(np.uint8), cv2.MORPH_GRADIENT, disc(3)) > 0
     grown = cv2.morphologyEx((raw & ~edge).astype(np.uint8), cv2.MORPH_OPEN, disc(1)) > 0
     for _ in range(5):
@@ -211,18 +213,45 @@ def _bare_top(
     even = bare(lab, strength, largest if largest.sum() > 0.08 * inner.sum() else inner, top)
     place = positions(plane, (lab.shape[0], lab.shape[1]))
     pattern = patterned(lab, strength, place, top)
-    gained = pattern & ~even & inner
-    soft = gained.any() and np.percentile(strength[gained], 75) < _PATTERN_EDGE
-    if soft and gained.sum() > _PATTERN * inner.sum():
+    if _is_pattern(pattern & ~even & inner, inner, strength, place):
         even = even | pattern
     even |= _seams(~even & top, top, place)
     return even & ~_islands(even, _ISLAND * int(top.sum()), top & ~inner)
 
 
+def _is_pattern(
+    gained: Bool[np.ndarray, "h w"],
+    inner: Bool[np.ndarray, "h w"],
+    strength: Float[np.ndarray, "h w"],
+    place: Float[np.ndarray, "h w 2"],
+) -> bool:
+    """Return whether what a pattern explains beyond an even colour is a pattern, not things.
+
+    It must be much, all over the top, and with softer edges than things have.
+    """
+    if gained.sum() < _PATTERN * inner.sum():
+        return False
+    cell = _cells(place)
+    total = np.bincount(cell[inner], minlength=int(np.prod(_GRID)))
+    share = np.bincount(cell[gained], minlength=len(total)) / np.maximum(total, 1)
+    spread = (share[total > 20] > 0.1).mean()
+    return bool(spread > _SPREAD and np.percentile(strength[gained], 75) < _PATTERN_EDGE)
+
+
+def _cells(place: Float[np.ndarray, "h w 2"]) -> Int[np.ndarray, "h w"]:
+    """Number the cells of a grid on the top that pixels fall into, row by row."""
+    rows, columns = _GRID
+    row = np.clip(place[..., 1] * rows, 0, rows - 1).astype(int)
+    return row * columns + np.clip(place[..., 0] * columns, 0, columns - 1).astype(int)
+
+
 def _seams(
     mask: Bool[np.ndarray, "h w"], top: Bool[np.ndarray, "h w"], place: Float[np.ndarray, "h w 2"]
 ) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels of narrow bands that run along or across most of the top: joints."""
+    """Return the pixels of narrow bands that run along or across most of the top: joints.
+
+    Where a thing lies over a joint, on both sides of it, the band is the thing's.
+    """
     found = np.zeros_like(mask)
     for axis in (0, 1):
         slot = np.clip(place[..., axis] * _BANDS, 0, _BANDS - 1).astype(int)
@@ -232,7 +261,8 @@ def _seams(
         around = median_filter(share, 21, mode="nearest")
         narrow = (share > 0.7) & (share > around + 0.25)
         found |= maximum_filter(narrow, 3)[slot] & mask
-    return found
+    rest = (mask & ~found).astype(np.uint8)
+    return found & (cv2.morphologyEx(rest, cv2.MORPH_CLOSE, disc(4)) == 0)
 
 
 def _islands(
@@ -258,6 +288,15 @@ def positions(plane: TablePlane, size: tuple[int, int]) -> Float[np.ndarray, "h 
     pixels = np.column_stack([x.ravel(), y.ravel()]) * (plane.camera.width / w)
     place = plane.to_table(pixels) / np.asarray(plane.size) + 0.5
     return np.nan_to_num(place, nan=-1.0).reshape(h, w, 2)
+
+
+def _firm(
+    mask: Bool[np.ndarray, "h w"], strength: Float[np.ndarray, "h w"]
+) -> Bool[np.ndarray, "h w"]:
+    """Drop thin wisps without an edge: remains of shadows and reflections."""
+    thick = cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, disc(3)) > 0
+    edged = cv2.dilate(strength.astype(np.float32), disc(2)) >= _WISP_EDGE
+    return mask & (thick | edged)
 
 
 def _wider(mask: Bool[np.ndarray, "h w"], radius: int) -> Bool[np.ndarray, "h w"]:
