@@ -78,7 +78,7 @@ def test_a_given_container_draws_a_target_that_fits_it() -> None:
     die = toy_object("die_1", (0.02, 0.02, 0.02), (0.0, -0.2))
     env = make_env(toy_scene((*toy_objects(), die)))
     drawn = {env.reset(seed=k, options={"goal": "mug_1"})[1]["target"] for k in range(5)}
-    assert drawn == {"die_1"}
+    assert drawn and drawn <= {"die_1", "cube_1"}  # nothing else here goes in
 
 
 @pytest.mark.parametrize(
