@@ -41,14 +41,14 @@ MOST_BYTES = 40 * 2**20
 
 
 def make(folder: Path, attempts: int = 5) -> list[Path]:
-    """Compose every starter scene into ``folder``, with the first seed whose scene is sound.
+    """Compose every starter scene into ``folder``, with the first of its seeds that is sound.
 
     Raises:
         SceneError: a scene passes with none of ``attempts`` seeds, or all weigh too much.
     """
     paths = []
-    for name, prompt in PROMPTS.items():
-        for seed in range(attempts):
+    for number, (name, prompt) in enumerate(PROMPTS.items()):
+        for seed in range(number * attempts, (number + 1) * attempts):
             scene = compose(prompt, seed, name=name)
             if scene.report is not None and scene.report.passed:
                 break
