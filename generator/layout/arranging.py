@@ -111,7 +111,7 @@ def _place_all(
 
 
 def _center(state: _State, plan: ScenePlan, outline: Float[np.ndarray, "k 2"]) -> None:
-    """Move the whole arrangement towards the table's middle, where no relation forbids it."""
+    """Move all things towards the table's middle, a little to the front, if relations allow it."""
     kinds = {r.kind for o in plan.objects for r in o.relations if r.target == TABLE}
     fixed = bool(kinds & {"center", "edge"})
     free = np.array(
@@ -122,7 +122,7 @@ def _center(state: _State, plan: ScenePlan, outline: Float[np.ndarray, "k 2"]) -
     low = np.min([n.center - n.shape.half for n in standing], axis=0)
     high = np.max([n.center + n.shape.half for n in standing], axis=0)
     for share in (0.85, 0.6, 0.35, 0.15):
-        move = -share * free * (low + high) / 2
+        move = -share * free * ((low + high) / 2 + [0.0, 0.05 * np.ptp(outline[:, 1])])
         inside = min(float(margins(n.shape, (n.center + move)[None], outline)[0]) for n in standing)
         if inside >= MARGIN:
             break

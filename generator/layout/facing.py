@@ -8,7 +8,7 @@ from ..catalogue import CATEGORIES
 from ..scene import Model, PlannedObject, ScenePlan
 
 CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
-"""Categories that lie parallel, pointing away from who eats."""
+"""Categories that lie parallel; their business end (-x) points away from who eats."""
 
 STRAIGHT = frozenset({"laptop", "keyboard", "monitor", "mousepad", "cutting_board", "tray"})
 """Categories that people line up with the table's edge."""
@@ -26,11 +26,13 @@ def natural_yaw(
             for r in o.relations
             if o.name in {t.target for t in planned.relations} and r.target == "table"
         )
-        return float((-1 if across else 1) * np.pi / 2 + rng.normal(0, 0.03))
+        return float((1 if across else -1) * np.pi / 2 + rng.normal(0, 0.03))
     if key in STRAIGHT:
         return float(np.clip(rng.normal(0, 0.05), -0.12, 0.12))
     length, depth, height = (float(v) for v in model.size)
-    if key in CUTLERY or (length > 3.5 * depth and height < 0.04):
+    if key in CUTLERY:
+        return float(-np.pi / 2 + rng.normal(0, 0.4))
+    if length > 3.5 * depth and height < 0.04:
         return float(np.pi / 2 + rng.normal(0, 0.5))
     if key in CATEGORIES and "round" in CATEGORIES[key].roles:
         return float(rng.uniform(-0.9, 0.4))
