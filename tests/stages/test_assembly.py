@@ -191,3 +191,13 @@ def test_bad_placements_are_named() -> None:
         build({"box_1": (box(), put("box_1", (0, 0), (0.1,) * 3, on="tray_1"))})
     with pytest.raises(InputError, match="stands on itself"):
         build({"box_1": (box(), put("box_1", (0, 0), (0.1,) * 3, on="box_1"))})
+
+
+def test_a_model_without_parts_is_decomposed(tmp_path, monkeypatch) -> None:
+    monkeypatch.setattr("platformdirs.user_cache_dir", lambda *a, **k: str(tmp_path))
+    bare = dataclasses.replace(box(), parts=())
+    scene = build({"box_1": (bare, put("box_1", (0, 0), (0.1, 0.08, 0.05)))})
+    assert scene.report is not None
+    assert scene.report.passed
+    (part,) = scene.object("box_1").parts
+    np.testing.assert_allclose(np.ptp(part.vertices, axis=0), [0.1, 0.08, 0.05], atol=2e-3)
