@@ -18,6 +18,7 @@ from . import (
     dining,
     electronics,
     food,
+    games,
     kitchen,
     lab,
     office,
@@ -31,7 +32,7 @@ from .look import Look
 
 _SHELVES = (
     *(dining, pantry, food, bakery, kitchen, office, electronics, decor),
-    *(tools, toys, craft, vanity, lab),
+    *(tools, toys, games, craft, vanity, lab),
 )
 
 CATEGORIES: Mapping[str, Category] = MappingProxyType(

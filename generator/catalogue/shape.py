@@ -64,8 +64,17 @@ def shape(
     parts: Sequence[ConvexPart],
     opacity: float = 1.0,
 ) -> Shape:
-    """Return a shape from (solid, tile) pairs and convex parts."""
-    return Shape(tuple(Piece(s, t) for s, t in pieces), tuple(parts), opacity)
+    """Return a shape from (solid, tile) pairs and convex parts.
+
+    What dips below z = 0 is pressed flat there.
+    """
+    return Shape(tuple(Piece(_pressed(s), t) for s, t in pieces), tuple(parts), opacity)
+
+
+def _pressed(solid: Solid) -> Solid:
+    if solid.vertices[:, 2].min() >= 0:
+        return solid
+    return solid.bent(lambda p: np.column_stack([p[:, :2], np.maximum(p[:, 2], 0)]))
 
 
 def mesh_of(made: Shape) -> Mesh:
@@ -102,7 +111,7 @@ def pack(tiles: Sequence[Tile]) -> tuple[UInt8[np.ndarray, "h w 3"], Int[np.ndar
     """Pack tiles on shelves into one picture whose sides are multiples of 8.
 
     Returns the picture and each tile's upper left pixel (column, row); around each tile its rim
-    is repeated ``MARGIN`` pixels wide.
+    is repeated ``MARGIN`` pixels wide. What stays free shows the tiles' mean colour.
     """
     sizes = np.array([[t.shape[1], t.shape[0]] for t in tiles]) + 2 * MARGIN
     width = int(max(sizes[:, 0].max(), np.sqrt(np.prod(sizes, axis=1).sum())))
@@ -116,7 +125,8 @@ def pack(tiles: Sequence[Tile]) -> tuple[UInt8[np.ndarray, "h w 3"], Int[np.ndar
         corners[k] = x, y
         x, tall = x + sizes[k, 0], max(tall, sizes[k, 1])
     height = (y + tall + 7) // 8 * 8
-    atlas = np.zeros((height, width, 3), np.uint8)
+    atlas = np.empty((height, width, 3), np.uint8)
+    atlas[:] = np.mean([tile.mean((0, 1)) for tile in tiles], axis=0).round()
     for k, tile in enumerate(tiles):
         column, row = corners[k]
         rim = np.pad(tile, ((MARGIN, MARGIN), (MARGIN, MARGIN), (0, 0)), mode="edge")

@@ -187,6 +187,9 @@ def _along(points: Float[np.ndarray, "k d"]) -> Float[np.ndarray, "k"]:
     return lengths / lengths[-1] if lengths[-1] > 0 else np.linspace(0, 1, len(points))
 
 
+_OUTLINE = "The outline crosses itself or turns clockwise; give a simple counter-clockwise polygon."
+
+
 def _triangles(outline: Float[np.ndarray, "k 2"]) -> Int[np.ndarray, "m 3"]:
     """Triangulate a simple counter-clockwise polygon by clipping ears."""
 
@@ -197,6 +200,8 @@ def _triangles(outline: Float[np.ndarray, "k 2"]) -> Int[np.ndarray, "m 3"]:
 
     left, faces = list(range(len(outline))), []
     turn = cross(np.roll(outline, 1, 0), outline, np.roll(outline, -1, 0))
+    if cross(outline[0], outline[:-1], outline[1:]).sum() <= 0:
+        raise ValueError(_OUTLINE)
     if (turn >= 0).all():
         return np.array([(0, k, k + 1) for k in range(1, len(outline) - 1)])
     while len(left) > 3:
@@ -212,7 +217,7 @@ def _triangles(outline: Float[np.ndarray, "k 2"]) -> Int[np.ndarray, "m 3"]:
                 left.pop(k)
                 break
         else:
-            raise ValueError("The outline crosses itself; give a simple counter-clockwise polygon.")
+            raise ValueError(_OUTLINE)
     return np.array([*faces, tuple(left)])
 
 

@@ -127,7 +127,7 @@ def pliers(look: Look) -> Shape:
     pivot = cylinder(0.009, 0.0155, 18, bevel=0.001).moved(x=0.006)
     return shape(
         [(joined(handles), grip), (joined(jaws), metal), (pivot, steel(look))],
-        [*[hull_of(h) for h in handles], box_part(0.062, 0.02, 0.014, (0.03, 0, 0))],
+        [*[hull_of(h) for h in handles], box_part(0.06, 0.02, 0.014, (0.03, 0, 0))],
     )
 
 

@@ -1,0 +1,34 @@
+"""What tests ask of meshes and models: are they closed, what do they weigh, are they the same."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from generator.catalogue.solids import signed_volume
+from generator.scene import Mesh, Model
+
+
+def is_closed(mesh: Mesh) -> bool:
+    """Whether each edge, vertices merged by position, is met as often forwards as backwards."""
+    _, index = np.unique(mesh.vertices + np.float32(0), axis=0, return_inverse=True)
+    faces = index.reshape(-1)[mesh.faces].astype(np.int64)
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    count = len(mesh.vertices)
+    forwards = np.sort(edges[:, 0] * count + edges[:, 1])
+    backwards = np.sort(edges[:, 1] * count + edges[:, 0])
+    return bool((forwards == backwards).all())
+
+
+def mass_of(model: Model) -> float:
+    """Mass in kilograms at the model's own size."""
+    return model.physics.density * signed_volume(
+        model.mesh.vertices.astype(float) * model.size, model.mesh.faces
+    )
+
+
+def fingerprint(model: Model) -> tuple[bytes, ...]:
+    """All bytes that make up a model."""
+    parts = b"".join(p.vertices.tobytes() for p in model.parts)
+    mesh = model.mesh
+    arrays = (mesh.vertices, mesh.faces, mesh.uv, mesh.texture, model.size)
+    return (*(a.tobytes() for a in arrays), parts)
