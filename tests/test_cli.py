@@ -1,0 +1,126 @@
+"""The command line as a user types it: results, exit codes, one-line errors."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+from generator import cli
+from generator.errors import SceneError
+
+TEXT = "a desk with a mug and a book"
+
+
+def run(*args: str) -> int:
+    with pytest.raises(SystemExit) as stop:
+        cli.main(list(args))
+    return int(stop.value.code or 0)
+
+
+@pytest.fixture(autouse=True)
+def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty store of its own for every test."""
+    monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
+    return tmp_path / "store"
+
+
+def test_compose_inspect_verify_view_and_remove(
+    store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run("compose", TEXT, "--name", "reading", "--json") == 0
+    made = json.loads(capsys.readouterr().out)
+    bundle = Path(made["bundle"])
+    assert bundle.parent == store
+    assert made["passed"]
+    assert sorted(o["label"] for o in made["objects"]) == ["book", "mug"]
+
+    assert run("inspect", "reading", "--json") == 0
+    assert json.loads(capsys.readouterr().out)["objects"] == made["objects"]
+
+    assert run("verify", "reading") == 0
+    assert "sound" in capsys.readouterr().out
+
+    picture = tmp_path / "view.png"
+    assert run("view", "reading", "--picture", str(picture)) == 0
+    assert Image.open(picture).size == (960, 720)
+
+    assert run("cache", "list", "--json") == 0
+    assert str(bundle) in capsys.readouterr().out
+    assert run("cache", "rm", "reading") == 0
+    assert not bundle.exists()
+
+
+def test_a_damaged_bundle_fails_verification(
+    store: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run("compose", TEXT, "--name", "reading") == 0
+    (bundle,) = store.glob("reading-*")
+    mesh = next((bundle / "meshes").glob("*.obj"))
+    content = bytearray(mesh.read_bytes())
+    content[len(content) // 2] ^= 1
+    mesh.write_bytes(bytes(content))
+    capsys.readouterr()
+    assert run("verify", str(bundle)) == 1
+    assert mesh.name in capsys.readouterr().out
+    assert run("inspect", str(bundle)) == 4
+
+
+@pytest.mark.parametrize(
+    ("args", "code", "words"),
+    [
+        (("compose", "   "), 2, "empty"),
+        (("compose", "200 mugs on a table"), 2, "at most"),
+        (("compose", "机の上にマグカップがあります"), 2, "English"),
+        (("generate", "nowhere/desk.png"), 2, "No picture"),
+        (("generate", TEXT, "--backend", "embeded"), 3, "Did you mean 'embedded'"),
+        (("inspect", "no-such-scene"), 4, "no-such-scene"),
+        (("cache", "rm", "no-such-scene"), 4, "no-such-scene"),
+    ],
+)
+def test_errors_are_one_line_and_an_exit_code(
+    args: tuple[str, ...], code: int, words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(*args) == code
+    *progress, message = capsys.readouterr().err.strip().splitlines()
+    assert message.startswith("error: ")
+    assert words in message
+    assert all(line.startswith("[") for line in progress)
+
+
+def test_an_interrupt_leaves_nothing(
+    store: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupt(*args, **kwargs):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("generator.bundle.folder.encode_png", interrupt)
+    assert run("compose", TEXT) == 130
+    assert "nothing was published" in capsys.readouterr().err
+    assert not store.exists() or list(store.iterdir()) == []
+
+
+def test_an_unwritable_folder_is_a_storage_error(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    blocked = tmp_path / "file"
+    blocked.write_text("")
+    assert run("compose", TEXT, "--out", str(blocked / "scenes")) == 5
+    assert "cannot be written" in capsys.readouterr().err
+
+
+def test_a_scene_error_has_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fail(*args, **kwargs):
+        raise SceneError("no room")
+
+    monkeypatch.setattr("generator.compose.compose", fail)
+    assert run("compose", TEXT) == 6
+
+
+def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("--help") == 0
+    shown = capsys.readouterr().out
+    for command in ("generate", "compose", "inspect", "verify", "view", "cache"):
+        assert command in shown

@@ -1,0 +1,100 @@
+"""The whole method once, from a text and from a picture; and what it refuses."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from generator.errors import InputError, SceneError, TabletopError
+from generator.figures import bundle_images
+from generator.pipeline import STAGES, Generation, generate, scene_name
+from generator.scene import TABLE
+
+TEXT = "a wooden desk with a red mug, a laptop and a book"
+
+
+@pytest.fixture(scope="module")
+def from_text() -> Generation:
+    return generate(TEXT, seed=3)
+
+
+def test_a_text_becomes_a_sound_scene(from_text: Generation) -> None:
+    scene = from_text.scene
+    assert scene.report is not None
+    assert scene.report.passed, scene.report.failures
+    assert scene.plan is not None
+    assert len(scene.objects) == len(scene.plan.objects) == 3
+    assert sorted(o.label for o in scene.objects) == ["book", "laptop", "mug"]
+    assert scene.provenance.kind == "text"
+    assert scene.provenance.prompt == TEXT
+
+
+def test_every_intermediate_is_kept(from_text: Generation) -> None:
+    names = {i.name for i in from_text.instances}
+    assert TABLE in names
+    assert set(from_text.models) == names
+    assert set(from_text.sizes) == names
+    assert set(from_text.rotations) == names - {TABLE}
+    assert from_text.alignment.anchor in names - {TABLE}
+
+
+def test_the_reconstruction_keeps_the_arrangement(from_text: Generation) -> None:
+    """Objects stand left and right of each other as their masks do in the picture."""
+    objects = {o.name: o.pose.position for o in from_text.scene.objects}
+    feet = {
+        i.name: ((i.box[0] + i.box[2]) / 2, i.box[3])
+        for i in from_text.instances
+        if i.name != TABLE
+    }
+    by_picture = sorted(feet, key=lambda n: feet[n][0])
+    by_scene = sorted(objects, key=lambda n: objects[n][0])
+    assert by_picture == by_scene
+
+
+def test_figures_and_bundle(from_text: Generation, tmp_path: Path) -> None:
+    written = from_text.save_figures(tmp_path / "figures")
+    assert {p.name for p in written} >= {"fig08_reference.png", "fig12_rotation.json"}
+    assert all(p.stat().st_size > 0 for p in written)
+    bundle = from_text.save(tmp_path / "scenes")
+    assert (bundle / "scene.xml").is_file()
+    assert {p.name for p in bundle.glob("*.png")} == {f"{k}.png" for k in bundle_images(from_text)}
+
+
+def test_a_picture_alone_is_enough(from_text: Generation) -> None:
+    """The drawn picture goes in again without its plan: nothing but pixels to go by."""
+    stages = []
+    again = generate(
+        np.asarray(from_text.reference.image),
+        seed=3,
+        progress=lambda stage, number, total: stages.append((stage, number, total)),
+    )
+    assert again.scene.plan is None
+    assert again.scene.provenance.source_sha256
+    assert again.scene.report is not None
+    assert again.scene.report.passed, again.scene.report.failures
+    assert len(again.scene.objects) == 3
+    assert [s for s, _, _ in stages] == list(STAGES)
+
+
+@pytest.mark.parametrize("picture", ["white", "noise"])
+def test_a_picture_without_a_table_is_refused(picture: str) -> None:
+    rng = np.random.default_rng(0)
+    image = np.full((300, 400, 3), 255, np.uint8)
+    if picture == "noise":
+        image = rng.integers(0, 255, (300, 400, 3)).astype(np.uint8)
+    with pytest.raises((InputError, SceneError)):
+        generate(image)
+
+
+@pytest.mark.parametrize("text", ["", "   ", "x" * 10_000, "200 mugs", "机の上のマグカップ"])
+def test_unusable_texts_are_refused(text: str) -> None:
+    with pytest.raises(TabletopError):
+        generate(text)
+
+
+def test_scene_names_are_file_safe() -> None:
+    assert scene_name("A mug, on/../a desk!") == "a-mug-on-a-desk"
+    assert scene_name(None) == "picture"
+    assert scene_name("机") == "scene"
