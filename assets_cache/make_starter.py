@@ -68,6 +68,7 @@ def main() -> int:
         make(Path(made))
         shutil.rmtree(target, ignore_errors=True)
         shutil.copytree(made, target)
+        target.chmod(0o755)  # the temporary folder it is copied from is private
     return 0
 
 
