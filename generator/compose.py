@@ -7,7 +7,7 @@ from dataclasses import replace
 from .backends.embedded.planner import plan_scene
 from .errors import SceneError
 from .layout import build_models, lay_out
-from .pipeline import scene_name, versions
+from .provenance import scene_name, versions
 from .scene import Provenance, Scene, ScenePlan
 from .stages.assembly import AssemblyConfig, assemble
 

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from importlib import metadata
 from pathlib import Path
-from typing import Any
 
 from .backends import Backends
 from .errors import InputError
+from .provenance import plain, scene_name, versions
 from .scene import (
     TABLE,
     Instance,
@@ -138,28 +136,6 @@ def generate(
         plan=reference.plan,
     )
     return Generation(reference, instances, view, sizes, models, rotations, alignment, scene)
-
-
-def scene_name(prompt: str | None) -> str:
-    """Return a short file-safe name for a prompt: its first letters and digits."""
-    words = "".join(c if c.isascii() and c.isalnum() else " " for c in (prompt or "picture"))
-    return "-".join(words.lower().split())[:40].strip("-") or "scene"
-
-
-def versions() -> dict[str, str]:
-    """Return the versions that decide a scene's bytes, for its provenance."""
-    return {package: metadata.version(package) for package in ("tabletopgen", "mujoco", "numpy")}
-
-
-def plain(value: Any) -> Any:
-    """Return dataclasses, tuples and mappings as JSON-ready dicts and lists."""
-    if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return {f.name: plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
-    if isinstance(value, Mapping):
-        return {str(k): plain(v) for k, v in value.items()}
-    if isinstance(value, list | tuple):
-        return [plain(v) for v in value]
-    return value
 
 
 def _table(instances: tuple[Instance, ...]) -> Instance:

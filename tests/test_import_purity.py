@@ -39,6 +39,10 @@ def test_registration_needs_no_simulator() -> None:
     assert "mujoco" not in loaded
 
 
+def test_composing_needs_no_torch() -> None:
+    assert "torch" not in loaded_by("import generator.compose")
+
+
 def test_the_probe_can_fail() -> None:
     assert "torch" in loaded_by("import torch")
     with pytest.raises(subprocess.CalledProcessError):

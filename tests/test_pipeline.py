@@ -9,7 +9,8 @@ import pytest
 
 from generator.errors import InputError, SceneError, TabletopError
 from generator.figures import bundle_images
-from generator.pipeline import STAGES, Generation, generate, scene_name
+from generator.pipeline import STAGES, Generation, generate
+from generator.provenance import scene_name
 from generator.scene import TABLE
 
 TEXT = "a wooden desk with a red mug, a laptop and a book"

@@ -1,0 +1,30 @@
+"""What a scene is called and how its making is written down."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from importlib import metadata
+from typing import Any
+
+
+def scene_name(prompt: str | None) -> str:
+    """Return a short file-safe name for a prompt: its first letters and digits."""
+    words = "".join(c if c.isascii() and c.isalnum() else " " for c in (prompt or "picture"))
+    return "-".join(words.lower().split())[:40].strip("-") or "scene"
+
+
+def versions() -> dict[str, str]:
+    """Return the versions that decide a scene's bytes, for its provenance."""
+    return {package: metadata.version(package) for package in ("tabletopgen", "mujoco", "numpy")}
+
+
+def plain(value: Any) -> Any:
+    """Return dataclasses, tuples and mappings as JSON-ready dicts and lists."""
+    if dataclasses.is_dataclass(value) and not isinstance(value, type):
+        return {f.name: plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
+    if isinstance(value, Mapping):
+        return {str(k): plain(v) for k, v in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(v) for v in value]
+    return value
