@@ -205,7 +205,7 @@ def _pixels_off(
     """Return how far edge points are from the outline, in pixels (to first order)."""
     camera = _camera(parameters, *frame)
     on_plane = camera.on_plane(points, 0.0)
-    seen = np.isfinite(on_plane).all(1)
+    seen = np.asarray(np.isfinite(on_plane).all(1))
     on_plane = np.where(seen[:, None], on_plane, 0.0)
     depth = np.maximum(camera.to_camera(on_plane)[:, 2], 1e-6)
     size = (1.0, float(np.exp(parameters[6])))

@@ -140,7 +140,7 @@ def patterned(
     size = int(np.prod(_BINS))
     counts = np.bincount((cell * size + code)[within], minlength=rows * columns * size)
     counts = counts.reshape(rows, columns, *_BINS).astype(np.float32)
-    near = uniform_filter(counts, (1, 1, 3, 3, 3), mode="constant") * 27
+    near = uniform_filter(counts, 3, axes=(2, 3, 4), mode="constant") * 27
     total = counts.sum((2, 3, 4), keepdims=True)
     real = (total > 8)[..., 0, 0, 0]
     occupied = (near >= np.maximum(3.0, 0.01 * total)) & (total > 8)
@@ -272,8 +272,8 @@ def _islands(
 
     They are insides of things: a page, a label, the lens of a magnifying glass.
     """
-    _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=4)
-    areas = stats[:, cv2.CC_STAT_AREA].copy()
+    numbers = np.asarray(cv2.connectedComponents(mask.astype(np.uint8), connectivity=4)[1], int)
+    areas = np.bincount(numbers.ravel())
     areas[0] = 0
     small = areas < smallest
     small[[0, int(areas.argmax())]] = False

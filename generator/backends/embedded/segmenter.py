@@ -22,12 +22,7 @@ GENERIC = "object"
 
 @dataclass(frozen=True)
 class Segmenter:
-    """Finds things by geometry and colour alone; needs a plain, light ground.
-
-    ``naming`` tells whether to look for a better word than "object" in the catalogue.
-    """
-
-    naming: bool = True
+    """Finds things by geometry and colour alone; needs a plain, light ground."""
 
     def segment(
         self, image: UInt8[np.ndarray, "h w 3"], labels: tuple[str, ...]
@@ -47,28 +42,22 @@ class Segmenter:
         wanted = tuple(w for w in labels if w != TABLE)
         expected = len(wanted) if any(w != GENERIC for w in wanted) else 0
         small = split_things(lab, regions.strength, regions.things, expected)
-        things = [refine(image, mask) for mask in small]
-        things = sorted((t for t in things if t.any()), key=_foot)
-        table = _enlarge(regions.table, image.shape[:2]) & ~_union(things, image.shape[:2])
-        names = name_things(image, plane, things, wanted, self.naming)
-        found = [Detection(TABLE, mask_box(table), table)]
-        found += [
-            Detection(name, mask_box(mask), mask, score)
-            for (name, score), mask in zip(names, things, strict=True)
+        masks = [refine(image, mask) for mask in small]
+        masks = sorted((m for m in masks if m.any()), key=_foot)
+        names = name_things(image, plane, masks, wanted)
+        things = [
+            Detection(name[0], mask_box(mask), mask, name[1])
+            for name, mask in zip(names, masks, strict=True)
+            if name is not None
         ]
-        return tuple(found)
+        covered = np.any(masks, axis=0) if masks else np.zeros(image.shape[:2], bool)
+        table = _enlarge(regions.table, image.shape[:2]) & ~covered
+        return (Detection(TABLE, mask_box(table), table), *things)
 
 
 def _foot(mask: Bool[np.ndarray, "h w"]) -> tuple[int, int]:
     box = mask_box(mask)
     return int(box[3]), int(box[0])
-
-
-def _union(masks: list[np.ndarray], shape: tuple[int, ...]) -> Bool[np.ndarray, "h w"]:
-    total = np.zeros(shape, bool)
-    for mask in masks:
-        total |= mask
-    return total
 
 
 def _enlarge(mask: Bool[np.ndarray, "h w"], shape: tuple[int, ...]) -> Bool[np.ndarray, "a b"]:
