@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 SPOT = "spot"
 """Name of the goal that is a marked free spot."""
 
-ROOM = 0.004
+ROOM = 0.008
 """What the hollow of a container must be wider than what is put into it, however that is turned."""
 
 
