@@ -12,15 +12,12 @@ fingertips, z along the fingers (out of the hand), y along the opening direction
 
 from __future__ import annotations
 
-import os
-import sys
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from generator.errors import BackendError, InputError
+from generator.errors import InputError
 
 from . import franka
 from .shells import COLORS, arm_shells
@@ -51,7 +48,6 @@ HOME_CTRL: tuple[float, ...] = (*franka.HOME, franka.GRIPPER_CTRL)
 
 _LINKS = tuple(f"link{i}" for i in range(8))
 _FINGERS = ("left_finger", "right_finger")
-_MENAGERIE_FOLDER = "franka_emika_panda"
 
 
 @dataclass(frozen=True)
@@ -80,7 +76,11 @@ class Panda:
         Raises:
             BackendError: the Menagerie meshes were asked for and are not on this machine.
         """
-        return _menagerie() if self.visuals == "menagerie" else _primitive()
+        if self.visuals == "menagerie":
+            from .menagerie import menagerie
+
+            return menagerie()
+        return _primitive()
 
 
 # -------------------------------------------------------------------------------- our own model
@@ -142,8 +142,7 @@ def _add_hand(spec: mujoco.MjSpec, link7: mujoco.MjsBody) -> None:
     _dress(spec, hand)
     box = mujoco.mjtGeom.mjGEOM_BOX
     _collide(hand, "hand_collision", type=box, size=[0.0315, 0.102, 0.033], pos=[0, 0, 0.033])
-    hand.add_site(name=TCP_SITE, pos=[0, 0, franka.TCP], size=[0.005] * 3, group=4)
-    _add_camera(hand)
+    add_tool(hand)
     for name, joint, quat in zip(
         _FINGERS, FINGER_JOINTS, ([1, 0, 0, 0], [0, 0, 0, 1]), strict=True
     ):
@@ -194,8 +193,9 @@ def _add_pad(finger: mujoco.MjsBody) -> None:
     )
 
 
-def _add_camera(hand: mujoco.MjsBody) -> None:
-    """A camera on the hand's side that looks along the fingers at the tool centre point."""
+def add_tool(hand: mujoco.MjsBody) -> None:
+    """Mark the tool centre point, and put a camera beside the hand that looks at it."""
+    hand.add_site(name=TCP_SITE, pos=[0, 0, franka.TCP], size=[0.005] * 3, group=4)
     position, target = np.array([0.09, 0.0, 0.03]), np.array([0.0, 0.0, franka.TCP + 0.04])
     back = (position - target) / np.linalg.norm(position - target)
     right = np.array([0.0, 1.0, 0.0])
@@ -308,62 +308,3 @@ def _exclude_neighbours(spec: mujoco.MjSpec) -> None:
     pairs.append(_FINGERS)
     for a, b in pairs:
         spec.add_exclude(bodyname1=a, bodyname2=b)
-
-
-# ------------------------------------------------------------------------------ Menagerie's model
-
-
-def _menagerie() -> mujoco.MjSpec:
-    """Load the official model and give it our site, camera and gravity compensation."""
-    import mujoco
-
-    spec = mujoco.MjSpec.from_file(str(_menagerie_folder() / "panda.xml"))
-    for key in list(spec.keys):
-        spec.delete(key)
-    for light in list(spec.worldbody.lights):
-        spec.delete(light)
-    for body in spec.bodies[1:]:
-        if body.name != "link0":
-            body.gravcomp = 1
-    hand = spec.body("hand")
-    hand.add_site(name=TCP_SITE, pos=[0, 0, franka.TCP], size=[0.005] * 3, group=4)
-    _add_camera(hand)
-    return spec
-
-
-def _menagerie_folder() -> Path:
-    """Return the folder that holds Menagerie's ``panda.xml``.
-
-    Raises:
-        BackendError: neither ``$MENAGERIE_ROOT`` nor the package's cache has it.
-    """
-    places = []
-    if root := os.environ.get("MENAGERIE_ROOT"):
-        places.append(Path(root) / _MENAGERIE_FOLDER)
-    models = _menagerie_cache() / "models"
-    if models.is_dir():
-        places += sorted(
-            p for p in models.glob(f"{_MENAGERIE_FOLDER}-*") if (p / ".complete").is_file()
-        )
-    for place in places:
-        if (place / "panda.xml").is_file():
-            return place
-    raise BackendError(
-        "Panda(visuals='menagerie') needs the Menagerie model, and neither MENAGERIE_ROOT nor "
-        "the mujoco-menagerie cache has it. Either clone "
-        "https://github.com/google-deepmind/mujoco_menagerie and set MENAGERIE_ROOT to it, or "
-        'run: pip install mujoco-menagerie && python -c "import mujoco_menagerie as m; '
-        "m.prefetch(['franka_emika_panda'])\". Panda() needs nothing."
-    )
-
-
-def _menagerie_cache() -> Path:
-    """Where the mujoco-menagerie package keeps its models on this platform."""
-    if folder := os.environ.get("MENAGERIE_CACHE_DIR"):
-        return Path(folder)
-    if sys.platform == "win32":
-        local = os.environ.get("LOCALAPPDATA") or Path.home() / "AppData/Local"
-        return Path(local) / "mujoco_menagerie" / "cache"
-    if sys.platform == "darwin":
-        return Path.home() / "Library/Caches/mujoco_menagerie"
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "mujoco_menagerie"
