@@ -150,7 +150,7 @@ def main() -> None:
     done = {(r["text"], int(r["seed"])) for r in rows}
     jobs = [(t, s) for s in range(args.seeds) for t in texts if (t, s) not in done]
     with ProcessPoolExecutor(args.workers) as pool, table.open("a", newline="") as file:
-        writer = csv.DictWriter(file, FIELDS, restval="")
+        writer: csv.DictWriter[str] = csv.DictWriter(file, FIELDS, restval="")
         if not rows:
             writer.writeheader()
         futures = [pool.submit(run, text, seed, args.route) for text, seed in jobs]

@@ -51,7 +51,7 @@ def move_something(bundle: Path, strip: Path) -> str:
             success, instruction, frames = play(env, seed)
             Image.fromarray(film_strip(frames)).save(strip)
             if success:
-                return f"the Panda did \"{instruction}\" in {(len(frames) - 1) / 20:.1f} s"
+                return f'the Panda did "{instruction}" in {(len(frames) - 1) / 20:.1f} s'
         return f"the Panda did not succeed in {TRIES} tries"
     finally:
         env.close()

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from typing import Any
 
 import gymnasium as gym
 import numpy as np
@@ -16,7 +17,7 @@ from generator.render.sheet import grid
 from tabletopgen_env.expert.expert import PickPlaceExpert
 
 
-def play(env: gym.Env, seed: int, **options) -> tuple[bool, str, list[np.ndarray]]:
+def play(env: gym.Env, seed: int, **options: Any) -> tuple[bool, str, list[Any]]:
     """Run one episode of the expert; return success, the instruction and pictures of it."""
     _, info = env.reset(seed=seed, options=options or None)
     expert = PickPlaceExpert(env)

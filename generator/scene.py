@@ -134,7 +134,7 @@ class Reference:
 
 @dataclass(frozen=True, eq=False)
 class Detection:
-    """One segmented region of an image: a label, its tight pixel box, its mask, a score in [0, 1]."""
+    """One segmented region of an image: label, tight pixel box, mask, score in [0, 1]."""
 
     label: str
     box: Float[np.ndarray, "4"]

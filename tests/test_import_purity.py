@@ -34,7 +34,9 @@ def test_import_is_light(package: str) -> None:
 
 
 def test_registration_needs_no_simulator() -> None:
-    loaded = loaded_by("import gymnasium, tabletopgen_env; gymnasium.spec('TabletopGen/PickPlace-v0')")
+    loaded = loaded_by(
+        "import gymnasium, tabletopgen_env; gymnasium.spec('TabletopGen/PickPlace-v0')"
+    )
     assert "torch" not in loaded
     assert "mujoco" not in loaded
 

@@ -15,18 +15,9 @@ from . import textures
 from .collision import box_part, cylinder_part, hull_of
 from .colors import RGB, rgb, tinted
 from .look import METALS, WOODS
+from .outlines import ellipse, rectangle, rounded_polygon
 from .shape import Shape, mesh_of, shape
-from .solids import (
-    Solid,
-    box,
-    cylinder,
-    ellipse,
-    loft,
-    prism,
-    rectangle,
-    rounded_polygon,
-    tube,
-)
+from .solids import Solid, box, cylinder, loft, prism, tube
 from .textures import Tile
 
 OUTLINES = ("rectangle", "square", "round", "oval", "triangle", "slatted")
@@ -117,8 +108,6 @@ def _top(plan: PlannedTable, low: float, high: float) -> tuple[list[Solid], Conv
             fine = np.sign(fine) * np.abs(fine) ** 0.8
         fine = fine * [x / 2, y / 2]
     solid = prism(fine, low, high)
-    if plan.outline == "round" and abs(x - y) < 1e-6:
-        return [solid], cylinder_part(x / 2, high - low, (0, 0, low))
     return [solid], hull_of(prism(outline, low, high))
 
 
@@ -234,10 +223,10 @@ def _metal(feet: Float[np.ndarray, "k 2"], top: float, width: float) -> Legs:
     solids = [box(side, side, top).moved(*foot) for foot in feet]
     parts = [box_part(side, side, top, (*foot, 0)) for foot in feet]
     for a, b in zip(feet, np.roll(feet, -1, 0), strict=True):
-        span, middle = np.abs(b - a), (a + b) / 2
+        span, (x, y) = np.abs(b - a), (a + b) / 2
         if span.min() < 1e-9:
             size = np.maximum(span - side, 0) + np.where(span < 1e-9, side, 0)
-            solids.append(box(size[0], size[1], side).moved(*middle, top - side))
+            solids.append(box(size[0], size[1], side).moved(x, y, top - side))
     return solids, parts
 
 

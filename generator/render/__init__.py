@@ -1,0 +1,1 @@
+"""Renderers: differentiable (torch), software (NumPy), and pictures made with them."""

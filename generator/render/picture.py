@@ -18,7 +18,8 @@ TOP_DOWN = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(20.0))
 def scene_items(scene: Scene) -> list[Item]:
     """Return the table (id 0) and the objects (ids 1..n, in order) at their settled poses."""
     table = scene.table
-    items = [place(table.model.mesh, table.scale, [0, 0, table.height / 2], _UPRIGHT, 0)]
+    middle = np.array([0.0, 0.0, table.height / 2])
+    items = [place(table.model.mesh, table.scale, middle, _UPRIGHT, 0)]
     for index, thing in enumerate(scene.objects, start=1):
         pose = thing.pose
         items.append(place(thing.model.mesh, thing.scale, pose.position, pose.quaternion, index))

@@ -92,7 +92,8 @@ def rasterise(
     Args:
         corners: per triangle and corner, pixel x, pixel y and 1/depth (perspective) or any
             quantity that grows towards the viewer and is linear in the image.
-        width, height: size of the image in pixels.
+        width: width of the image in pixels.
+        height: height of the image in pixels.
 
     Returns:
         Per pixel (row-major): triangle index or -1, screen-space barycentric weights, and the

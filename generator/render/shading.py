@@ -34,7 +34,8 @@ class Light:
     tint: tuple[float, float, float] = (1.0, 1.0, 1.0)
 
     def __post_init__(self) -> None:
-        direction = frozen_array(_unit(np.asarray(self.direction, float)), np.float64, (3,), "Light")
+        direction = _unit(np.asarray(self.direction, float))
+        direction = frozen_array(direction, np.float64, (3,), "Light.direction")
         object.__setattr__(self, "direction", direction)
 
 

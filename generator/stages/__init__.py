@@ -1,0 +1,1 @@
+"""The stages of the method, one file a section of the paper."""

@@ -1,0 +1,1 @@
+"""The embedded backend: plain CPU, no key, no network, no learned weights."""
