@@ -9,7 +9,8 @@ from typing import Any, Literal
 import numpy as np
 
 from ..scene import ConvexPart
-from .solids import Solid, ellipse, ellipsoid, lifted
+from .outlines import ellipse, lifted
+from .solids import Solid, ellipsoid
 
 MOST_VERTICES = 32
 """A hull keeps at most this many vertices."""

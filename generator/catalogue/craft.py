@@ -9,17 +9,9 @@ from .category import Category
 from .collision import cylinder_part, hull_of, resting_ball
 from .colors import tinted
 from .look import Look
+from .outlines import ellipse, rectangle
 from .shape import Shape, shape
-from .solids import (
-    box,
-    cylinder,
-    ellipse,
-    ellipsoid,
-    prism,
-    rectangle,
-    torus,
-    tube,
-)
+from .solids import box, cylinder, ellipsoid, prism, torus, tube
 
 BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet")
 

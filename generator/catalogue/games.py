@@ -10,12 +10,7 @@ from .collision import box_part, cylinder_part, hull_of
 from .colors import RGB
 from .look import Look
 from .shape import Shape, shape
-from .solids import (
-    Solid,
-    block,
-    box,
-    lathe,
-)
+from .solids import Solid, block, box, lathe
 
 
 def puzzle_cube(look: Look) -> Shape:
@@ -55,7 +50,7 @@ def die(look: Look) -> Shape:
     cube = box(side, side, side)
     pieces = []
     for k, count in enumerate((1, 6, 2, 5, 3, 4)):
-        face = Solid(cube.vertices[4 * k : 4 * k + 4], [[0, 1, 2], [0, 2, 3]],
+        face = Solid(cube.vertices[4 * k : 4 * k + 4], np.array([[0, 1, 2], [0, 2, 3]]),
                      cube.uv[4 * k : 4 * k + 4])  # fmt: skip
         pieces.append((face, prints.pips(count, ground, ink)))
     return shape(pieces, [box_part(side, side, side)])

@@ -9,8 +9,9 @@ from .category import Category
 from .collision import box_part, cylinder_part, hull_of, hull_part, ring_parts
 from .colors import RGB, tinted
 from .look import Look
+from .outlines import rectangle
 from .shape import Shape, shape
-from .solids import block, box, cylinder, ellipsoid, lathe, prism, rectangle, sweep, torus
+from .solids import block, box, cylinder, ellipsoid, lathe, prism, sweep, torus
 
 LIQUIDS = ("blue", "teal", "amber", "pink", "green", "violet", "coral")
 

@@ -13,26 +13,35 @@ from ..errors import InputError, choices
 from ..scene import Model
 from . import (
     bakery,
+    bottles,
+    brewing,
     craft,
+    cutlery,
     decor,
     dining,
     electronics,
     food,
+    gadgets,
     games,
+    keepsakes,
     kitchen,
     lab,
+    lights,
     office,
     pantry,
     tools,
     toys,
     vanity,
+    workbench,
+    writing,
 )
 from .category import Category, model_of
 from .look import Look
 
 _SHELVES = (
-    *(dining, pantry, food, bakery, kitchen, office, electronics, decor),
-    *(tools, toys, games, craft, vanity, lab),
+    *(dining, cutlery, brewing, kitchen, bottles, pantry, food, bakery),
+    *(office, writing, electronics, gadgets, decor, keepsakes, lights),
+    *(tools, workbench, toys, games, craft, vanity, lab),
 )
 
 CATEGORIES: Mapping[str, Category] = MappingProxyType(
@@ -56,7 +65,7 @@ def category(word: str) -> Category:
 @cache
 def _words() -> Mapping[str, str]:
     """Return every known word and the key it means; keys win over aliases."""
-    words = {alias: c.key for c in reversed(CATEGORIES.values()) for alias in c.aliases}
+    words = {alias: c.key for c in reversed(tuple(CATEGORIES.values())) for alias in c.aliases}
     words |= {c.noun: c.key for c in CATEGORIES.values()}
     return MappingProxyType(words)
 

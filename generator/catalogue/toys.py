@@ -10,17 +10,7 @@ from .collision import box_part, cylinder_part, hull_of
 from .colors import tinted
 from .look import Look
 from .shape import Shape, shape
-from .solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    torus,
-)
+from .solids import Solid, block, box, cylinder, ellipsoid, joined, lathe, prism, torus
 
 BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet")
 

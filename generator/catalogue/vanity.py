@@ -9,8 +9,9 @@ from .category import Category
 from .collision import box_part, cylinder_part, hull_of, hull_part
 from .colors import tinted
 from .look import Look
+from .outlines import ellipse, rectangle
 from .shape import Shape, shape
-from .solids import block, box, cylinder, ellipse, ellipsoid, lathe, prism, rectangle, torus, tube
+from .solids import block, box, cylinder, ellipsoid, lathe, prism, torus, tube
 
 PASTELS = ("pink", "lavender", "cream", "mint", "coral", "white", "gold", "navy")
 

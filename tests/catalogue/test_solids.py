@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from solidity import is_closed
 
-from generator.catalogue import solids, textures
+from generator.catalogue import outlines, solids, textures
 from generator.catalogue.shape import mesh_of, pack, shape
 from generator.scene import Mesh
 
@@ -15,7 +15,7 @@ def ring(path: np.ndarray) -> solids.Solid:
     return solids.tube(path, 0.1, 12, loop=True)
 
 
-CIRCLE = np.column_stack([solids.ellipse(2, 2, 48), np.zeros(48)])
+CIRCLE = np.column_stack([outlines.ellipse(2, 2, 48), np.zeros(48)])
 
 CASES = [
     (solids.box(1, 2, 3), 6.0, 1e-9),

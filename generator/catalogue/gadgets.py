@@ -1,0 +1,291 @@
+"""Sound, cameras and things with buttons."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import prints, textures
+from .category import Category
+from .collision import box_part, cylinder_part, hull_of, hull_part
+from .colors import readable_on, tinted
+from .look import Look
+from .outlines import arc, rectangle
+from .shape import Shape, shape
+from .solids import block, box, cylinder, ellipsoid, prism, sweep, torus
+
+DARK = (40, 41, 45)
+
+
+def headphones(look: Look) -> Shape:
+    """Over-ear headphones lying on their cups and the back of their band."""
+    color, pad = look.color("black", "white", "navy", "red", "silver"), look.fixed("black", "brown")
+    shell = textures.speckled(look.rng, color, 3, 32)
+    soft = textures.speckled(look.rng, tinted(pad, 0.9), 4, 32)
+    r, half = 0.036, look.between(0.072, 0.08)
+    curve = arc((0, 0), half, 0, np.pi, 18) * [1, 1.2]
+    cups, cushions = [], []
+    for side in (-1, 1):
+        way = -side * 0.45 * np.pi
+        cups.append(cylinder(r, 0.018, 24, bevel=0.005).moved(z=-0.009).turned(1, way))
+        cushions.append(torus(r - 0.011, 0.0105, 24, 8).moved(z=0.014).turned(1, way))
+    lift = -min(solid.bounds[0, 2] for solid in cups + cushions)
+    drop = (lift - 0.013) / curve[:, 1].max()  # the band's far end touches the table
+    path = np.column_stack([curve, lift - drop * curve[:, 1]])
+    band = sweep(path, rectangle(0.007, 0.026, 0.003, 2))
+    band = band.moved(z=max(0.0, -band.bounds[0, 2]))
+    cups = [c.moved(x=side * half, z=lift) for c, side in zip(cups, (-1, 1), strict=True)]
+    cushions = [c.moved(x=side * half, z=lift) for c, side in zip(cushions, (-1, 1), strict=True)]
+    across = band.vertices[:, 0]
+    spans = [np.abs(across - c) <= 0.26 * half for c in np.linspace(-0.75, 0.75, 4) * half]
+    return shape(
+        [(band, shell), *[(c, shell) for c in cups], *[(c, soft) for c in cushions]],
+        [
+            *[hull_of(a, b) for a, b in zip(cups, cushions, strict=True)],
+            *[hull_part(band.vertices[span]) for span in spans],
+        ],
+    )
+
+
+def speaker(look: Look) -> Shape:
+    """A small loudspeaker box with two drivers facing the viewer."""
+    x, y, z = look.between(0.1, 0.12), look.between(0.1, 0.125), look.between(0.17, 0.2)
+    color = look.color("black", "walnut brown", "white", "charcoal", "teal")
+    body = box(x, y, z)
+    front = box(x * 0.94, 0.004, z * 0.96).moved(y=-y / 2 - 0.001, z=0.02 * z)
+    pieces = [(body, look.surface(color, "plastic")), (front, textures.plain(tinted(DARK, 0.9)))]
+    for radius, height in [(0.36 * x, 0.33), (0.2 * x, 0.76)]:
+        at = {"y": -y / 2 - 0.003, "z": height * z}
+        ring = torus(radius, 0.003, 28, 6).turned(0, np.pi / 2).moved(**at)
+        cone = cylinder(radius, 0.002, 28).turned(0, np.pi / 2).moved(**at)
+        cap = ellipsoid(0.8 * radius, 0.012, 0.8 * radius, 16, 8).moved(**at)
+        pieces += [
+            (ring, textures.plain((150, 152, 156))),
+            (cone, textures.plain(look.fixed("charcoal", "amber", "gray"))),
+            (cap, textures.plain(DARK)),
+        ]
+    return shape(pieces, [box_part(x, y, z)])
+
+
+def remote_control(look: Look) -> Shape:
+    """A television remote lying flat, buttons up, pointing away."""
+    x, y, h = look.between(0.042, 0.05), look.between(0.16, 0.185), 0.018
+    color = look.color("black", "charcoal", "white", "gray")
+    body = block(x, y, h, 0.012, 0.004)
+    face = prints.canvas(48, 176, color)
+    ink = readable_on(color)
+    prints.disc(face, 0.5, 0.06, 0.022, (206, 52, 46))
+    for row in range(4):
+        for k in range(3):
+            prints.disc(face, 0.25 + 0.25 * k, 0.16 + 0.07 * row, 0.02, tinted(ink, 0.8))
+    prints.disc(face, 0.5, 0.58, 0.09, tinted(ink, 0.6), 0.045)
+    prints.disc(face, 0.5, 0.58, 0.03, ink)
+    for k, tint in enumerate([(206, 52, 46), (70, 160, 80), (230, 190, 60), (60, 110, 200)]):
+        prints.fill(face, 0.14 + 0.19 * k, 0.76, 0.14, 0.025, tint)
+    return shape(
+        [(body, textures.plain(color)), (box(x * 0.76, y * 0.93, 0.0008).moved(z=h), face)],
+        [box_part(x, y, h)],
+    )
+
+
+def walkie_talkie(look: Look) -> Shape:
+    """A hand radio standing upright: speaker grille, display, antenna."""
+    x, y, z = look.between(0.055, 0.062), look.between(0.032, 0.038), look.between(0.1, 0.115)
+    color = look.color("black", "yellow", "red", "olive", "blue")
+    shell, dark = textures.speckled(look.rng, color, 3, 32), textures.plain(DARK)
+    body = block(x, y, z, 0.01, 0.003)
+    grille = box(x * 0.7, 0.002, z * 0.34).moved(y=-y / 2 - 0.0005, z=0.1 * z)
+    view = box(x * 0.6, 0.002, z * 0.18).moved(y=-y / 2 - 0.0005, z=0.68 * z)
+    screen = prints.canvas(64, 32, (150, 190, 150))
+    prints.write(screen, f"CH {int(look.rng.integers(1, 23))}", 0.5, 0.5, 0.5, (30, 50, 30))
+    antenna = cylinder(0.007, 0.075, 14, top=0.0055, bevel=0.001).moved(x=-0.3 * x, z=z)
+    knob = cylinder(0.0075, 0.013, 14, bevel=0.001).moved(x=0.25 * x, z=z)
+    button = box(0.004, 0.014, 0.03).moved(x=-x / 2 - 0.001, z=0.55 * z)
+    return shape(
+        [
+            (body, shell),
+            (grille, prints.mesh_holes((70, 70, 74), (20, 20, 22), 7, 7)),
+            (view, screen),
+            (antenna, dark),
+            (knob, dark),
+            (button, dark),
+        ],
+        [
+            box_part(x, y, z),
+            cylinder_part(0.007, 0.075, (-0.3 * x, 0, z)),
+            cylinder_part(0.0075, 0.013, (0.25 * x, 0, z)),
+        ],
+    )
+
+
+def camera(look: Look) -> Shape:
+    """A photo camera, its lens towards the viewer."""
+    x, y, z = look.between(0.118, 0.132), look.between(0.042, 0.05), look.between(0.072, 0.082)
+    color = look.color("black", "silver", "brown", "navy")
+    leather = textures.spotted(look.rng, tinted(color, 0.85), tinted(color, 0.6), 0.2)
+    metal = textures.speckled(look.rng, look.fixed("black", "silver", "charcoal"), 3, 32)
+    r, reach = 0.4 * z, look.between(0.03, 0.045)
+    body = block(x, y, z * 0.76, 0.012)
+    top = block(x, y, z * 0.24, 0.012, 0.002).moved(z=z * 0.76)
+    hump = block(0.042, y * 0.9, 0.018, 0.006, 0.003).moved(z=z - 0.002)
+    lens = (
+        cylinder(r, reach, 28, bevel=0.002).turned(0, np.pi / 2).moved(y=-y / 2 + 0.001, z=0.46 * z)
+    )
+    ring = torus(r - 0.003, 0.003, 28, 6).turned(0, np.pi / 2).moved(y=-y / 2 - reach, z=0.46 * z)
+    glass = (
+        cylinder(r - 0.006, 0.001, 24)
+        .turned(0, np.pi / 2)
+        .moved(y=-y / 2 - reach + 0.001, z=0.46 * z)
+    )
+    dial = cylinder(0.009, 0.007, 16).moved(x=0.35 * x, z=z - 0.001)
+    button = cylinder(0.005, 0.006, 14).moved(x=-0.37 * x, z=z - 0.001)
+    shine = prints.canvas(32, 32, (28, 34, 62))
+    prints.disc(shine, 0.35, 0.35, 0.15, (120, 140, 190))
+    low = 0.46 * z - r
+    pieces = [
+        (body, leather),
+        (top, metal),
+        (hump, metal),
+        (lens, metal),
+        (ring, textures.plain((70, 72, 78))),
+        (glass, shine),
+        (dial, textures.plain((170, 172, 176))),
+        (button, textures.plain((190, 60, 50))),
+    ]
+    return shape(
+        pieces,
+        [
+            box_part(x, y, z),
+            box_part(0.042, y * 0.9, 0.014, (0, 0, z)),
+            cylinder_part(r, reach, (0, -y / 2 - reach, low + r), 1),
+        ],
+    )
+
+
+def game_controller(look: Look) -> Shape:
+    """A game pad lying flat: two grips, sticks, buttons."""
+    color = look.color("black", "white", "blue", "red", "purple")
+    shell = textures.speckled(look.rng, color, 3, 32)
+    dark = textures.plain(tinted(DARK, 0.8))
+    half = np.array(  # from the middle of the front round to the middle of the back
+        [
+            (0, -0.018),
+            (0.028, -0.02),
+            (0.042, -0.048),
+            (0.058, -0.062),
+            (0.073, -0.056),
+            (0.078, -0.036),
+            (0.072, 0.012),
+            (0.056, 0.036),
+            (0.026, 0.038),
+        ]
+    )
+    outline = np.concatenate([half, half[:0:-1] * [-1, 1]])
+    body = prism(outline, 0.004, 0.03)
+    back = prism(outline * 0.93, 0.0, 0.034)
+    pieces = [(body, shell), (back, shell)]
+    for x, y in [(-0.026, -0.004), (0.026, -0.004)]:
+        pieces.append((cylinder(0.0095, 0.014, 18, bevel=0.002).moved(x, y, 0.033), dark))
+    paints = [(206, 52, 46), (70, 160, 80), (60, 110, 200), (230, 190, 60)]
+    for k, paint in enumerate(paints):
+        angle = np.pi / 2 * k
+        at = (0.05 + 0.0095 * np.cos(angle), 0.015 + 0.0095 * np.sin(angle))
+        pieces.append((cylinder(0.0045, 0.005, 12).moved(*at, 0.033), textures.plain(paint)))
+    cross = [box(*size, 0.004) for size in ((0.022, 0.0075), (0.0075, 0.022))]
+    pieces += [(bar.moved(-0.05, 0.015, 0.033), dark) for bar in cross]
+    right = prism(half[1:], 0.0, 0.034)
+    left = prism((half[1:] * [-1, 1])[::-1], 0.0, 0.034)
+    return shape(
+        pieces,
+        [hull_of(right), hull_of(left), box_part(0.056, 0.055, 0.034, (0, 0.009, 0))],
+    )
+
+
+def earbuds_case(look: Look) -> Shape:
+    """A closed charging case for earbuds."""
+    color = look.color("white", "black", "mint", "navy", "pink")
+    x, y, z = 0.058, 0.024, 0.046
+    low = block(x, y, z * 0.62, 0.0115, 0.004)
+    lid = block(x, y, z * 0.37, 0.0115, 0.005).moved(z=0.63 * z)
+    light = box(0.003, 0.001, 0.003).moved(y=-y / 2, z=0.42 * z)
+    shell = textures.speckled(look.rng, color, 2, 16)
+    return shape(
+        [(low, shell), (lid, shell), (light, textures.plain((90, 220, 120)))],
+        [box_part(x, y, z * 0.62), box_part(x, y, z * 0.37, (0, 0, 0.63 * z))],
+    )
+
+
+CATEGORIES = (
+    Category(
+        "headphones",
+        headphones,
+        (0.185, 0.135, 0.073),
+        0.25,
+        ("headphone", "headset", "earphones"),
+        ("office", "living"),
+        (),
+        ("black", "white"),
+        state="lying down",
+    ),
+    Category(
+        "speaker",
+        speaker,
+        (0.11, 0.12, 0.185),
+        0.9,
+        ("loudspeaker", "bluetooth speaker", "radio"),
+        ("office", "living"),
+        ("tall",),
+        ("black", "white"),
+    ),
+    Category(
+        "remote_control",
+        remote_control,
+        (0.046, 0.172, 0.019),
+        0.1,
+        ("remote", "tv remote", "remote controller"),
+        ("living",),
+        ("flat",),
+        ("black",),
+        state="lying flat",
+    ),
+    Category(
+        "walkie_talkie",
+        walkie_talkie,
+        (0.06, 0.038, 0.183),
+        0.19,
+        ("walkie-talkie", "two-way radio", "hand radio"),
+        ("workbench",),
+        ("tall",),
+        ("black", "yellow"),
+    ),
+    Category(
+        "camera",
+        camera,
+        (0.125, 0.085, 0.093),
+        0.45,
+        ("photo camera", "digital camera"),
+        ("living", "craft", "office"),
+        (),
+        ("black", "silver"),
+    ),
+    Category(
+        "game_controller",
+        game_controller,
+        (0.156, 0.1, 0.047),
+        0.23,
+        ("gamepad", "controller", "joystick", "game pad"),
+        ("play", "living"),
+        (),
+        ("black", "white"),
+        state="lying flat",
+    ),
+    Category(
+        "earbuds_case",
+        earbuds_case,
+        (0.058, 0.024, 0.046),
+        0.045,
+        ("earbuds", "airpods", "earbud case"),
+        ("office", "coffee"),
+        (),
+        ("white", "black"),
+    ),
+)
