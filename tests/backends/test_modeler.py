@@ -76,7 +76,8 @@ def overlap(model: Model, instance: Instance, view: View) -> float:
         scale, shift = frame_to_mask(shape, small, mask)
         return mask_iou(small.silhouette(shape * scale + shift, model.mesh.faces), mask)
 
-    return max(at(yaw) for yaw in np.arange(0, 2 * np.pi, np.pi / 36))
+    best = max(np.arange(0, 2 * np.pi, np.pi / 24), key=at)
+    return max(at(yaw) for yaw in best + np.deg2rad([-5, -2.5, 0, 2.5, 5]))
 
 
 def welded(model: Model) -> trimesh.Trimesh:

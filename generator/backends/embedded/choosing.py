@@ -19,7 +19,7 @@ from .solids import Posed
 Mask = Bool[np.ndarray, "h w"]
 
 _STRICT = 0.94  # a real box is met at least that well
-_PRIOR = 0.03  # weight of the size prior's proportions
+_PRIOR = 0.05  # weight of the size prior's proportions
 _ACCIDENT = 0.08  # price of an elongated thing pointing straight away from the camera
 
 

@@ -112,32 +112,54 @@ def _paint(
     visible = sight.sees(surface) & inside
     colors, base = baking.sample(image, pixels), base_colors(mesh, atlas)
     on_top = _top_faces(mesh)[atlas.face]
+    cell = _cells(surface.point)
     upper = visible & on_top & (surface.normal[:, 2] > 0.9)
-    gap = _material_gap(base[upper], colors[upper]) if upper.sum() > 40 else 0.0
+    gap = _material_gap(base[upper], colors[upper], cell[upper]) if upper.sum() > 40 else 0.0
     texels = base.copy()
     for part in (on_top, ~on_top):
         if (visible & part).sum() > 40:
-            base[part] = _calmed(base[part], visible[part], colors[part])
+            base[part] = _calmed(base[part], visible[part], colors[part], cell[part])
             texels[part] = baking.recolor(base[part], visible[part], colors[part])[0]
     return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels)), gap
 
 
-def _unrest(colors: Float[np.ndarray, "t 3"]) -> float:
-    """Return the spread of brightness: the distance of its quartiles, in grey levels."""
-    low, high = np.quantile(colors.mean(1), [0.25, 0.75])
-    return float(high - low)
+def _cells(point: Float[np.ndarray, "t 3"], count: int = 10) -> Int[np.ndarray, "t"]:
+    """Number the squares of a grid over the table, ``count`` along its longest side."""
+    flat = point[:, :2] - point[:, :2].min(0)
+    index = np.minimum((flat / max(float(flat.max()), 1e-9) * count).astype(int), count - 1)
+    return index[:, 0] * count + index[:, 1]
+
+
+def _unrest(colors: Float[np.ndarray, "t 3"], cell: Int[np.ndarray, "t"]) -> float:
+    """Return the middle spread of brightness within cells of the surface, in grey levels.
+
+    Light that fades across the table is the same within a cell and does not count.
+    """
+    brightness = colors.mean(1)
+    spreads = []
+    for k in np.unique(cell):
+        own = brightness[cell == k]
+        if len(own) >= 12:
+            spreads.append(float(np.subtract(*np.quantile(own, [0.75, 0.25]))))
+    return float(np.median(spreads)) if spreads else 0.0
 
 
 def _calmed(
-    base: Float[np.ndarray, "t 3"], seen: Bool[np.ndarray, "t"], colors: Float[np.ndarray, "t 3"]
+    base: Float[np.ndarray, "t 3"],
+    seen: Bool[np.ndarray, "t"],
+    colors: Float[np.ndarray, "t 3"],
+    cell: Int[np.ndarray, "t"],
 ) -> Float[np.ndarray, "t 3"]:
     """Return base colours whose pattern is no stronger than the picture's."""
-    gain = min(1.0, max(_unrest(colors[seen]) - 1.0, 0.0) / max(_unrest(base[seen]), 1.0))
+    found, own = _unrest(colors[seen], cell[seen]), _unrest(base[seen], cell[seen])
+    gain = min(1.0, max(found - 1.0, 0.0) / max(own, 1.0))
     middle = np.median(base[seen], 0)
     return middle + (base - middle) * gain
 
 
-def _material_gap(base: Float[np.ndarray, "t 3"], colors: Float[np.ndarray, "t 3"]) -> float:
+def _material_gap(
+    base: Float[np.ndarray, "t 3"], colors: Float[np.ndarray, "t 3"], cell: Int[np.ndarray, "t"]
+) -> float:
     """Return how unlike two surfaces' colours and unrest are, in grey levels."""
     tone = np.linalg.norm(np.median(base, 0) - np.median(colors, 0))
-    return float(tone + 2.0 * abs(_unrest(base) - _unrest(colors)))
+    return float(tone + 2.0 * abs(_unrest(base, cell) - _unrest(colors, cell)))
