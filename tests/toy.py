@@ -22,10 +22,10 @@ from generator.scene import (
     Table,
 )
 
-CUBE_FACES = [
+CUBE_FACES = np.array([
     [0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
     [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3],
-]  # fmt: skip
+])  # fmt: skip
 
 
 def corners(low: Any, high: Any) -> Float[np.ndarray, "8 3"]:

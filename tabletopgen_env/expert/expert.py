@@ -48,7 +48,7 @@ _NEAR, _FINE, _TURNED = 0.02, 0.005, 0.05
 _SLIP = 0.03
 _MOVED = 0.015
 _PATIENCE: dict[Phase, int] = {
-    "approach": 70, "descend": 40, "close": 14, "lift": 30, "carry": 80, "lower": 45,
+    "approach": 55, "descend": 30, "close": 14, "lift": 30, "carry": 80, "lower": 45,
     "release": 8, "retreat": 60, "stuck": 60,
 }  # fmt: skip
 

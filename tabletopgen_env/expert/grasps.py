@@ -29,12 +29,12 @@ WIDEST = 0.072
 TIP = 0.0088
 """How far the fingertips reach beyond the tool centre point, metres."""
 
-_TURNS = 18
+_TURNS = 12
 _STEP_U, _STEP_V, _RISE = 0.0015, 0.003, 0.003
 _FINGER_HALF = 0.0105
 _PAD_DEPTH, _PAD_HEIGHT = 0.0125, 0.0188
 _SHAFT = (0.007, 0.0265)
-_PALM_U, _PALM_V, _PALM_Z = 0.105, 0.034, 0.042
+_PALM_U, _PALM_V, _PALM_Z = 0.112, 0.042, 0.042
 _DEPTHS = (0.038, 0.03, 0.022, 0.015, 0.011)
 _LEAST_HOLD = 0.008
 _MARGIN = 0.011
@@ -75,9 +75,10 @@ def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> lis
     others = _surroundings(world, target, low, high)
     com = position + rotation @ world.scene.object(target).com
     floor = world.scene.table.height
+    facing = np.arctan2(rotation[1, 0], rotation[0, 0])
     found = [
         grasp
-        for angle in np.arange(_TURNS) * np.pi / _TURNS
+        for angle in facing + np.arange(_TURNS) * np.pi / _TURNS
         for grasp in _along(shape, others, com, float(angle), floor)
     ]
     found = [_demoted(grasp, avoid) for grasp in found]

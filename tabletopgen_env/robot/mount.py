@@ -39,13 +39,18 @@ STRETCH = 0.70
 CLEARANCE = 0.13
 """Radius about the base's axis that objects must leave free, metres."""
 
+TALL = 0.28
+"""Height above the table at which an object is in the arm's way, metres."""
+
+ARM_BREADTH = 0.07
+"""Half the breadth of the forearm with some room, metres."""
+
 SWING = np.deg2rad(110.0)
 """Largest bearing of a target away from straight ahead, radians."""
 
 _WRIST = franka.FLANGE + franka.TCP
 _WRIST_OFFSET = franka.JOINTS[6].a
 _SHOULDER = franka.JOINTS[0].d
-_TALL = 0.25
 _PERIMETER_STEP = 0.05
 
 
@@ -92,6 +97,27 @@ class Mount:
 def reachable(mount: Mount, point: Float[np.ndarray, "3"]) -> bool:
     """Return whether the hand, pointing down, reaches one world point; see ``Mount.reaches``."""
     return bool(mount.reaches(np.asarray(point, float)[None])[0])
+
+
+def obstacle(scene: Scene, mount: Mount, name: str) -> str | None:
+    """Return the tall object that stands between the base and object ``name``, or None.
+
+    What rises more than ``TALL`` above the table within an arm's breadth of the straight way is in
+    the arm's way: the hand works below the forearm.
+    """
+    start, end = mount.position[:2], scene.object(name).pose.position[:2]
+    way = end - start
+    for other in scene.objects:
+        axes = np.abs(quaternion_matrix(other.pose.quaternion)) @ other.scale / 2
+        if other.name == name or other.pose.position[2] + axes[2] < scene.table.height + TALL:
+            continue
+        offset = other.pose.position[:2] - start
+        along = float(np.clip(offset @ way / max(float(way @ way), 1e-9), 0.0, 1.0))
+        turned = (along * way - offset) @ quaternion_matrix(other.pose.quaternion)[:2, :2]
+        aside = np.maximum(np.abs(turned) - other.scale[:2] / 2, 0.0)
+        if float(np.linalg.norm(aside)) < ARM_BREADTH:
+            return other.name
+    return None
 
 
 def add_pedestal(spec: mujoco.MjSpec, mount: Mount) -> None:
@@ -141,20 +167,16 @@ def _candidates(scene: Scene) -> list[Mount]:
 
 def _score(mount: Mount, scene: Scene) -> float:
     """Rate a mount: objects reached, table reached, room around the base, the viewer's side."""
-    height = scene.table.height
-    spots = _spots(scene)
-    covered = float(mount.reaches(spots).mean())
-    objects = np.array([o.pose.position for o in scene.objects]).reshape(-1, 3)
-    reached = float(mount.reaches(objects).mean()) if len(objects) else 0.0
-    gaps = [_gap(mount, o) for o in scene.objects]
-    crowded = sum(gap < CLEARANCE for gap in gaps)
-    obstructed = sum(
-        gap < 0.3 and o.pose.position[2] + o.scale[2] / 2 > height + _TALL
-        for gap, o in zip(gaps, scene.objects, strict=True)
-    )
+    covered = float(mount.reaches(_spots(scene)).mean())
+    within = [
+        reachable(mount, o.pose.position) and obstacle(scene, mount, o.name) is None
+        for o in scene.objects
+    ]
+    reached = float(np.mean(within)) if within else 0.0
+    crowded = sum(_gap(mount, o) < CLEARANCE for o in scene.objects)
     aside = abs(float(mount.position[0]))
     front = 0.25 * (float(mount.position[1]) < 0) - 0.1 * aside
-    return 2.0 * reached + covered + front - crowded - 0.5 * obstructed
+    return 2.0 * reached + covered + front - crowded
 
 
 def _spots(scene: Scene) -> Float[np.ndarray, "n 3"]:

@@ -14,7 +14,7 @@ from generator.scene import Object
 
 from ..affordance import Opening, is_upright, resting_height
 from ..language import refer
-from ..robot.mount import reachable
+from ..robot.mount import obstacle, reachable
 from ..workspace import free_spot
 
 if TYPE_CHECKING:
@@ -98,6 +98,8 @@ def _unfit(world: World, obj: Object) -> str | None:
         return reason
     if not reachable(world.mount, obj.pose.position):
         return "out of the robot's reach"
+    if (between := obstacle(world.scene, world.mount, obj.name)) is not None:
+        return f"{between} stands in the arm's way"
     if obj.placement.inside:
         return f"it lies inside {obj.placement.on}, where fingers do not reach"
     loaded = [o.name for o in world.scene.objects if o.placement.on == obj.name]

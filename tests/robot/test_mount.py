@@ -8,7 +8,13 @@ from toy import toy_object, toy_scene, toy_table
 from generator.errors import InputError
 from generator.geometry import inside_margin, rotation_z
 from tabletopgen_env.robot.kinematics import solve_ik
-from tabletopgen_env.robot.mount import PEDESTAL_RADIUS, Mount, add_pedestal, reachable
+from tabletopgen_env.robot.mount import (
+    PEDESTAL_RADIUS,
+    Mount,
+    add_pedestal,
+    obstacle,
+    reachable,
+)
 
 DOWN = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])
 
@@ -29,7 +35,7 @@ TABLES = {
 @pytest.mark.parametrize("shape", TABLES)
 def test_base_stands_beside_the_table_and_faces_it(shape: str) -> None:
     table = TABLES[shape]
-    mount = Mount.beside(toy_scene((toy_object("cube", (0.04,) * 3, (0.0, 0.0)),), table))
+    mount = Mount.beside(toy_scene((toy_object("cube", (0.04, 0.04, 0.04), (0.0, 0.0)),), table))
     assert inside_margin(mount.position[None, :2], table.outline)[0] < -PEDESTAL_RADIUS
     middle = (table.outline.min(0) + table.outline.max(0)) / 2
     ahead = rotation_z(mount.yaw)[:2, 0]
@@ -48,7 +54,7 @@ def test_an_empty_table_is_served_from_the_viewers_side(shape: str) -> None:
 
 def test_it_goes_where_more_objects_are_in_reach() -> None:
     far = toy_scene(
-        (toy_object("cube", (0.04,) * 3, (0.85, 0.2)),), toy_table(size=(2.0, 0.8, 0.74))
+        (toy_object("cube", (0.04, 0.04, 0.04), (0.85, 0.2)),), toy_table(size=(2.0, 0.8, 0.74))
     )
     mount = Mount.beside(far)
     assert reachable(mount, far.objects[0].pose.position)
@@ -56,8 +62,18 @@ def test_it_goes_where_more_objects_are_in_reach() -> None:
 
 def test_it_keeps_clear_of_objects_at_the_edge() -> None:
     wall = toy_object("wall", (1.1, 0.05, 0.35), (0.0, -0.3))
-    mount = Mount.beside(toy_scene((wall, toy_object("cube", (0.04,) * 3, (0.2, 0.15)))))
+    mount = Mount.beside(toy_scene((wall, toy_object("cube", (0.04, 0.04, 0.04), (0.2, 0.15)))))
     assert mount.position[1] > -0.3
+
+
+def test_it_does_not_reach_past_what_is_tall() -> None:
+    monitor = toy_object("monitor", (0.5, 0.1, 0.4), (0.0, -0.05))
+    cube = toy_object("cube", (0.04, 0.04, 0.04), (0.0, 0.12))
+    scene = toy_scene((monitor, cube))
+    front = Mount(np.array([0.0, -0.452, 0.75]), np.pi / 2)
+    assert obstacle(scene, front, "cube") == "monitor"
+    assert obstacle(scene, front, "monitor") is None
+    assert Mount.beside(scene).position[1] > 0.3
 
 
 def test_reaches_never_promises_what_inverse_kinematics_cannot_do() -> None:
