@@ -131,7 +131,7 @@ def _cells(point: Float[np.ndarray, "t 3"], count: int = 10) -> Int[np.ndarray, 
 
 
 def _unrest(colors: Float[np.ndarray, "t 3"], cell: Int[np.ndarray, "t"]) -> float:
-    """Return the middle spread of brightness within cells of the surface, in grey levels.
+    """Return the usual spread of brightness within cells of the surface, in grey levels.
 
     Light that fades across the table is the same within a cell and does not count.
     """
@@ -140,7 +140,7 @@ def _unrest(colors: Float[np.ndarray, "t 3"], cell: Int[np.ndarray, "t"]) -> flo
     for k in np.unique(cell):
         own = brightness[cell == k]
         if len(own) >= 12:
-            spreads.append(float(np.subtract(*np.quantile(own, [0.75, 0.25]))))
+            spreads.append(float(np.subtract(*np.quantile(own, [0.97, 0.03]))))
     return float(np.median(spreads)) if spreads else 0.0
 
 
