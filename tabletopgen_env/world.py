@@ -86,6 +86,7 @@ class World:
         self.base_position = np.asarray(self.mount.position, float)
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
+        self._graspable: dict[str, bool] = {}
 
     # ------------------------------------------------------------------------------------ state
 
@@ -149,6 +150,18 @@ class World:
     def ungraspable(self) -> Mapping[str, str | None]:
         """Why each object cannot be grasped as it rests, None where it can."""
         return {o.name: why_not_graspable(o, self.openings[o.name]) for o in self.scene.objects}
+
+    def has_grasp(self, name: str) -> bool:
+        """Return whether the hand finds room around an object where the scene puts it.
+
+        Found by the expert's grasp planner when first asked, at the start of an episode, and
+        remembered.
+        """
+        if name not in self._graspable:
+            from .expert.grasps import plan_grasps
+
+            self._graspable[name] = bool(plan_grasps(self, name))
+        return self._graspable[name]
 
     @cached_property
     def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from ..world import World
 
-WIDEST = 0.072
+WIDEST = 0.0735
 """Widest run to straddle, metres: the opening of 8 cm less what aiming needs."""
 
 TIP = 0.0088
@@ -35,12 +35,13 @@ _FINGER_HALF = 0.0105
 _PAD_DEPTH, _PAD_HEIGHT = 0.0125, 0.0188
 _SHAFT = (0.007, 0.0265)
 _PALM_U, _PALM_V, _PALM_Z = 0.112, 0.042, 0.042
-_DEPTHS = (0.038, 0.03, 0.022, 0.015, 0.011)
+_DEPTHS = (0.041, 0.036, 0.03, 0.022, 0.015, 0.011)
 _LEAST_HOLD = 0.008
 _MARGIN = 0.011
 _ABOVE_TABLE = 0.003
 _STEEPEST = 0.4
 _MOST_LEAN = 0.6
+_TOUCHED = 0.75
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,6 +150,8 @@ def _runs(
 ) -> Iterator[tuple[float, int, int, float]]:
     """Yield (tip height, first cell, last cell, quality) of runs that can be straddled."""
     occupied = np.flatnonzero(strip.any((0, 1)))
+    if not len(occupied):
+        return
     top = float(levels[occupied[-1]]) + _RISE / 2
     for tip in sorted({round(max(top - d, floor + _ABOVE_TABLE), 4) for d in _DEPTHS}):
         at_pad = (levels >= tip) & (levels <= tip + _PAD_HEIGHT)
@@ -169,13 +172,15 @@ def _quality(run: Bool[np.ndarray, "k n z"]) -> float | None:
     A side is where the run begins or ends, by line (along the finger's breadth) and by level. Its
     *slope* along the breadth, the *squeeze* by which the run narrows upwards (it would pop out) and
     the *lean* of its middle (the fingers would meet at different heights) stay below limits that
-    lie well within the pads' friction cone.
+    lie well within the pads' friction cone. Levels much narrower than the widest are not touched.
     """
-    lines, layers = np.flatnonzero(run.any((1, 2))), np.flatnonzero(run.any((0, 1)))
+    lines = np.flatnonzero(run.any((1, 2)))
+    widths = np.any(run, axis=0).sum(0)
+    layers = np.flatnonzero(widths >= _TOUCHED * widths.max())
     share, hold = len(lines) / len(run), len(layers) * _RISE
     if share < 0.6 or hold < _LEAST_HOLD:
         return None
-    by_line, by_layer = run.any(2)[lines], run.any(0).T[layers]
+    by_line, by_layer = np.any(run, axis=2)[lines], np.any(run, axis=0).T[layers]
     ends = [_ends(rows) for rows in (by_line, by_layer)]
     first_slope, last_slope = (_trend(side, lines * _STEP_V) for side in ends[0])
     first_rise, last_rise = (_trend(side, layers * _RISE) for side in ends[1])

@@ -81,6 +81,9 @@ def draw_episode(
         container = world.scene.object(goal)
         fit = [n for n in fit if _fits(world, world.scene.object(n), container)]
     for k in rng.permutation(len(fit)):
+        if target is None and not world.has_grasp(fit[k]):
+            reasons[fit[k]] = "its neighbours leave no room for the hand"
+            continue
         episode = _draw_goal(world, rng, world.scene.object(fit[k]), goal)
         if episode is not None:
             return episode
