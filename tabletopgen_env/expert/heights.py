@@ -80,7 +80,7 @@ class Solid:
         size = np.array(self.filled.shape[:2])
         inside = ((index >= 0) & (index < size)).all(-1)
         i, j = np.moveaxis(np.clip(index, 0, size - 1), -1, 0)
-        return self.filled[i, j] & inside[..., None]
+        return self.filled[i, j] & np.expand_dims(inside, -1)
 
 
 def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> Solid:
