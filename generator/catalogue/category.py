@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..geometry import parts_to_unit_box, to_unit_box
-from ..scene import Model, Physics, SizePrior
+from ..scene import Model, Physics
 from .look import SIZE_FACTORS, Look
 from .shape import Shape, mesh_of
 from .solids import signed_volume
@@ -57,11 +57,6 @@ class Category:
     def density(self) -> float:
         """Effective density of a likeness that fills two fifths of its box, kg/m^3."""
         return float(np.clip(self.mass / (0.4 * np.prod(self.size)), 20.0, 8000.0))
-
-    @property
-    def prior(self) -> SizePrior:
-        """The nominal size as a size prior."""
-        return SizePrior(self.key, np.array(self.size), self.state)
 
 
 def model_of(

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..scene import ConvexPart
 from .outlines import ellipse, lifted
-from .solids import Solid, ellipsoid
+from .solids import Solid
 
 MOST_VERTICES = 32
 """A hull keeps at most this many vertices."""
@@ -77,11 +77,6 @@ def resting_ball(x: float, y: float, z: float, flat: float = 0.45) -> ConvexPart
         for k, (h, r) in enumerate(levels)
     ]
     return ConvexPart(np.concatenate(points))
-
-
-def ellipsoid_part(x: float, y: float, z: float, at: Sequence[float]) -> ConvexPart:
-    """Return an ellipsoid with diameters x, y, z centred at ``at``."""
-    return ConvexPart(ellipsoid(x, y, z, 8, 4).vertices + np.asarray(at, float), "ellipsoid")
 
 
 def ring_parts(

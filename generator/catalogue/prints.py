@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float, UInt8
 
 from .colors import RGB, readable_on, tinted
-from .textures import Tile, noise
+from .textures import Tile
 
 Canvas = UInt8[np.ndarray, "h w 3"]
 
@@ -245,19 +245,6 @@ def clock_face(rng: np.random.Generator, ground: RGB, ink: RGB) -> Tile:
     return image
 
 
-def chart(rng: np.random.Generator, ground: RGB = (232, 224, 196)) -> Tile:
-    """A folded map or plan: land and water, roads, a fold grid."""
-    image = canvas(128, 128, ground)
-    height = noise(rng, 128, 128, (4, 4), 3)
-    image[height < -0.25] = (150, 190, 214)
-    image[(height > 0.3)] = (186, 206, 150)
-    image[np.abs(height - 0.05) < 0.012] = (200, 90, 70)
-    for k in (1, 2, 3):
-        image[k * 32] = image[k * 32] * 0.85
-        image[:, k * 32] = image[:, k * 32] * 0.85
-    return image
-
-
 def pips(count: int, ground: RGB, ink: RGB) -> Tile:
     """One face of a die."""
     image = canvas(64, 64, ground)
@@ -281,14 +268,6 @@ def rule(length_cm: int, ground: RGB, ink: RGB) -> Tile:
         tall = 0.55 if mm % 10 == 0 else 0.4 if mm % 5 == 0 else 0.0 if length_cm > 20 else 0.25
         if tall:
             fill(image, 0.01 + 0.98 * mm / (length_cm * 10), 0, 0.004, tall, ink)
-    return image
-
-
-def ticks(ground: RGB, ink: RGB, count: int = 8) -> Tile:
-    """Graduations of a measuring glass, facing the viewer (u = 0.5)."""
-    image = canvas(64, 64, ground)
-    for k in range(1, count):
-        fill(image, 0.44, k / count, 0.12 if k % 2 else 0.07, 0.02, ink)
     return image
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from jaxtyping import Float, Int, UInt8
+from jaxtyping import Int, UInt8
 
 from ..scene import ConvexPart, Mesh
 from .solids import Solid
@@ -40,22 +40,6 @@ class Shape:
                 Piece(p.solid.scaled(factor, factor, factor), p.tile) for p in self.pieces
             ),
             parts=tuple(ConvexPart(p.vertices * factor, p.kind, p.axis) for p in self.parts),
-        )
-
-    def turned(self, quarter: int) -> Shape:
-        """Return the shape turned by quarter turns about +z (boxes stay boxes)."""
-        c, s = [(1, 0), (0, 1), (-1, 0), (0, -1)][quarter % 4]
-        turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]], float)
-        axes = (1, 0, 2) if quarter % 2 else (0, 1, 2)
-        return replace(
-            self,
-            pieces=tuple(
-                Piece(p.solid.turned(2, np.pi / 2 * quarter), p.tile) for p in self.pieces
-            ),
-            parts=tuple(
-                ConvexPart(p.vertices @ turn.T, p.kind, axes[p.axis])  # type: ignore[arg-type]
-                for p in self.parts
-            ),
         )
 
 
@@ -132,9 +116,3 @@ def pack(tiles: Sequence[Tile]) -> tuple[UInt8[np.ndarray, "h w 3"], Int[np.ndar
         rim = np.pad(tile, ((MARGIN, MARGIN), (MARGIN, MARGIN), (0, 0)), mode="edge")
         atlas[row : row + rim.shape[0], column : column + rim.shape[1]] = rim
     return atlas, corners + MARGIN
-
-
-def extent_of(made: Shape) -> Float[np.ndarray, "3"]:
-    """Return the extent of a shape's pieces in metres."""
-    bounds = np.stack([p.solid.bounds for p in made.pieces])
-    return bounds[:, 1].max(0) - bounds[:, 0].min(0)

@@ -31,11 +31,9 @@ def portrait(model: Model, view: View = VIEW, side: int = 160) -> UInt8[np.ndarr
 
 def draw(keys: Sequence[str], variants: int = 3, side: int = 160) -> UInt8[np.ndarray, "h w 3"]:
     """Return a contact sheet of categories, ``variants`` of each beside each other."""
-    cells = []
-    for key in keys:
-        trio = [portrait(build(key, seed), side=side) for seed in range(variants)]
-        cells.append(np.concatenate(trio, axis=1))
-    return grid(cells, tuple(CATEGORIES[k].noun for k in keys), columns=4, cell=variants * side)
+    cells = [portrait(build(key, seed), side=side) for key in keys for seed in range(variants)]
+    names = [CATEGORIES[key].noun if seed == 0 else "" for key in keys for seed in range(variants)]
+    return grid(cells, names, columns=4 * variants, cell=side)
 
 
 def draw_tables(side: int = 240) -> UInt8[np.ndarray, "h w 3"]:

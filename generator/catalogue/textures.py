@@ -167,12 +167,6 @@ def fitted(tile: Tile, height: int, width: int) -> Tile:
     return tile[rows.astype(int)][:, columns.astype(int)]
 
 
-def shaded(tile: Tile, low: float = 0.75, high: float = 1.05) -> Tile:
-    """Darken a tile towards its lower rim, as dirt and soft shadow do."""
-    ramp = np.linspace(high, low, tile.shape[0])[:, None, None]
-    return _tile(tile * ramp)
-
-
 def gradient(bottom: RGB, top: RGB, rng: np.random.Generator, amount: float = 5.0) -> Tile:
     """Blend two colours from the bottom up, slightly uneven: ripe fruit, glazes, sunsets."""
     side = 64

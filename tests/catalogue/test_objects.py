@@ -7,6 +7,7 @@ import pytest
 from solidity import fingerprint, is_closed, mass_of
 
 from generator.catalogue import CATEGORIES, build, category
+from generator.catalogue.sheet import draw
 from generator.catalogue.solids import signed_volume
 from generator.errors import InputError
 from generator.scene import Mesh
@@ -162,3 +163,10 @@ def test_aliases_name_one_thing_each():
         for alias in found.aliases:
             assert nouns.get(alias, found.key) == found.key, f"{alias!r} is a category's noun"
             assert seen.setdefault(alias, found.key) == found.key, f"{alias!r} is claimed twice"
+
+
+def test_contact_sheet_shows_each_variant():
+    picture = draw(["apple", "book"], variants=2, side=48)
+    assert picture.shape == (48 + 22, 4 * 48, 3)
+    cells = np.split(picture[:48], 4, axis=1)
+    assert all((cell.min(axis=2) < 200).mean() > 0.05 for cell in cells)
