@@ -66,7 +66,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
     if text == STARTER:
         found = list(_bundles(_SHIPPED))
     else:
-        found = _by_path(Path(wanted).expanduser()) or _by_name(text, entries(cache))
+        found = _by_path(text) or _by_name(text, entries(cache))
     if not found:
         places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
         names = {_stem(path) for path in entries(cache)}
@@ -135,17 +135,24 @@ def _bundles(root: Path) -> Iterator[Path]:
                 yield path
 
 
-def _by_path(path: Path) -> list[Path]:
-    """Return the bundle at a path, the bundles in a folder, or those a glob of paths fits."""
-    if (path / "scene.json").is_file():
-        return [path]
-    if len(path.parts) > 1:
+def _by_path(text: str) -> list[Path]:
+    """Return the bundle at a path, the bundles in a folder, or those a glob of paths fits.
+
+    What is no path at all (too long a name, "a/**b", the home of nobody) fits nothing.
+    """
+    try:
+        path = Path(text).expanduser()
+        if (path / "scene.json").is_file():
+            return [path]
+        if len(path.parts) < 2:
+            return []
         if path.is_dir():
             return list(_bundles(path))
-        anchor = Path(path.anchor) if path.is_absolute() else Path()
-        pattern = str(path.relative_to(path.anchor)) if path.is_absolute() else str(path)
+        anchor = Path(path.anchor)
+        pattern = str(path.relative_to(anchor))
         return [p for p in sorted(anchor.glob(pattern)) if (p / "scene.json").is_file()]
-    return []
+    except (OSError, ValueError, RuntimeError):
+        return []
 
 
 def _by_name(text: str, known: list[Path]) -> list[Path]:

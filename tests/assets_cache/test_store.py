@@ -70,6 +70,13 @@ def test_an_unknown_name_suggests_the_near_match(store: Path) -> None:
         assets_cache.find("workbensh", store)
 
 
+@pytest.mark.parametrize("wanted", ["", "x" * 400, "a/**b", "~nobody-at-all/office", "\0", "["])
+def test_what_is_no_path_finds_nothing(store: Path, wanted: str) -> None:
+    put("office", store)
+    with pytest.raises(BundleError, match="No bundle fits"):
+        assets_cache.find(wanted, store)
+
+
 def test_an_empty_store_says_so(store: Path) -> None:
     with pytest.raises(BundleError, match="Available: nothing"):
         assets_cache.find("anything", store)
