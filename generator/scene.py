@@ -22,7 +22,7 @@ import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
@@ -94,6 +94,16 @@ class PlannedObject:
     relations: tuple[Relation, ...] = ()
     size: tuple[float, float, float] | None = None
 
+    def __post_init__(self) -> None:
+        if self.size is not None:
+            _check_extent(self.size, f"PlannedObject {self.name!r}")
+        for relation in self.relations:
+            if relation.kind not in get_args(RelationKind):
+                raise InputError(
+                    f"{self.name!r} has an unknown relation {relation.kind!r}."
+                    + choices(str(relation.kind), get_args(RelationKind))
+                )
+
 
 @dataclass(frozen=True)
 class PlannedTable:
@@ -105,6 +115,14 @@ class PlannedTable:
     size: tuple[float, float, float] = (1.2, 0.7, 0.74)
     color: str | None = None
 
+    def __post_init__(self) -> None:
+        _check_extent(self.size, "PlannedTable")
+        if self.outline not in get_args(OutlineKind):
+            raise InputError(
+                f"Unknown table outline {self.outline!r}."
+                + choices(str(self.outline), get_args(OutlineKind))
+            )
+
 
 @dataclass(frozen=True)
 class ScenePlan:
@@ -115,6 +133,30 @@ class ScenePlan:
     objects: tuple[PlannedObject, ...]
     style: str = "plain"
     warnings: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        names = [planned.name for planned in self.objects]
+        if len(set(names)) < len(names) or TABLE in names:
+            raise InputError(f"Planned names must be unique and not {TABLE!r}: {names}.")
+        on = {p.name: [r.target for r in p.relations if r.kind in ("on", "in")]
+              for p in self.objects}  # fmt: skip
+        for planned in self.objects:
+            for target in (relation.target for relation in planned.relations):
+                if target == planned.name or target not in (*names, TABLE):
+                    raise InputError(
+                        f"{planned.name!r} is related to {target!r}." + choices(target, names)
+                    )
+            below = set(on[planned.name])
+            while (deeper := below.union(*(on.get(name, ()) for name in below))) != below:
+                below = deeper
+            if planned.name in below:
+                raise InputError(f"{planned.name!r} stands on itself, by way of {sorted(below)}.")
+
+
+def _check_extent(size: tuple[float, float, float], what: str) -> None:
+    extent = frozen_array(size, np.float64, (3,), f"{what}.size")
+    if (extent <= 0).any():
+        raise InputError(f"{what}: size must be positive metres, got {tuple(size)}.")
 
 
 # ------------------------------------------------------------------------ what a picture holds
@@ -399,9 +441,7 @@ class Placement:
             raise InputError(f"Placement {self.name!r}: scale must be positive and yaw finite.")
         _freeze(
             self,
-            translation=frozen_array(
-                self.translation, np.float64, (3,), "Placement.translation"
-            ),
+            translation=frozen_array(self.translation, np.float64, (3,), "Placement.translation"),
             scale=scale,
         )
 
@@ -446,6 +486,8 @@ class Object:
     def __post_init__(self) -> None:
         if not 0 < self.mass < 1e3:
             raise InputError(f"Object {self.name!r}: mass must be in (0, 1000) kg: {self.mass}.")
+        if not self.parts:
+            raise InputError(f"Object {self.name!r}: a body needs at least one convex part.")
         _freeze(
             self,
             com=frozen_array(self.com, np.float64, (3,), "Object.com"),
@@ -485,6 +527,11 @@ class Table:
             scale=frozen_array(self.scale, np.float64, (3,), "Table.scale"),
             outline=frozen_array(self.outline, np.float64, (None, 2), "Table.outline"),
         )
+        if (self.scale <= 0).any() or len(self.outline) < 3 or not self.parts:
+            raise InputError(
+                f"Table needs a positive scale, an outline of 3 points and one convex part, got "
+                f"{self.scale}, {len(self.outline)} and {len(self.parts)}."
+            )
 
     @property
     def height(self) -> float:
@@ -554,6 +601,12 @@ class Scene:
         doubles = sorted({n for n in names if names.count(n) > 1})
         if doubles or TABLE in names:
             raise InputError(f"Object names must be unique and not {TABLE!r}; repeated: {doubles}.")
+        for name in names:  # they name MuJoCo's bodies; a slash marks what an environment adds
+            if not name or name == "world" or "/" in name or not name.isprintable():
+                raise InputError(
+                    f"An object cannot be called {name!r}; use printable characters without '/', "
+                    "and not 'world', which MuJoCo keeps for itself."
+                )
 
     def object(self, name: str) -> Object:
         """Return the object called ``name``."""

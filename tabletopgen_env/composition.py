@@ -24,8 +24,8 @@ FRONT_CAMERA = "front"
 WRIST_CAMERA = PREFIX + "wrist"
 """Name of the camera on the hand."""
 
-MARKER = "goal"
-"""Name of the body and the geom that mark a free goal spot."""
+MARKER = "marker/goal"
+"""Name of the body and the geom that mark a free goal spot; no object's name has a slash."""
 
 TIMESTEP = 0.002
 """Simulation step, seconds."""

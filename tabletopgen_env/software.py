@@ -11,6 +11,8 @@ from jaxtyping import Float, Int, UInt8
 
 from generator.geometry import Camera
 
+from .composition import MARKER
+
 if TYPE_CHECKING:
     import mujoco
 
@@ -79,7 +81,7 @@ def _item(world: World, shape: Shape) -> Item | None:
     if rgba[3] <= 0.01:
         return None
     vertices = shape.vertices
-    if model.geom(k).name == "goal":
+    if model.geom(k).name == MARKER:
         vertices = vertices * model.geom_size[k][[0, 0, 1]]
     placed = vertices @ data.geom_xmat[k].reshape(3, 3).T + data.geom_xpos[k]
     return Item(placed, shape.faces, shape.uv, shape.texture, k, float(rgba[3]))
@@ -122,7 +124,7 @@ def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, n
         vertices, faces = _hull(np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T * size)
     elif kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
         half = size[1] + (size[0] if kind == mujoco.mjtGeom.mjGEOM_CAPSULE else 0.0)
-        scale = [size[0], size[0], half] if model.geom(k).name != "goal" else [1.0, 1.0, 1.0]
+        scale = [size[0], size[0], half] if model.geom(k).name != MARKER else [1.0, 1.0, 1.0]
         turn = np.linspace(0, 2 * np.pi, _ROUND, endpoint=False)
         ring = np.column_stack([np.cos(turn), np.sin(turn)])
         low, high = (np.column_stack([ring, np.full(_ROUND, z)]) for z in (-1.0, 1.0))

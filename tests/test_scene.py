@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from toy import toy_object, toy_scene
 
 from generator.errors import InputError, TabletopError, choices
 from generator.scene import (
@@ -77,3 +78,9 @@ def test_choices_names_the_near_match() -> None:
 def test_a_report_passes_only_without_failures() -> None:
     assert Report(0.0, 0.0, 0.0).passed
     assert not Report(0.0, 0.0, 0.0, failures=("mug floats",)).passed
+
+
+@pytest.mark.parametrize("name", ["", "table", "world", "a/b", "a\nb"])
+def test_object_names_that_mujoco_cannot_have_are_refused(name: str) -> None:
+    with pytest.raises(InputError, match=r"called|unique"):
+        toy_scene((toy_object(name, (0.05,) * 3, (0.0, 0.0)),))

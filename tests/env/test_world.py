@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from toy import toy_objects, toy_scene
+from toy import toy_object, toy_objects, toy_scene
 
 from generator.errors import SceneError
 from tabletopgen_env.robot.mount import Mount
@@ -86,3 +86,11 @@ def test_unknown_objects_are_named(world) -> None:
 def test_objects_keep_their_masses(world) -> None:
     masses = world.model.body_mass[world.bodies]
     assert np.allclose(masses, [obj.mass for obj in toy_objects()])
+
+
+def test_objects_may_be_called_like_what_the_environment_adds() -> None:
+    names = ("goal", "front", "floor", "panda")
+    objects = tuple(
+        toy_object(name, (0.05,) * 3, (0.2 * k - 0.3, 0.0)) for k, name in enumerate(names)
+    )
+    assert World(toy_scene(objects), Panda()).names == names
