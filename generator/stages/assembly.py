@@ -213,6 +213,12 @@ def _toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
     }
 
 
+def _footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
+    """Return what :func:`rest` has put on a foot, in the scene's order."""
+    pairs = zip(arranged.objects, rested.objects, strict=True)
+    return tuple(after.name for before, after in pairs if len(after.parts) > len(before.parts))
+
+
 def _without(scene: Scene, names: set[str]) -> Scene:
     """Return the scene without ``names`` and all that stands on them."""
     objects = scene.objects
@@ -251,7 +257,9 @@ def _recorded(
     warnings = (
         *(f"{name} has no free place on the table" for name in stuck),
         *(f"{name} would not stand" for name in unstable),
+        *(f"{name} stands on a weighted foot that the model does not have"
+          for name in _footed(arranged, rested)),
         *(f"{name} was left out" for name in sorted(dropped)),
-    )
+    )  # fmt: skip
     provenance = replace(scene.provenance, warnings=scene.provenance.warnings + warnings)
     return scene.replace(report=report, provenance=provenance)

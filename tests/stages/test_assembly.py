@@ -137,6 +137,7 @@ def test_a_thing_that_cannot_stand_gets_a_weighted_foot() -> None:
     assert scene.report is not None
     assert scene.report.passed
     assert len(scene.object("club_1").parts) == 2
+    assert any("club_1 stands on a weighted foot" in w for w in scene.provenance.warnings)
     assert scene.object("club_1").pose.position[2] == pytest.approx(0.74 + 0.125, abs=2e-3)
 
 
