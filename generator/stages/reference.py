@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import io
+import warnings
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -17,12 +18,19 @@ from ..scene import Reference, ScenePlan
 Source = str | Path | bytes | ScenePlan | np.ndarray
 """A text, a plan, or a picture: a path, encoded bytes, or an array (h, w, 3 or 4) of uint8."""
 
+FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF")
+"""What pictures may come as; nothing that starts another program to be read."""
+
 
 @dataclass(frozen=True)
 class ReferenceConfig:
-    """Limits on pictures: sides in pixels, file size in bytes, longest side worked at."""
+    """Limits on pictures: sides in pixels, file size in bytes, longest side worked at.
+
+    ``max_ratio`` is the longer side over the shorter.
+    """
 
     min_side: int = 64
+    max_ratio: float = 8.0
     max_pixels: int = 25_000_000
     max_bytes: int = 50_000_000
     work_side: int = 1280
@@ -48,6 +56,8 @@ def refer(
         plan = reasoner.plan_scene(source, seed)
         return Reference(imager.draw(plan, seed), source, plan)
     if isinstance(source, ScenePlan):
+        if not source.objects:
+            raise InputError("The plan holds no object; a scene needs at least one.")
         return Reference(imager.draw(source, seed), source.prompt, source)
     return Reference(read_image(source, config))
 
@@ -75,7 +85,10 @@ def read_image(
         if isinstance(source, np.ndarray):
             picture = Image.fromarray(_as_uint8(source))
         else:
-            picture = Image.open(io.BytesIO(_read_bytes(source, config)))
+            with warnings.catch_warnings():  # our own limit on pixels comes next
+                warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+                data = io.BytesIO(_read_bytes(source, config))
+                picture = Image.open(data, formats=FORMATS)
         _check_size(picture.width, picture.height, config)
         picture.load()
     except UnidentifiedImageError as error:
@@ -87,6 +100,8 @@ def read_image(
             raise
         raise InputError(f"The picture is damaged or truncated ({error}).") from error
     picture = ImageOps.exif_transpose(picture)
+    if picture.mode.startswith("I;16"):  # Pillow would clip these to white; keep the upper byte
+        picture = Image.fromarray((np.asarray(picture) >> 8).astype(np.uint8))
     if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:
         picture = picture.convert("RGBA")
         white = Image.new("RGBA", picture.size, (255, 255, 255, 255))
@@ -110,6 +125,11 @@ def source_digest(source: Source) -> str | None:
 def _read_bytes(source: str | Path | bytes, config: ReferenceConfig) -> bytes:
     if isinstance(source, bytes):
         data = source
+    elif not isinstance(source, str | Path):
+        raise InputError(
+            f"A text, a plan or a picture (path, bytes or array) is needed, got "
+            f"{type(source).__name__}."
+        )
     else:
         path = Path(source)
         if not path.is_file():
@@ -145,4 +165,9 @@ def _check_size(width: int, height: int, config: ReferenceConfig) -> None:
     if min(width, height) < config.min_side:
         raise InputError(
             f"The picture is {width}x{height}; it needs at least {config.min_side} pixels a side."
+        )
+    if max(width, height) > config.max_ratio * min(width, height):
+        raise InputError(
+            f"The picture is {width}x{height}; the longer side may be at most "
+            f"{config.max_ratio:g} times the shorter. Crop it to the table."
         )

@@ -69,6 +69,12 @@ def test_other_colour_modes_become_rgb(mode: str, kind: str) -> None:
     assert image.dtype == np.uint8
 
 
+def test_sixteen_bits_keep_their_greys() -> None:
+    ramp = np.linspace(0, 65535, 100 * 100).reshape(100, 100).astype(np.uint16)
+    image = read_image(encode(Image.fromarray(ramp)))
+    np.testing.assert_allclose(image[..., 0], ramp / 257, atol=2)
+
+
 def test_large_pictures_are_shrunk() -> None:
     assert read_image(encode(picture(size=(2600, 1300)))).shape == (640, 1280, 3)
 
