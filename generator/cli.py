@@ -1,8 +1,4 @@
-"""The ``tabletopgen`` command.
-
-Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle, 5 storage,
-6 scene, 130 interrupted.
-"""
+"""The ``tabletopgen`` command; what it prints for ``--help`` is written here, and nowhere else."""
 
 from __future__ import annotations
 
@@ -13,7 +9,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import tyro
 
@@ -36,6 +32,14 @@ EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (StorageError, 5),
     (SceneError, 6),
 )
+
+DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.
+
+The store of finished tables has commands of its own: tabletopgen cache --help.
+
+Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle, 5 storage, 6 scene,
+130 interrupted.
+"""
 
 app = tyro.extras.SubcommandApp()
 Positional = tyro.conf.Positional
@@ -67,12 +71,13 @@ def generate(
         json: Print one JSON object instead of text.
     """
     from .backends import Backends
+    from .bundle import check_name
     from .pipeline import generate as run
 
+    if name is not None:
+        check_name(name)
     with _progress(quiet=json) as progress:
-        generation = run(
-            source, Backends.select(backend), seed=seed, name=name, progress=progress
-        )
+        generation = run(source, Backends.select(backend), seed=seed, name=name, progress=progress)
         if figures is not None:
             generation.save_figures(figures)
         path = generation.save(_store(out), allow_failed=allow_failed)
@@ -98,10 +103,12 @@ def compose(
         seed: The same text and seed give the same scene.
         json: Print one JSON object instead of text.
     """
-    from .bundle import save
+    from .bundle import check_name, save
     from .compose import compose as run
     from .figures import preview
 
+    if name is not None:
+        check_name(name)
     scene = run(text, seed, name=name)
     path = save(scene, _store(out), images={"preview": preview(scene)})
     return _print_scene(path, scene, json)
@@ -133,11 +140,11 @@ def verify(bundles: Positional[tuple[str, ...]], /, *, json: bool = False) -> in
     from .physics.gate import judge
 
     results = {}
-    for path in [p for wanted in bundles for p in _find(wanted)]:
+    for path in [p for wanted in _some(bundles) for p in _find(wanted)]:
         try:
             report = judge(load(path))
             results[path.name] = list(report.failures)
-        except BundleError as error:
+        except (BundleError, SceneError) as error:
             results[path.name] = [str(error)]
     _emit(results, json, lambda: [f"{n}: {'; '.join(f) or 'sound'}" for n, f in results.items()])
     return 1 if any(results.values()) else 0
@@ -160,13 +167,11 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
 
         mujoco.viewer.launch_from_path(str(path / "scene.xml"))
         return 0
-    from PIL import Image
-
     from .bundle import load
-    from .figures import preview
+    from .figures import preview, write_picture
 
     target = picture or Path(f"{path.name}.png")
-    Image.fromarray(preview(load(path))).save(target)
+    write_picture(preview(load(path)), target)
     print(target if picture else f"No screen here; wrote {target}.")
     return 0
 
@@ -198,7 +203,7 @@ def cache_remove(bundles: Positional[tuple[str, ...]], /) -> int:
     """
     import assets_cache
 
-    for path in [p for wanted in bundles for p in assets_cache.find(wanted)]:
+    for path in [p for wanted in _some(bundles) for p in assets_cache.find(wanted)]:
         assets_cache.remove(path)
         print(f"removed {path.name}")
     return 0
@@ -229,6 +234,12 @@ def _find(wanted: str) -> list[Path]:
     import assets_cache
 
     return list(assets_cache.find(wanted))
+
+
+def _some(bundles: tuple[str, ...]) -> tuple[str, ...]:
+    if not bundles:
+        raise InputError("Name at least one bundle; `tabletopgen cache list` shows what there is.")
+    return bundles
 
 
 def _one(wanted: str) -> Path:
@@ -317,7 +328,7 @@ def main(args: list[str] | None = None) -> None:
         else:
             code = app.cli(
                 prog="tabletopgen",
-                description=(__doc__ or "") + "\nThe store has its own: tabletopgen cache --help.",
+                description=DESCRIPTION,
                 args=arguments,
                 use_underscores=False,
             )

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import UInt8
-from PIL import Image
 
+from .errors import StorageError
 from .geometry import yaw_quaternion
+from .mjcf import encode_png
 from .paper_json import to_paper
 from .render.picture import TOP_DOWN, framing_camera, render_scene
 from .render.raster import place, render
@@ -47,8 +48,11 @@ def preview(scene: Scene) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def save_figures(generation: Generation, folder: Path) -> tuple[Path, ...]:
-    """Write the figures into ``folder`` (made if missing); return their paths."""
-    folder.mkdir(parents=True, exist_ok=True)
+    """Write the figures into ``folder`` (made if missing); return their paths.
+
+    Raises:
+        StorageError: the folder cannot be written.
+    """
     g = generation
     pictures = {
         "fig08_reference": np.asarray(g.reference.image),
@@ -60,14 +64,32 @@ def save_figures(generation: Generation, folder: Path) -> tuple[Path, ...]:
         "scene_top": render_scene(g.scene, TOP_DOWN, 960, 720).image,
     }
     rotations, alignment = to_paper(g.alignment.placements, g.alignment.anchor)
-    written = []
-    for stem, picture in pictures.items():
-        written.append(folder / f"{stem}.png")
-        Image.fromarray(np.ascontiguousarray(picture)).save(written[-1])
-    for stem, value in {"fig12_rotation": rotations, "fig14_alignment": alignment}.items():
-        written.append(folder / f"{stem}.json")
-        written[-1].write_text(json.dumps(value, indent=2) + "\n")
+    texts = {"fig12_rotation": rotations, "fig14_alignment": alignment}
+    written = [write_picture(image, folder / f"{stem}.png") for stem, image in pictures.items()]
+    for stem, value in texts.items():
+        text = json.dumps(value, indent=2) + "\n"
+        written.append(_write(text.encode(), folder / f"{stem}.json"))
     return tuple(written)
+
+
+def write_picture(image: UInt8[np.ndarray, "h w c"], path: Path) -> Path:
+    """Write an image as PNG, whatever the name's ending, making the folder if it is missing.
+
+    Raises:
+        StorageError: the file cannot be written.
+    """
+    return _write(encode_png(image), path)
+
+
+def _write(content: bytes, path: Path) -> Path:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    except OSError as error:
+        raise StorageError(
+            f"{path} cannot be written: {error.strerror or error}. Choose another folder."
+        ) from error
+    return path
 
 
 def _others(g: Generation) -> list[Instance]:

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from importlib import metadata
 from typing import Any
 
+import numpy as np
+
 
 def scene_name(prompt: str | None) -> str:
     """Return a short file-safe name for a prompt: its first letters and digits."""
@@ -20,11 +22,11 @@ def versions() -> dict[str, str]:
 
 
 def plain(value: Any) -> Any:
-    """Return dataclasses, tuples and mappings as JSON-ready dicts and lists."""
+    """Return dataclasses, tuples, mappings and NumPy scalars as JSON-ready values."""
     if dataclasses.is_dataclass(value) and not isinstance(value, type):
         return {f.name: plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
     if isinstance(value, Mapping):
         return {str(k): plain(v) for k, v in value.items()}
     if isinstance(value, list | tuple):
         return [plain(v) for v in value]
-    return value
+    return value.item() if isinstance(value, np.generic) else value

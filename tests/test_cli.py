@@ -124,3 +124,33 @@ def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     shown = capsys.readouterr().out
     for command in ("generate", "compose", "inspect", "verify", "view", "cache"):
         assert command in shown
+
+
+@pytest.mark.parametrize("command", [("verify",), ("cache", "rm")])
+def test_checking_or_removing_nothing_is_a_mistake(
+    command: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(*command) == 2
+    assert "at least one bundle" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["generate", "compose"])
+def test_a_name_that_is_no_folders_is_refused_before_any_work(
+    command: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def work(*args, **kwargs):
+        raise AssertionError("work began")
+
+    monkeypatch.setattr("generator.compose.compose", work)
+    monkeypatch.setattr("generator.pipeline.generate", work)
+    assert run(command, TEXT, "--name", "../reading") == 6
+
+
+def test_a_picture_that_cannot_be_written_is_a_storage_error(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    blocked = tmp_path / "file"
+    blocked.write_text("")
+    assert run("compose", TEXT, "--name", "reading") == 0
+    assert run("view", "reading", "--picture", str(blocked / "view.png")) == 5
+    assert "cannot be written" in capsys.readouterr().err

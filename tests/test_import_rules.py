@@ -47,7 +47,10 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         ),
     ),
     ("generator.mjcf", VALUES),
-    ("generator.bundle", (*VALUES, "generator.mjcf", "generator.bundle")),
+    (
+        "generator.bundle",
+        (*VALUES, "generator.mjcf", "generator.provenance", "generator.bundle"),
+    ),
     (
         "generator.compose",
         (

@@ -2,7 +2,7 @@
 
 from .folder import MOST_BYTES as MOST_BYTES
 from .folder import SCHEMA as SCHEMA
-from .folder import is_bundle as is_bundle
+from .folder import check_name as check_name
 from .folder import load as load
 from .folder import save as save
 from .folder import verify as verify

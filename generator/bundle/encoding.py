@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import io
 import json
 from collections.abc import Callable, Mapping
@@ -13,6 +12,7 @@ from jaxtyping import UInt8
 
 from ..errors import BundleError
 from ..mjcf import encode_obj, encode_png, mesh_path, texture_path
+from ..provenance import plain
 from ..scene import (
     ConvexPart,
     Mesh,
@@ -67,6 +67,7 @@ def loads(raw: bytes, where: str) -> dict[str, Any]:
 
     try:
         payload = json.loads(raw, parse_constant=refuse, parse_float=number)
+        json.dumps(payload, ensure_ascii=False).encode()  # half a surrogate pair is no text
     except (ValueError, RecursionError) as error:
         raise BundleError(f"{where}: scene.json is not JSON ({error}).") from error
     if not isinstance(payload, dict):
@@ -118,10 +119,10 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
         "table": table,
         "objects": objects,
         "models": models,
-        "provenance": _plain(scene.provenance),
-        "view": _plain(scene.view),
-        "report": _plain(scene.report),
-        "plan": _plain(scene.plan),
+        "provenance": plain(scene.provenance),
+        "view": plain(scene.view),
+        "report": plain(scene.report),
+        "plan": plain(scene.plan),
     }
     return payload, files
 
@@ -137,7 +138,7 @@ def _encode_model(model: Model, files: dict[str, bytes]) -> dict[str, Any]:
         "texture": picture,
         "opacity": float(model.mesh.opacity),
         "size": _numbers(model.size, _LENGTH),
-        "physics": _plain(model.physics),
+        "physics": plain(model.physics),
         "parts": [_encode_part(p, _UNIT) for p in model.parts],
         "category": model.category,
         "container": bool(model.container),
@@ -165,16 +166,6 @@ def _encode_pose(pose: Pose) -> dict[str, Any]:
 
 def _numbers(array: np.ndarray, decimals: int) -> Any:
     return (np.round(np.asarray(array, np.float64), decimals) + 0.0).tolist()
-
-
-def _plain(value: Any) -> Any:
-    if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        return {f.name: _plain(getattr(value, f.name)) for f in dataclasses.fields(value)}
-    if isinstance(value, Mapping):
-        return {str(k): _plain(v) for k, v in value.items()}
-    if isinstance(value, list | tuple):
-        return [_plain(v) for v in value]
-    return value.item() if isinstance(value, np.generic) else value
 
 
 def _compact(value: Any) -> str:

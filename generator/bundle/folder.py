@@ -125,20 +125,24 @@ def verify(path: str | Path) -> list[str]:
     ]
 
 
-def is_bundle(path: Path) -> bool:
-    """Whether ``path`` looks like a bundle: a folder with a ``scene.json``."""
-    return not path.name.startswith(".") and (path / "scene.json").is_file()
+def check_name(name: str) -> None:
+    """Check that a scene called ``name`` can be published: the name becomes a folder's.
+
+    Raises:
+        SceneError: it cannot be a folder's name.
+    """
+    if not _NAME.fullmatch(name) or len(name) > 80:
+        raise SceneError(
+            f"A scene called {name!r} cannot be a folder's name; use at most 80 letters, "
+            "digits, '.', '_' and '-'."
+        )
 
 
 # ----------------------------------------------------------------------------------------- writing
 
 
 def _check_publishable(scene: Scene, allow_failed: bool) -> None:
-    if not _NAME.fullmatch(scene.name) or len(scene.name) > 80:
-        raise SceneError(
-            f"A scene called {scene.name!r} cannot be a folder's name; use at most 80 letters, "
-            "digits, '.', '_' and '-'."
-        )
+    check_name(scene.name)
     if allow_failed:
         return
     if scene.report is None:
@@ -191,7 +195,11 @@ def _publish(folder: Path, name: str, files: Mapping[str, bytes]) -> Path:
 
 def _read_truth(folder: Path) -> dict[str, Any]:
     """Return the checked content of ``scene.json``."""
-    if not folder.is_dir():
+    try:
+        there = folder.is_dir()
+    except OSError as error:
+        raise BundleError(f"{folder} cannot be looked into: {error.strerror}.") from error
+    if not there:
         raise BundleError(f"There is no bundle at {folder}.")
     raw = _read(folder, "scene.json", MOST_BYTES)
     payload = loads(raw, str(folder))
@@ -228,6 +236,8 @@ def _read_listed(folder: Path, name: str, entry: Any) -> bytes:
 def _read(folder: Path, name: str, limit: int) -> bytes:
     """Read a plain file inside ``folder``: no way out of it, no links, no more than ``limit``."""
     path = PurePosixPath(name)
+    if not name.isprintable():
+        raise BundleError(f"{folder}: {name!r} is not a file's name.")
     if path.is_absolute() or ".." in path.parts or "\\" in name or ":" in name or not path.parts:
         raise BundleError(f"{folder}: the path {name!r} leaves the bundle; it was not opened.")
     place = folder
