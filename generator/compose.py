@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from .backends.embedded.planner import plan_scene
-from .errors import SceneError
+from .errors import InputError, SceneError
 from .layout import build_models, lay_out
 from .provenance import scene_name, versions
 from .scene import Provenance, Scene, ScenePlan
@@ -31,7 +31,9 @@ def compose(
         InputError: the text cannot be planned.
         SceneError: the objects fit on no plausible table, or no layout comes to rest.
     """
-    plan = plan_scene(text, seed) if isinstance(text, str) else text
+    plan = text if isinstance(text, ScenePlan) else plan_scene(text, seed)
+    if not plan.objects:
+        raise InputError("The plan holds no object; a scene needs at least one.")
     models = build_models(plan, seed)
     failures: tuple[str, ...] = ()
     for attempt in range(ATTEMPTS):
@@ -45,9 +47,9 @@ def compose(
             name=name or scene_name(plan.prompt), config=config,
             plan=replace(plan, table=replace(plan.table, size=tuple(map(float, table.size)))),
         )  # fmt: skip
-        if scene.report is None or scene.report.passed:
+        if scene.report is not None and scene.report.passed:
             return scene
-        failures = scene.report.failures
+        failures = scene.report.failures if scene.report is not None else ()
     raise SceneError(
         f"{ATTEMPTS} layouts of {plan.prompt!r} did not come to rest soundly: "
         f"{'; '.join(failures)}. Try another seed, or fewer stacked things."

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import zipfile
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -112,7 +113,7 @@ def _read(path: Path) -> list[Float[np.ndarray, "k 3"]] | None:
     try:
         with np.load(path, allow_pickle=False) as arrays:
             hulls = [np.asarray(arrays[key], np.float64) for key in arrays.files]
-    except (OSError, ValueError, zipfile.BadZipFile):
+    except (OSError, ValueError, EOFError, zipfile.BadZipFile, zlib.error):
         return None
     sound = all(h.ndim == 2 and h.shape[1] == 3 and np.isfinite(h).all() for h in hulls)
     return hulls if sound else None

@@ -130,7 +130,7 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
     simulation.place([o.pose for o in loose])
     rim = support.pose.position[2] + highest(support)
     reach = float(np.min(support.scale[:2])) / 2
-    wanted = rim + _GAP if not thing.placement.inside else rim - 0.3 * _sinks(thing, support)
+    wanted = rim + _GAP if not thing.placement.inside else rim - 0.3 * _depth_of(support)
     best: tuple[float, np.ndarray] | None = None
     for offset in spiral(reach, reach / 5):
         xy = thing.pose.position[:2] + offset
@@ -149,8 +149,8 @@ def _seat(scene: Scene, index: int, chains: Sequence[tuple[int, ...]]) -> Scene:
     return scene.replace(objects=with_poses(scene.objects, poses))
 
 
-def _sinks(thing: Object, support: Object) -> float:
-    """How deep ``thing`` could go into ``support`` at most, metres."""
+def _depth_of(support: Object) -> float:
+    """How deep anything could go into ``support``, at most 10 cm."""
     return min(highest(support) - lowest(support), 0.1)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -34,8 +34,10 @@ NounKind = Literal[
     "object", "unknown", "table", "pronoun", "place", "part", "group", "mixed", "amount",
     "adjective", "vague",
 ]  # fmt: skip
-MEASURES = {"mm": 0.001, "millimeter": 0.001, "cm": 0.01, "centimeter": 0.01, "centimetre": 0.01,
-            "m": 1.0, "meter": 1.0, "metre": 1.0, "inch": 0.0254}  # fmt: skip
+MEASURES: Mapping[str, float] = {
+    "mm": 0.001, "millimeter": 0.001, "cm": 0.01, "centimeter": 0.01, "centimetre": 0.01,
+    "m": 1.0, "meter": 1.0, "metre": 1.0, "inch": 0.0254,
+}  # fmt: skip
 
 
 @dataclass(frozen=True)

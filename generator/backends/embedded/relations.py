@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import cast, get_args
 
@@ -11,7 +11,7 @@ from ...errors import InputError
 from ...scene import TABLE, PlannedObject, Relation, RelationKind
 
 KINDS: frozenset[str] = frozenset(get_args(RelationKind))
-OPPOSITE = {
+OPPOSITE: Mapping[str, str] = {
     "left_of": "right_of", "right_of": "left_of", "behind": "in_front_of", "in_front_of": "behind",
 }  # fmt: skip
 _SUPPORTED = ("on", "in")
