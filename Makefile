@@ -38,7 +38,12 @@ types: $(VENV)/.installed-dev
 
 build: $(VENV)/.installed-dev  ## wheel, then a smoke test of it in isolation
 	$(PIP) build
-	rm -rf dist && $(BIN)/python -m build --wheel --outdir dist .
+	rm -rf build dist && $(BIN)/python -m build --wheel --outdir dist .
+	$(PIP) --no-deps --target dist/installed dist/*.whl
+	cd dist && PYTHONPATH=installed $(abspath $(BIN))/python -P -c "import assets_cache, generator.cli; \
+	  from generator.compose import compose; assert 'installed' in assets_cache.__file__; \
+	  assert not any(assets_cache.verify().values()); assert len(assets_cache.find('starter')) >= 12; \
+	  assert compose('a desk with a mug').report.passed"
 
 clean:
 	rm -rf $(VENV) build dist out *.egg-info .pytest_cache .ruff_cache
