@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float, UInt8
 
+from .errors import SceneError
 from .geometry import Camera, framing_camera, quaternion_matrix
 from .scene import TABLE, ConvexPart, Mesh, Object, Scene, View
 
@@ -74,6 +75,22 @@ def scene_spec(scene: Scene, *, visuals: bool = True) -> mujoco.MjSpec:
 
     made = document(scene, visuals=visuals)
     return mujoco.MjSpec.from_string(made.xml, assets=dict(made.files))
+
+
+def compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
+    """Compile the specification of the scene called ``name``.
+
+    Raises:
+        SceneError: MuJoCo refuses a body: a flat hull, an inertia that no solid can have.
+    """
+    try:
+        return spec.compile()
+    except ValueError as error:
+        said = " ".join(str(error).split())
+        raise SceneError(
+            f"MuJoCo cannot build the scene {name!r}: {said}. Make the scene again, or give that "
+            "body a sound shape and inertia."
+        ) from error
 
 
 def reference_camera(scene: Scene, width: int = 960, height: int = 720) -> Camera:

@@ -486,6 +486,8 @@ class Object:
     def __post_init__(self) -> None:
         if not 0 < self.mass < 1e3:
             raise InputError(f"Object {self.name!r}: mass must be in (0, 1000) kg: {self.mass}.")
+        if not 0 < self.friction < 5:
+            raise InputError(f"Object {self.name!r}: friction must be in (0, 5): {self.friction}.")
         if not self.parts:
             raise InputError(f"Object {self.name!r}: a body needs at least one convex part.")
         _freeze(

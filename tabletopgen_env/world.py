@@ -20,6 +20,7 @@ from jaxtyping import Float, Int
 
 from generator.errors import SceneError, choices
 from generator.geometry import rotation_z
+from generator.mjcf import compiled
 from generator.scene import Scene
 
 from .affordance import Opening, collision_points, footprint, opening, why_not_graspable
@@ -60,7 +61,7 @@ class World:
 
         self.scene = scene
         self.mount = mount or Mount.beside(scene)
-        self.model = compose(scene, robot, self.mount).compile()
+        self.model = compiled(compose(scene, robot, self.mount), scene.name)
         self.data = mujoco.MjData(self.model)
         self.names: tuple[str, ...] = tuple(o.name for o in scene.objects)
         model = self.model

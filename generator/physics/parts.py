@@ -9,7 +9,8 @@ from ..geometry import quaternion_matrix
 from ..scene import ConvexPart, Model, Object, Pose
 
 THINNEST = 4e-4
-"""No part is thinner than this along an axis, metres; thinner ones grow about their middle."""
+"""No part is thinner than this along an axis, metres; thinner ones grow about their middle, and so
+do sheets that lie askew."""
 
 
 def scaled(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
@@ -20,9 +21,9 @@ def scaled(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
     if thin.any():
         side = np.where(vertices > (low + high) / 2, 0.5, -0.5) * THINNEST
         vertices = np.where(thin, (low + high) / 2 + side, vertices)
-    if thin.any() and _flat(vertices):
-        corners = [vertices + np.where(thin, sign * THINNEST / 2, 0.0) for sign in (-1, 1)]
-        vertices = np.concatenate(corners)
+    if _flat(vertices):  # a sheet, however it lies
+        grown = np.stack(np.meshgrid(*[(-THINNEST / 2, THINNEST / 2)] * 3), -1).reshape(-1, 3)
+        vertices = (vertices[:, None] + grown).reshape(-1, 3)
     return ConvexPart(vertices.round(6), part.kind, part.axis)
 
 

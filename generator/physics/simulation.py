@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from ..mjcf import FLOOR, scene_spec
+from ..mjcf import FLOOR, compiled, scene_spec
 from ..scene import Pose, Scene
 
 ON_TABLE = -1
@@ -43,7 +43,7 @@ class Simulation:
         import mujoco
 
         self.scene = scene
-        self.model = scene_spec(scene, visuals=False).compile()
+        self.model = compiled(scene_spec(scene, visuals=False), scene.name)
         self.model.opt.enableflags &= ~int(mujoco.mjtEnableBit.mjENBL_SLEEP)
         self.data = mujoco.MjData(self.model)
         bodies = [self.model.body(o.name).id for o in scene.objects]

@@ -89,7 +89,9 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
 
 
 def _check_text(prompt: str) -> None:
-    if not isinstance(prompt, str) or not prompt.strip():
+    if not isinstance(prompt, str):
+        raise InputError(f"A text or a ScenePlan is needed, got {type(prompt).__name__}.")
+    if not prompt.strip():
         raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
     if len(prompt) > MAX_CHARACTERS:
         raise InputError(

@@ -1,0 +1,398 @@
+"""Bad input, once through the front door: one error of ours, and no half-written bundle."""
+
+from __future__ import annotations
+
+import errno
+import os
+import select
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+from test_bundle import rewrite
+from toy import toy_object, toy_scene
+
+import assets_cache
+from generator import bundle, cli
+from generator.compose import compose
+from generator.errors import BundleError, InputError, SceneError, StorageError, TabletopError
+from generator.physics.gate import judge
+from generator.physics.parts import scaled
+from generator.pipeline import STAGES, generate
+from generator.scene import ConvexPart, PlannedObject, PlannedTable, Relation, Scene, ScenePlan
+from generator.stages.reference import read_image
+from tabletopgen_env.env import make_env
+
+TEXT = "a desk with a mug and a book"
+BROWN = (150, 100, 60)
+
+
+@pytest.fixture(autouse=True)
+def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty store of its own for every test."""
+    monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
+    return tmp_path / "store"
+
+
+def left_over(store: Path) -> list[str]:
+    return [p.name for p in store.rglob("*")] if store.exists() else []
+
+
+def command(*args: str) -> int:
+    with pytest.raises(SystemExit) as stop:
+        cli.main(list(args))
+    return int(stop.value.code or 0)
+
+
+def plain(color: Any = 255, height: int = 240, width: int = 360) -> np.ndarray:
+    return np.full((height, width, 3), color, np.uint8)
+
+
+def sound(name: str = "toy") -> Scene:
+    scene = toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0.0, 0.0)),), name=name)
+    return scene.replace(report=judge(scene))
+
+
+# ---------------------------------------------------------------------------------------- pictures
+
+
+def gradient() -> np.ndarray:
+    y, x = np.mgrid[0:240, 0:360]
+    return np.dstack([x * 255 // 360, y * 255 // 240, (x + y) * 255 // 600]).astype(np.uint8)
+
+
+def bare_table() -> np.ndarray:
+    corners = np.array([[90, 70], [270, 70], [325, 205], [35, 205]])
+    return cv2.fillConvexPoly(plain(), corners, BROWN)
+
+
+def things_alone() -> np.ndarray:
+    image = cv2.circle(plain(), (90, 120), 25, (200, 30, 30), -1)
+    return cv2.rectangle(image, (180, 90), (230, 155), (30, 60, 200), -1)
+
+
+@pytest.mark.parametrize(
+    ("image", "says"),
+    [
+        (plain(255), "No table"),
+        (plain(0), "No table"),
+        (plain(BROWN), "No table"),
+        (np.random.default_rng(0).integers(0, 255, (240, 360, 3), np.uint8), "No table"),
+        (gradient(), "No table"),
+        (plain(255, 64, 64), "No table"),
+        (plain(255, 64, 2000), "8 times"),
+        (bare_table(), "Nothing found on the table"),
+        (things_alone(), "No table|Nothing found"),
+    ],
+    ids=["white", "black", "brown", "noise", "gradient", "tiny", "wide", "bare", "no table"],
+)
+def test_pictures_without_a_laid_table_are_refused(image: np.ndarray, says: str) -> None:
+    with pytest.raises((InputError, SceneError), match=says):
+        generate(image)
+
+
+@pytest.mark.parametrize("source", [None, 5, 1.5, ["a desk"], object()])
+def test_what_is_neither_text_nor_picture_is_refused(source: Any) -> None:
+    with pytest.raises(InputError, match="is needed, got"):
+        generate(source)
+    with pytest.raises(InputError, match="is needed, got"):
+        compose(source)
+
+
+def test_no_other_program_is_started_to_read_a_picture() -> None:
+    postscript = b"%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 100 100\n%%EndComments\nshowpage\n"
+    with pytest.raises(InputError, match="known format"):
+        read_image(postscript)
+
+
+# ------------------------------------------------------------------------------------------- plans
+
+MUG = PlannedObject("mug_1", "mug", "mug")
+IMPOSSIBLE: dict[str, Callable[[], Any]] = {
+    "twice the same": lambda: ScenePlan("p", PlannedTable(), (MUG, MUG)),
+    "called table": lambda: ScenePlan("p", PlannedTable(), (replace(MUG, name="table"),)),
+    "on nothing": lambda: ScenePlan(
+        "p", PlannedTable(), (replace(MUG, relations=(Relation("on", "tray_1"),)),)
+    ),
+    "on itself": lambda: ScenePlan(
+        "p", PlannedTable(), (replace(MUG, relations=(Relation("on", "mug_1"),)),)
+    ),
+    "on each other": lambda: ScenePlan(
+        "p",
+        PlannedTable(),
+        (
+            PlannedObject("a", "book", "book", {}, (Relation("on", "b"),)),
+            PlannedObject("b", "book", "book", {}, (Relation("in", "a"),)),
+        ),
+    ),
+    "unknown relation": lambda: replace(MUG, relations=(Relation("above"),)),  # type: ignore[arg-type]
+    "no size": lambda: replace(MUG, size=(0.0, 0.1, 0.1)),
+    "NaN size": lambda: PlannedTable(size=(float("nan"), 1.0, 0.7)),
+    "unknown outline": lambda: PlannedTable(outline="star"),  # type: ignore[arg-type]
+}
+
+
+@pytest.mark.parametrize("plan", IMPOSSIBLE.values(), ids=IMPOSSIBLE.keys())
+def test_impossible_plans_are_refused_as_they_are_made(plan: Callable[[], Any]) -> None:
+    with pytest.raises(InputError):
+        plan()
+
+
+def test_an_empty_plan_is_refused() -> None:
+    for make in (compose, generate):
+        with pytest.raises(InputError, match="holds no object"):
+            make(ScenePlan("p", PlannedTable(), ()))
+
+
+@pytest.mark.parametrize("make", [compose, generate])
+@pytest.mark.parametrize(
+    "text", ["", "x" * 10_000, "机の上のマグカップ", "200 mugs", "a mug on a book on the mug"]
+)
+def test_unusable_texts_are_refused_on_both_routes(make: Callable[..., Any], text: str) -> None:
+    with pytest.raises(InputError):
+        make(text)
+
+
+# ----------------------------------------------------------------------------------------- bundles
+
+ENTRY = {"bytes": 3, "sha256": "0" * 64}
+
+
+@pytest.mark.parametrize("name", ["a\0b", "a\nb", "", "a" * 5000])
+def test_file_names_that_no_disk_takes(store: Path, name: str) -> None:
+    path = bundle.save(sound(), store)
+    forged = rewrite(path, lambda p: p["files"].update({name: ENTRY}))
+    with pytest.raises(BundleError, match="forged"):
+        bundle.load(forged)
+    assert bundle.verify(forged)
+
+
+def test_half_a_surrogate_pair_is_no_text(store: Path) -> None:
+    path = bundle.save(sound(), store).rename(store / "forged")
+    text = (path / "scene.json").read_text()
+    (path / "scene.json").write_text(text.replace('"cube_1"', '"\\ud800"', 1))
+    with pytest.raises(BundleError, match="not JSON"):
+        bundle.load(path)
+
+
+@pytest.mark.parametrize("wanted", ["x" * 5000, "a/" * 3000, "a\0b", "/"])
+def test_paths_that_cannot_be(wanted: str) -> None:
+    with pytest.raises(BundleError):
+        bundle.load(wanted)
+    assert bundle.verify(wanted)
+
+
+def flatten(payload: dict[str, Any]) -> None:
+    flat = [[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0.1, 0.1, 0]]
+    payload["objects"][0]["parts"] = [{"kind": "hull", "axis": 2, "vertices": flat}]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        flatten,
+        lambda p: p["objects"][0].update(inertia=[[0] * 3] * 3),
+        lambda p: p["objects"][0].update(inertia=[[1, 0, 0], [0, 1, 0], [0, 0, 50]]),
+    ],
+)
+def test_bodies_that_no_simulator_takes(
+    store: Path, change: Callable[[dict[str, Any]], None], capsys: pytest.CaptureFixture[str]
+) -> None:
+    forged = rewrite(bundle.save(sound(), store), change)
+    env = make_env(forged)
+    with pytest.raises(SceneError, match="MuJoCo cannot build"):
+        env.reset(seed=0)
+    assert command("verify", str(forged)) == 1
+    assert "MuJoCo cannot build" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda p: p["objects"][0].update(parts=[]),
+        lambda p: p["objects"][0].update(friction=-1),
+        lambda p: p["table"].update(parts=[]),
+        lambda p: p["table"].update(outline=[[0, 0]]),
+        lambda p: p["table"].update(scale=[0, 1, 1]),
+    ],
+)
+def test_bodies_without_a_shape(store: Path, change: Callable[[dict[str, Any]], None]) -> None:
+    forged = rewrite(bundle.save(sound(), store), change)
+    with pytest.raises(BundleError, match="forged"):
+        bundle.load(forged)
+
+
+def test_a_flat_part_becomes_solid_however_it_lies() -> None:
+    from scipy.spatial import ConvexHull
+
+    sheet = np.array([[-0.5, -0.5, -0.5], [0.5, -0.5, 0.5], [-0.5, 0.5, -0.5], [0.5, 0.5, 0.5]])
+    for scale in ([0.3, 0.3, 0.3], [3e-4, 2e-3, 3e-4], [0.1, 1e-5, 0.1]):
+        part = scaled(ConvexPart(sheet), np.array(scale))
+        assert ConvexHull(part.vertices).volume > 1e-12
+
+
+# ------------------------------------------------------------------------------ disk and interrupt
+
+
+def stop() -> None:
+    raise KeyboardInterrupt
+
+
+def full() -> None:
+    raise OSError(errno.ENOSPC, "No space left on device")
+
+
+@pytest.mark.parametrize(("trouble", "code"), [(stop, 130), (full, 5)])
+@pytest.mark.parametrize("after", [0, 1, 3])
+def test_trouble_while_writing_leaves_nothing(
+    trouble: Callable[[], None], code: int, after: int, store: Path,
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    """Half of a file is on the disk when it happens."""
+    written: list[Path] = []
+
+    def write(self: Path, content: bytes) -> int:
+        with self.open("wb") as out:
+            if len(written) == after:
+                out.write(content[: len(content) // 2])
+                out.flush()
+                trouble()
+            written.append(self)
+            return out.write(content)
+
+    monkeypatch.setattr("generator.compose.compose", lambda *args, **kwargs: sound())
+    monkeypatch.setattr("generator.figures.preview", lambda scene: plain(200, 8, 8))
+    monkeypatch.setattr(Path, "write_bytes", write)
+    assert command("compose", TEXT) == code
+    assert len(written) == after
+    assert left_over(store) == []
+    assert len(capsys.readouterr().err.strip().splitlines()) == 1
+
+
+def test_trouble_at_the_last_rename_leaves_nothing(
+    store: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for trouble, kind in ((stop, KeyboardInterrupt), (full, StorageError)):
+        monkeypatch.setattr(Path, "replace", lambda *args, now=trouble: now())
+        with pytest.raises(kind):
+            bundle.save(sound(), store)
+        assert left_over(store) == []
+
+
+STAGE_FUNCTIONS = ("refer", "extract", "estimate_view", "make_models", "estimate_rotations",
+                   "align", "assemble")  # fmt: skip
+
+
+@pytest.mark.parametrize("at", range(len(STAGES)), ids=STAGES)
+def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
+    at: int, store: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The stages before are stubs; the one in question is interrupted."""
+    answers: list[Any] = [
+        SimpleNamespace(prompt=TEXT, plan=None),
+        (SimpleNamespace(name="table"),),
+        None,
+        {"table": None},
+        {},
+        SimpleNamespace(placements=(), table_scale=np.ones(3), warnings=()),
+    ]
+    ran: list[str] = []
+
+    def stub(number: int) -> Callable[..., Any]:
+        def stage(*args: Any, **kwargs: Any) -> Any:
+            ran.append(STAGE_FUNCTIONS[number])
+            return stop() if number == at else answers[number]
+
+        return stage
+
+    for number, name in enumerate(STAGE_FUNCTIONS):
+        place = "generator.backends.embedded.reasoner.Reasoner" if number == 2 else (
+            "generator.pipeline")  # fmt: skip
+        monkeypatch.setattr(f"{place}.{name}", stub(number))
+    monkeypatch.setattr(
+        "generator.backends.embedded.reasoner.Reasoner.estimate_sizes", lambda *args: {}
+    )
+    assert command("generate", TEXT) == 130
+    assert ran == list(STAGE_FUNCTIONS[: at + 1])
+    *progress, last = capsys.readouterr().err.strip().splitlines()
+    assert last == "interrupted; nothing was published"
+    assert len(progress) == at + 1
+    assert left_over(store) == []
+
+
+@pytest.mark.parametrize("name", ["plan_scene", "build_models", "lay_out", "assemble"])
+def test_an_interrupt_in_any_step_of_compose_leaves_nothing(
+    name: str, store: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    model = SimpleNamespace(size=np.ones(3))
+    layout = SimpleNamespace(placements=(), warnings=())
+    monkeypatch.setattr("generator.compose.build_models", lambda *args: {})
+    monkeypatch.setattr("generator.compose.lay_out", lambda *args: (layout, model))
+    monkeypatch.setattr(f"generator.compose.{name}", lambda *args, **kwargs: stop())
+    assert command("compose", TEXT) == 130
+    assert left_over(store) == []
+
+
+def lines_of(process: subprocess.Popen[bytes], until: float) -> Iterator[str]:
+    """Yield what a process says on standard error, as it comes."""
+    assert process.stderr is not None
+    while time.monotonic() < until:
+        if select.select([process.stderr], [], [], 0.5)[0]:
+            line = process.stderr.readline()
+            if not line:
+                return
+            yield line.decode().strip()
+
+
+@pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
+@pytest.mark.parametrize("stage", ["[1/7]", "[2/7]"])
+def test_a_real_interrupt_of_the_command(stage: str, store: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-m", "generator.cli", "generate", TEXT], stderr=subprocess.PIPE
+    )
+    try:
+        said: list[str] = []
+        for line in lines_of(process, time.monotonic() + 60):
+            said.append(line)
+            if line.startswith(stage):
+                process.send_signal(signal.SIGINT)
+        assert process.wait(30) == 130
+    finally:
+        process.kill()
+    assert said[-1] == "interrupted; nothing was published"
+    assert all(line.startswith("[") for line in said[:-1])
+    assert left_over(store) == []
+
+
+# ------------------------------------------------------------------------------------- environment
+
+
+@pytest.mark.parametrize("action", [np.zeros(4), np.full(5, np.nan), "up", None])
+def test_bad_actions_are_refused_and_the_episode_goes_on(action: Any) -> None:
+    env = make_env(sound())
+    env.reset(seed=0)
+    with pytest.raises(InputError):
+        env.step(action)
+    assert np.isfinite(env.step(np.zeros(5))[1])
+
+
+def test_a_published_scene_with_nothing_graspable_says_why(store: Path) -> None:
+    block = toy_object("block_1", (0.2, 0.2, 0.2), (0.0, 0.0))
+    path = assets_cache.add(toy_scene((block,)), allow_failed=True)
+    with pytest.raises(SceneError, match="wider than the gripper"):
+        make_env(path).reset(seed=0)
+
+
+def test_every_error_of_ours_has_an_exit_code() -> None:
+    kinds = {kind for kind, _ in cli.EXIT_CODES}
+    assert kinds == set(TabletopError.__subclasses__())
+    assert len({code for _, code in cli.EXIT_CODES}) == len(kinds)
