@@ -199,6 +199,8 @@ def candidates(lab: Float[np.ndarray, "h w 3"]) -> tuple[Candidate, ...]:
     """Return patches that may be the tabletop, best score first, near doubles dropped."""
     strength = gradient(lab)
     foreground = ~background_patch(flat_patches(strength, 1.0, 4))
+    if not foreground.any():
+        return ()
     found: list[Candidate] = []
     for threshold in _FLATNESS:
         for radius in _BALLS:
