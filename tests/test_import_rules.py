@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import ast
+import re
+import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -147,3 +150,41 @@ def test_the_rules_can_fail() -> None:
     assert violations("generator.stages.rotation", {"generator.backends.embedded.encoder"})
     assert violations("generator.mjcf", {"tabletopgen_env.env"})
     assert violations("tabletopgen_env.env", {"generator.catalogue"})
+
+
+# Packages whose import has another name than their distribution.
+DISTRIBUTIONS = {
+    "PIL": "pillow",
+    "cv2": "opencv-python-headless",
+    "fast_simplification": "fast-simplification",
+}
+INDIRECT = {"coacd", "mapbox-earcut"}  # run in a child process; called by trimesh
+
+
+def declared() -> set[str]:
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    return {re.split(r"[^A-Za-z0-9-]", entry)[0] for entry in project["dependencies"]}
+
+
+def foreign(path: Path) -> set[str]:
+    """Third-party packages that ``path`` imports, anywhere in the file, by distribution."""
+    found: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            found |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and not node.level and node.module:
+            found.add(node.module.split(".")[0])
+    found -= {*sys.stdlib_module_names, *PACKAGES}
+    return {DISTRIBUTIONS.get(name, name) for name in found}
+
+
+def test_what_is_imported_is_what_is_installed() -> None:
+    """Every package imported is a dependency, and the other way round."""
+    used = {package for _, path in modules() for package in foreign(path)}
+    assert used | INDIRECT == declared()
+    assert {line.split("==")[0] for line in constraints()} >= declared()
+
+
+def constraints() -> list[str]:
+    lines = (ROOT / "constraints.txt").read_text().splitlines()
+    return [line for line in lines if line and not line.startswith("#")]
