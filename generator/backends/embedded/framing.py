@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Bool, Float
 
+from ...geometry import mask_box
 from .projection import Projection
 
 Mask = Bool[np.ndarray, "h w"]
@@ -22,8 +23,7 @@ def frame_to_mask(
 
     The shift is parallel to the image plane, the scale makes the areas of the boxes agree.
     """
-    ys, xs = np.nonzero(mask)
-    wanted, size = _image_box(np.array([[xs.min(), ys.min()], [xs.max() + 1, ys.max() + 1]]))
+    wanted, size = _image_box(mask_box(mask).reshape(2, 2))
     scale = float(np.sqrt(mask.sum())) / max(float(np.ptp(vertices, axis=0).max()), 1e-9)
     shift = np.zeros(3)
     for _ in range(4):
