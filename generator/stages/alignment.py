@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float
@@ -11,12 +11,13 @@ from scipy.optimize import linear_sum_assignment
 
 from ..backends.protocols import Imager, Reasoner, Segmenter
 from ..errors import SceneError
-from ..geometry import rotated_extent
+from ..geometry import rotated_extent, rotation_z
 from ..render.contact import Body, resting_height
 from ..scene import (
     TABLE,
     Detection,
     Instance,
+    Mesh,
     Model,
     Placement,
     Reference,
@@ -126,6 +127,23 @@ def own_extent(
     return kept
 
 
+def rectangle_box(
+    box: Float[np.ndarray, "4"], mesh: Mesh, size: Float[np.ndarray, "3"], yaw: float
+) -> Float[np.ndarray, "4"]:
+    """Return the top-view box of an object's own turned rectangle, given its outline's box.
+
+    Eqs. 5 and 6 project the box of the physical size. What the top view shows is the outline of
+    the thing itself, which is smaller (a mug turned by 45 degrees) and may lie off the centre (its
+    handle). ``mesh`` is canonical, ``size`` in metres, ``yaw`` in radians.
+    """
+    points = mesh.vertices[:, :2] * size[:2] @ rotation_z(yaw)[:2, :2].T
+    low, high = points.min(0), points.max(0)
+    pixels = (box[2:] - box[:2]) / np.maximum(high - low, 1e-6)  # per metre, along u and v
+    middle = (box[:2] + box[2:]) / 2 - (low + high) / 2 * [1, -1] * pixels
+    half = rotated_extent(size, yaw) / 2 * pixels
+    return np.concatenate([middle - half, middle + half])
+
+
 # ---------------------------------------------------------------------------------------- stage
 
 
@@ -151,10 +169,15 @@ def align(
     """
     config = config or AlignmentConfig()
     shown = imager.top_view(reference, instances, models, rotations, view)
-    top = complete_boxes(shown, instances, segmenter)
-    names = [i.name for i in instances if i.name != TABLE and i.name in top.boxes]
+    top_view = complete_boxes(shown, instances, segmenter)
+    names = [i.name for i in instances if i.name != TABLE and i.name in top_view.boxes]
     yaws = {n: rotations[n].yaw if n in rotations else 0.0 for n in names}
-    physical = {n: np.asarray(models[n].size if n in models else sizes[n].extent) for n in names}
+    physical = {n: np.asarray(models[n].size) for n in names}
+    boxes = {
+        n: rectangle_box(np.asarray(top_view.boxes[n]), models[n].mesh, physical[n], yaws[n])
+        for n in names
+    }
+    top = replace(top_view, boxes=boxes)
     scores = {
         n: rma_score(*pixel_area_and_ratio_error(top.boxes[n], physical[n], yaws[n]), config.tau)
         for n in names
@@ -170,7 +193,7 @@ def align(
         scales[n] = _limited(n, extent, sizes[n].extent, config.size_limit, warnings)
     placements = _place(names, top, alpha, table_scale, yaws, scales, models, stacking)
     return Alignment(
-        anchor, alpha, table_scale, placements, top, stacking, scores, tuple(warnings)
+        anchor, alpha, table_scale, placements, top_view, stacking, scores, tuple(warnings)
     )
 
 
@@ -266,9 +289,7 @@ def _place(
 # ------------------------------------------------------------- boxes in a top view drawn freely
 
 
-def complete_boxes(
-    top: TopView, instances: tuple[Instance, ...], segmenter: Segmenter
-) -> TopView:
+def complete_boxes(top: TopView, instances: tuple[Instance, ...], segmenter: Segmenter) -> TopView:
     """Return the top view with a box for every instance that can be found in its picture.
 
     Detections are matched to instances of the same label, nearest relative position first; a

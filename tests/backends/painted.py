@@ -1,0 +1,64 @@
+"""Painted test pictures with known truth: a table of the catalogue and things on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from generator.catalogue import build, build_table
+from generator.geometry import Camera, yaw_quaternion
+from generator.render.picture import framing_camera
+from generator.render.raster import place, render
+from generator.scene import OutlineKind, PlannedTable, View
+
+UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
+SIZES: dict[OutlineKind, tuple[float, float, float]] = {
+    "rectangle": (1.2, 0.7, 0.74),
+    "square": (0.9, 0.9, 0.74),
+    "round": (1.0, 1.0, 0.74),
+    "oval": (1.4, 0.85, 0.74),
+    "triangle": (1.1, 1.0, 0.74),
+    "slatted": (1.3, 0.75, 0.72),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """A picture, the camera that took it, and the id of what every pixel shows."""
+
+    image: np.ndarray
+    ids: np.ndarray
+    camera: Camera
+    plan: PlannedTable
+
+
+def paint(
+    outline: OutlineKind,
+    material: str,
+    things: list[tuple[str, float, float, float]],
+    *,
+    azimuth: float = 0.0,
+    elevation: float = 52.0,
+    fov: float = 36.0,
+    size: tuple[int, int] = (640, 480),
+) -> Picture:
+    """Paint a table with things (category, x, y, z above the top; metres); angles in degrees."""
+    plan = PlannedTable(outline, material, "straight", SIZES[outline])
+    model = build_table(plan, 0)
+    extent = np.asarray(plan.size)
+    items = [place(model.mesh, extent, np.array([0, 0, extent[2] / 2]), UPRIGHT, 0)]
+    for index, (key, x, y, z) in enumerate(things, start=1):
+        made = build(key, 1)
+        position = np.array([x, y, extent[2] + z + made.size[2] / 2])
+        items.append(place(made.mesh, made.size, position, yaw_quaternion(0.4), index))
+    points = np.concatenate([item.vertices for item in items])
+    view = View(*np.deg2rad([azimuth, elevation, fov]))
+    camera = framing_camera(points, view, *size)
+    drawn = render(items, camera, ground_shadow=0.1)
+    return Picture(drawn.image, drawn.ids, camera, plan)
+
+
+def iou(a: np.ndarray, b: np.ndarray) -> float:
+    """Intersection over union of two masks."""
+    return float((a & b).sum() / (a | b).sum())
