@@ -46,8 +46,8 @@ def measure(bundle: Path, seconds: float = 2.0) -> dict[str, Any]:
     for _ in range(round(seconds / model.opt.timestep)):
         mujoco.mj_step(model, data)
     touching = {int(model.geom_bodyid[g]) for c in data.contact for g in c.geom}
-    asleep = getattr(data, "body_awake", None)
-    floating = [b for b in free if b not in touching and (asleep is None or asleep[b] != 0)]
+    awake = getattr(data, "body_awake", None)  # what sleeps has no contacts, and cannot float
+    floating = [b for b in free if b not in touching and (awake is None or awake[b] != 0)]
     moved = np.linalg.norm(data.xpos[free] - start, axis=1)
     dots = np.clip(np.abs((data.xquat[free] * turned).sum(1)), 0, 1)
     return {
@@ -67,7 +67,6 @@ def run(text: str, seed: int, route: str) -> dict[str, Any]:
 
     torch.set_num_threads(1)
     from generator.bundle import save
-    from generator.errors import TabletopError
 
     row: dict[str, Any] = {"text": text, "seed": seed, "published": 0, "error": ""}
     start = time.perf_counter()
@@ -86,7 +85,7 @@ def run(text: str, seed: int, route: str) -> dict[str, Any]:
             row["planned"] = len(scene.plan.objects) if scene.plan else ""
             row["seconds"] = round(time.perf_counter() - start, 2)
             row |= measure(path) | {"published": 1}
-        except TabletopError as error:
+        except Exception as error:  # recorded as a failure; one scene must not end the run
             row["error"] = f"{type(error).__name__}: {error}"[:300]
     return row
 
@@ -160,7 +159,8 @@ def main() -> None:
             writer.writerow(row)
             file.flush()
             state = "ok" if row["published"] else row["error"]
-            print(f"[{number}/{len(jobs)}] {row['text'][:50]!r} seed {row['seed']}: {state}")
+            scene = f"{row['text'][:50]!r} seed {row['seed']}"
+            print(f"[{number}/{len(jobs)}] {scene}: {state}", flush=True)
     command = "python " + " ".join([Path(sys.argv[0]).name, *sys.argv[1:]])
     text = summary(rows, args.route, command)
     (args.out / f"{args.route}.md").write_text(text)
