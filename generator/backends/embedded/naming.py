@@ -13,9 +13,9 @@ from ...geometry import mask_box
 from .plane import TablePlane
 from .silhouettes import GRID, Silhouette, overlap, silhouettes
 
-_SIZE, _COLOR = 0.35, 0.004  # weights against the outlines' overlap, per e-fold and per CIELAB unit
+_SIZE, _COLOR = 0.35, 0.002  # weights against the outlines' overlap, per e-fold and per CIELAB unit
 _UNKNOWN = 0.55  # unlikeness of a word that the catalogue does not know
-_CLEAR = 0.3  # unlikeness below which a region may be named without being told what to expect
+_CLEAR = 0.22  # unlikeness below which a region may be named without being told what to expect
 _BETTER = 0.02  # by which the best category must beat the next to be named
 _SIZE_CAP, _COLOR_CAP = 1.5, 60.0  # e-folds, CIELAB units
 
@@ -32,7 +32,7 @@ def name_things(
     image: UInt8[np.ndarray, "h w 3"],
     plane: TablePlane,
     masks: list[Bool[np.ndarray, "h w"]],
-    labels: tuple[str, ...],
+    wanted: tuple[str, ...],
 ) -> list[tuple[str, float] | None]:
     """Return a label and a score in [0, 1] for each region; None for regions too many.
 
@@ -41,11 +41,29 @@ def name_things(
     a word for its shape.
     """
     seen = [_seen(image, plane, mask) for mask in masks]
-    elevation = int(5 * round(np.rad2deg(plane.view.elevation) / 5))
-    wanted = [w for w in labels if w != "object"]
-    if wanted:
-        return _assigned(seen, wanted, elevation)
-    return [_recognised(s, elevation) for s in seen]
+    if not wanted:
+        return [_recognised(s, _elevation(plane)) for s in seen]
+    cost = _costs(seen, wanted, _elevation(plane))
+    names: list[tuple[str, float] | None] = [None] * len(seen)
+    for row, column in zip(*linear_sum_assignment(cost), strict=True):
+        names[row] = (wanted[column], float(np.clip(1 - cost[row, column], 0, 1)))
+    return names
+
+
+def total_unlikeness(
+    image: UInt8[np.ndarray, "h w 3"],
+    plane: TablePlane,
+    masks: list[Bool[np.ndarray, "h w"]],
+    wanted: tuple[str, ...],
+) -> float:
+    """Return how unlike regions are, together, to the words that fit them best."""
+    cost = _costs([_seen(image, plane, mask) for mask in masks], wanted, _elevation(plane))
+    return float(cost[linear_sum_assignment(cost)].sum())
+
+
+def _elevation(plane: TablePlane) -> int:
+    """Return the view's elevation to 5 degrees, as silhouettes are kept."""
+    return int(5 * round(float(np.rad2deg(plane.view.elevation)) / 5))
 
 
 def _seen(
@@ -78,9 +96,10 @@ def _unlikeness(seen: Silhouette, key: str, elevation: int, variants: int) -> fl
     return best
 
 
-def _assigned(
-    seen: list[Silhouette], wanted: list[str], elevation: int
-) -> list[tuple[str, float] | None]:
+def _costs(
+    seen: list[Silhouette], wanted: tuple[str, ...], elevation: int
+) -> np.ndarray:
+    """Return how unlike each region is to each word."""
     cost = np.full((len(seen), len(wanted)), _UNKNOWN)
     for column, word in enumerate(wanted):
         found = known(word)
@@ -88,10 +107,7 @@ def _assigned(
             cost[:, column] = cost[:, wanted.index(word)]
         elif found is not None:
             cost[:, column] = [_unlikeness(s, found.key, elevation, 2) for s in seen]
-    names: list[tuple[str, float] | None] = [None] * len(seen)
-    for row, column in zip(*linear_sum_assignment(cost), strict=True):
-        names[row] = (wanted[column], float(np.clip(1 - cost[row, column], 0, 1)))
-    return names
+    return cost
 
 
 def _recognised(seen: Silhouette, elevation: int) -> tuple[str, float]:

@@ -21,6 +21,10 @@ WORKING_SIZE = 640
 _FLATNESS = (0.35, 0.6, 1.0, 1.8, 3.2, 6.0)  # CIELAB units per pixel
 _BALLS = (2, 4, 7)  # pixels
 _ALIKE = 9.0  # CIELAB distance under which two patches can be one surface
+_GROUND_SHARE = 0.02  # of an outline's inside: no more of it may be background
+_STICKING = 1.3  # times its own area: a patch that widens the outline by more sticks out
+_WHITE = 2.5  # CIELAB distance from the background under which a patch is background
+_FLOOR_RIM = 0.4  # of a patch's rim: with more of it at the background, it lies on the floor
 _SMALLEST = 0.03  # of the picture, a table's top
 
 
@@ -89,6 +93,27 @@ def background_patch(patches: Int[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]
     return np.isin(patches, owners[counts > 0.02 * len(border)])
 
 
+def _ground(
+    patches: Int[np.ndarray, "h w"], lab: Float[np.ndarray, "h w 3"]
+) -> Bool[np.ndarray, "h w"]:
+    """Return the background with the patches of its very colour, such as between the legs."""
+    ground = background_patch(patches)
+    if not ground.any():
+        return ground
+    usual = np.median(lab[ground], axis=0)
+    for k in np.unique(patches[~ground & (patches > 0)]):
+        own = patches == k
+        if np.abs(np.median(lab[own], axis=0) - usual).max() < _WHITE:
+            ground |= own
+    return ground
+
+
+def _beside(patch: Bool[np.ndarray, "h w"], near_ground: Bool[np.ndarray, "h w"]) -> bool:
+    """Return whether most of what a patch borders on is ground: a shadow on the floor."""
+    rim = patch & (cv2.erode(patch.astype(np.uint8), _disc(1)) == 0)
+    return bool((rim & near_ground).sum() > _FLOOR_RIM * rim.sum())
+
+
 def _joined(
     patches: Int[np.ndarray, "h w"], lab: Float[np.ndarray, "h w 3"], background: np.ndarray
 ) -> Iterator[Bool[np.ndarray, "h w"]]:
@@ -99,21 +124,53 @@ def _joined(
     largest = sorted(numbers, key=lambda k: -areas[k])[:3]
     for seed in largest:
         yield patches == seed
-    for seed in largest[:1]:
-        for alike in (_ALIKE, 2 * _ALIKE):
-            kin = [k for k in numbers if np.abs(color[k] - color[seed]).max() < alike]
-            near = cv2.dilate((patches == seed).astype(np.uint8), _disc(9)) > 0
-            chosen, grew = {seed}, True
-            while grew:
-                new = {k for k in kin if k not in chosen and (near & (patches == k)).any()}
-                grew = bool(new)
-                chosen |= new
-                union = np.isin(patches, list(chosen))
-                near = cv2.dilate(union.astype(np.uint8), _disc(9)) > 0
-            if len(chosen) > 1:
-                yield np.isin(patches, list(chosen))
-            if len(kin) > len(chosen):  # pieces of the top that a thing separates
-                yield np.isin(patches, kin)
+    if not largest:
+        return
+    seed = largest[0]
+    near_ground = cv2.dilate(background.astype(np.uint8), _disc(9)) > 0
+    inner = [k for k in numbers if k == seed or not _beside(patches == k, near_ground)]
+    for alike in (_ALIKE, 2 * _ALIKE):
+        kin = [k for k in inner if np.abs(color[k] - color[seed]).max() < alike]
+        chosen = _connected(patches, seed, kin)
+        if len(chosen) > 1:
+            yield np.isin(patches, chosen)
+        if len(kin) > len(chosen):  # pieces of the top that a thing separates
+            yield np.isin(patches, kin)
+        compact = _compact(patches, seed, kin, areas)
+        if len(compact) < len(kin):
+            yield np.isin(patches, compact)
+
+
+def _connected(patches: Int[np.ndarray, "h w"], seed: int, kin: list[int]) -> list[int]:
+    """Return those of ``kin`` that a chain of near neighbours joins to ``seed``."""
+    chosen, grew = {seed}, True
+    while grew:
+        near = cv2.dilate(np.isin(patches, list(chosen)).astype(np.uint8), _disc(9)) > 0
+        new = {k for k in kin if k not in chosen and (near & (patches == k)).any()}
+        grew = bool(new)
+        chosen |= new
+    return sorted(chosen)
+
+
+def _compact(
+    patches: Int[np.ndarray, "h w"], seed: int, kin: list[int], areas: dict[int, int]
+) -> list[int]:
+    """Return ``kin`` without patches that widen their common outline by more than they fill of it.
+
+    Such a patch sticks out: a shadow on the floor, a front face.
+    """
+    hulls = {k: _hull(patches == k) for k in kin}
+
+    def area(members: list[int]) -> float:
+        points = np.concatenate([hulls[k] for k in members]).astype(np.float32)
+        return cv2.contourArea(cv2.convexHull(points))
+
+    whole = area(kin) if kin else 0.0
+    return [
+        k
+        for k in kin
+        if k == seed or whole - area([j for j in kin if j != k]) < _STICKING * areas[k]
+    ]
 
 
 def _hull(patch: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "k 2"]:
@@ -175,9 +232,14 @@ def _candidate(
     lab: Float[np.ndarray, "h w 3"],
     strength: Float[np.ndarray, "h w"],
     foreground: Bool[np.ndarray, "h w"],
+    background: Bool[np.ndarray, "h w"],
 ) -> Candidate | None:
     hull = _hull(patch)
     if len(hull) < 3 or cv2.contourArea(hull.astype(np.float32)) < _SMALLEST * patch.size:
+        return None
+    inside = np.zeros(patch.shape, np.uint8)
+    cv2.fillConvexPoly(inside, np.round(hull - 0.5).astype(np.int32), 1)
+    if (background & (inside > 0)).sum() > _GROUND_SHARE * inside.sum():
         return None
     points, normals = walk(hull, 240)
     distance = cv2.distanceTransform((~patch).astype(np.uint8), cv2.DIST_L2, 3)
@@ -186,13 +248,36 @@ def _candidate(
         return None
     normals = normals[shown]
     snapped, _ = snap(points[shown], normals, strength, 1.0, 7.0)
-    step = sample(lab, snapped + 5 * normals) - sample(lab, snapped - 4 * normals)
-    ends = (np.linalg.norm(step, axis=1) > 2.5).sum() / len(shown)
+    ends = _ends(lab, snapped, normals)
+    if ends.sum() < 30:
+        return None
     filled = patch.sum() / max(cv2.contourArea(hull.astype(np.float32)), 1.0)
     width = np.ptp(hull[:, 0]) / max(np.ptp(np.flatnonzero(foreground.any(0))), 1)
     above = foreground[: int(hull[:, 1].min())].sum() / max(foreground.sum(), 1)
-    score = float(ends * np.sqrt(filled) * min(width, 1.0) ** 2 * (1 - above) ** 2)
-    return Candidate(patch, hull, snapped, normals, score)
+    score = float(ends.mean() * np.sqrt(filled) * min(width, 1.0) ** 2 * (1 - above) ** 2)
+    score *= min(1.0, inside.sum() / max(foreground.sum(), 1))
+    score /= 1 + _front_step(lab, snapped, normals) / 10
+    return Candidate(patch, hull, snapped[ends], normals[ends], score)
+
+
+def _ends(
+    lab: Float[np.ndarray, "h w 3"], points: Float[np.ndarray, "n 2"], normals: np.ndarray
+) -> Bool[np.ndarray, "n"]:
+    """Return where the surface really ends: its colour does not come back beyond a vein."""
+    step = sample(lab, points + 12 * normals) - sample(lab, points - 4 * normals)
+    return np.linalg.norm(step, axis=1) > 2.5
+
+
+def _front_step(
+    lab: Float[np.ndarray, "h w 3"], points: Float[np.ndarray, "n 2"], normals: np.ndarray
+) -> float:
+    """Return the change of colour just inside the front, CIELAB; large if a front face is in."""
+    front = normals[:, 1] > 0.7
+    if not front.any():
+        return 0.0
+    points, normals = points[front], normals[front]
+    step = sample(lab, points - 3 * normals) - sample(lab, points - 16 * normals)
+    return float(np.median(np.linalg.norm(step, axis=1)))
 
 
 def candidates(lab: Float[np.ndarray, "h w 3"]) -> tuple[Candidate, ...]:
@@ -205,9 +290,9 @@ def candidates(lab: Float[np.ndarray, "h w 3"]) -> tuple[Candidate, ...]:
     for threshold in _FLATNESS:
         for radius in _BALLS:
             patches = flat_patches(strength, threshold, radius)
-            background = background_patch(patches)
+            background = _ground(patches, lab)
             for patch in _joined(patches, lab, background):
-                candidate = _candidate(patch, lab, strength, foreground)
+                candidate = _candidate(patch, lab, strength, foreground, background)
                 if candidate is not None and not any(_same(candidate, f) for f in found):
                     found.append(candidate)
     return tuple(sorted(found, key=lambda f: -f.score))

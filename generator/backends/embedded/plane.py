@@ -30,6 +30,8 @@ _ELEVATION, _ELEVATION_SPREAD = np.deg2rad(50.0), np.deg2rad(13.0)
 _FOV, _FOV_SPREAD = np.deg2rad(36.0), np.deg2rad(4.5)
 _EDGE = 1.2  # pixels: how well an edge point is known
 _TRUST = 12.0  # independent edge points that a whole outline counts for
+_SURE, _POOR = 0.3, 1.0  # pixels of error that need no rival, and that need one
+_RIVALS = 8  # candidates tried at most
 _RADIUS = 0.3  # of the shorter side: the largest corner radius
 
 
@@ -292,6 +294,25 @@ def _best_fit(candidate: Candidate, frame: tuple[int, int], plan: PlannedTable |
     return min((_fit(candidate, k, frame, plan) for k in kinds), key=lambda fit: fit.cost)
 
 
+def _choose(
+    found: tuple[Candidate, ...], frame: tuple[int, int], plan: PlannedTable | None
+) -> _Fit:
+    """Return the fit of the candidate that stands out and that an outline explains best."""
+    best, merit = None, -1.0
+    for rank, candidate in enumerate(found[:_RIVALS]):
+        weak = rank >= 4 or candidate.score < 0.7 * found[0].score
+        if weak and best is not None and best.error < _POOR:
+            break
+        fit = _best_fit(candidate, frame, plan)
+        worth = candidate.score / (1 + fit.error) ** 2
+        if worth > merit:
+            best, merit = fit, worth
+        if fit.error < _SURE:
+            break
+    assert best is not None
+    return best
+
+
 def find_plane(
     image: UInt8[np.ndarray, "h w 3"],
     plan: PlannedTable | None = None,
@@ -315,10 +336,7 @@ def find_plane(
             "No table found: no large even surface stands out from a plain background. "
             "Use a picture that shows the whole table on a light, plain ground."
         )
-    rivals = [c for c in found[:3] if c.score > 0.85 * found[0].score]
-    fits = [_best_fit(c, (width, height), plan) for c in rivals]
-    merit = [c.score / (1 + f.error / 4) for c, f in zip(rivals, fits, strict=True)]
-    fit = fits[int(np.argmax(merit))]
+    fit = _choose(found, (width, height), plan)
     metres = length or (plan.size[0] if plan else TABLE_LENGTH)
     return _plane(fit, metres, image.shape[1], image.shape[0], factor)
 

@@ -25,10 +25,11 @@ _FAINT_EDGE = 0.8  # an outline against the background has at least this
 _DARKEST = 0.55  # share of the light that a shadow leaves
 _PATTERN = 0.08  # of the top: a pattern must explain this much more than one even colour
 _SPREAD = 0.33  # of the top's cells: a pattern must explain something in this many
-_PATTERN_EDGE = 6.3  # CIELAB units per pixel: a pattern's edges are softer than things' outlines
+_PLANK, _PLANK_EDGE = 0.02, 2.5  # likewise for planks: share of the top, edges within
+_PATTERN_EDGE = 5.8  # CIELAB units per pixel: a pattern's edges are softer than things' outlines
 _ISLAND = 0.02  # of the top: cut-off bare spots below this lie inside things
 _GRID = (12, 16)  # rows and columns of cells on the top
-_ALONG = 0.8  # of a row or column of cells: what a plank's colour fills
+_ALONG, _ACROSS = 0.65, 0.9  # of a row, of a column of cells: what a plank's colour fills
 _BIN, _BINS = 5.0, (21, 24, 24)  # CIELAB units of a colour bin, and bins along L, a, b
 _BANDS = 160  # bands along each side of the top in which joints are sought
 _SMALLEST = 2.5e-4  # of the picture: fewer pixels are a speck
@@ -147,7 +148,7 @@ def patterned(
     by_row = occupied.sum(1) / np.maximum(real.sum(1), 4)[:, None, None, None]
     by_column = occupied.sum(0) / np.maximum(real.sum(0), 4)[:, None, None, None]
     everywhere = occupied.sum((0, 1)) / max(int(real.sum()), 1)
-    pattern = (everywhere >= 0.5) | (by_row.max(0) >= _ALONG) | (by_column.max(0) >= _ALONG)
+    pattern = (everywhere >= 0.5) | (by_row.max(0) >= _ALONG) | (by_column.max(0) >= _ACROSS)
     pattern = pattern.ravel()
     known = within & pattern[code]
     shade = np.zeros_like(within)
@@ -215,6 +216,7 @@ def _bare_top(
     pattern = patterned(lab, strength, place, top)
     if _is_pattern(pattern & ~even & inner, inner, strength, place):
         even = even | pattern
+    even = even | _planks(lab, strength, ~even & top, top, place)
     even |= _seams(~even & top, top, place)
     return even & ~_islands(even, _ISLAND * int(top.sum()), top & ~inner)
 
@@ -227,15 +229,19 @@ def _is_pattern(
 ) -> bool:
     """Return whether what a pattern explains beyond an even colour is a pattern, not things.
 
-    It must be much, all over the top, and with softer edges than things have.
+    It must be soft, as planks are, or much, all over the top, and softer than things.
     """
-    if gained.sum() < _PATTERN * inner.sum():
+    if gained.sum() < _PLANK * inner.sum():
         return False
+    edge = float(np.percentile(strength[gained], 75))
+    if edge < _PLANK_EDGE:
+        return True
     cell = _cells(place)
     total = np.bincount(cell[inner], minlength=int(np.prod(_GRID)))
     share = np.bincount(cell[gained], minlength=len(total)) / np.maximum(total, 1)
     spread = (share[total > 20] > 0.1).mean()
-    return bool(spread > _SPREAD and np.percentile(strength[gained], 75) < _PATTERN_EDGE)
+    much = gained.sum() > _PATTERN * inner.sum()
+    return bool(much and spread > _SPREAD and edge < _PATTERN_EDGE)
 
 
 def _cells(place: Float[np.ndarray, "h w 2"]) -> Int[np.ndarray, "h w"]:
@@ -243,6 +249,38 @@ def _cells(place: Float[np.ndarray, "h w 2"]) -> Int[np.ndarray, "h w"]:
     rows, columns = _GRID
     row = np.clip(place[..., 1] * rows, 0, rows - 1).astype(int)
     return row * columns + np.clip(place[..., 0] * columns, 0, columns - 1).astype(int)
+
+
+def _band_share(
+    mask: Bool[np.ndarray, "h w"], top: Bool[np.ndarray, "h w"], slot: Int[np.ndarray, "h w"]
+) -> Float[np.ndarray, "n"]:
+    """Return how much of each band of the top a mask covers."""
+    covered = np.bincount(slot[mask], minlength=_BANDS)
+    return covered / np.maximum(np.bincount(slot[top], minlength=_BANDS), 1)
+
+
+def _planks(
+    lab: Float[np.ndarray, "h w 3"],
+    strength: Float[np.ndarray, "h w"],
+    mask: Bool[np.ndarray, "h w"],
+    top: Bool[np.ndarray, "h w"],
+    place: Float[np.ndarray, "h w 2"],
+) -> Bool[np.ndarray, "h w"]:
+    """Return the bare parts of bands that nothing of the known surface shows in: other planks.
+
+    Things never fill a band from side to side, so the colour that most of such a band has is the
+    table's.
+    """
+    slot = np.clip(place[..., 1] * _BANDS, 0, _BANDS - 1).astype(int)
+    full = (_band_share(mask, top, slot) > 0.85).astype(np.uint8)
+    numbers = cv2.connectedComponents(full, connectivity=4)[1].ravel()
+    numbers = np.where(full, numbers, 0)
+    found = np.zeros_like(mask)
+    for k in range(1, int(numbers.max()) + 1):
+        band = top & (numbers == k)[slot]
+        if (numbers == k).sum() >= 4 and band.sum() > 100:
+            found |= bare(lab, strength, band & mask, band)
+    return found
 
 
 def _seams(
@@ -255,9 +293,7 @@ def _seams(
     found = np.zeros_like(mask)
     for axis in (0, 1):
         slot = np.clip(place[..., axis] * _BANDS, 0, _BANDS - 1).astype(int)
-        share = np.bincount(slot[mask], minlength=_BANDS) / np.maximum(
-            np.bincount(slot[top], minlength=_BANDS), 1
-        )
+        share = _band_share(mask, top, slot)
         around = median_filter(share, 21, mode="nearest")
         narrow = (share > 0.7) & (share > around + 0.25)
         found |= maximum_filter(narrow, 3)[slot] & mask
@@ -308,16 +344,25 @@ def _components(
 ) -> tuple[Bool[np.ndarray, "h w"], ...]:
     closed = cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_CLOSE, disc(1))
     _, numbers, stats, _ = cv2.connectedComponentsWithStats(closed, connectivity=8)
-    on_top = cv2.dilate(top.astype(np.uint8), disc(3)) > 0
+    on_top, rim = _wider(top, 3), top & (cv2.erode(top.astype(np.uint8), disc(5)) == 0)
     found = []
     for k in np.argsort(-stats[1:, cv2.CC_STAT_AREA]) + 1:
         own = numbers == k
         if stats[k, cv2.CC_STAT_AREA] < _SMALLEST * mask.size:
             break
         thick = cv2.distanceTransform(own.astype(np.uint8), cv2.DIST_L2, 3).max()
-        if thick >= 2.0 and (own & on_top).any():
+        if thick >= 2.0 and (own & on_top).any() and not _is_edge_strip(own, top, rim):
             found.append(own)
     return tuple(found)
+
+
+def _is_edge_strip(
+    own: Bool[np.ndarray, "h w"], top: Bool[np.ndarray, "h w"], rim: Bool[np.ndarray, "h w"]
+) -> bool:
+    """Return whether a region lies flat in the top and along its edge: an outer plank."""
+    outline = own & (cv2.erode(own.astype(np.uint8), disc(1)) == 0)
+    inside = (own & top).sum() > 0.97 * own.sum()
+    return bool(inside and (outline & rim).sum() > 0.25 * outline.sum())
 
 
 def _largest_touching(mask: np.ndarray, top: np.ndarray) -> Bool[np.ndarray, "h w"]:

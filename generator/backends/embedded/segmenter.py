@@ -10,7 +10,7 @@ from jaxtyping import Bool, UInt8
 
 from ...geometry import mask_box
 from ...scene import TABLE, Detection
-from .naming import name_things
+from .naming import name_things, total_unlikeness
 from .outline import working_copy
 from .plane import find_plane
 from .regions import find_regions
@@ -39,9 +39,13 @@ class Segmenter:
         plane = find_plane(image)
         lab, _ = working_copy(image)
         regions = find_regions(lab, plane)
-        wanted = tuple(w for w in labels if w != TABLE)
-        expected = len(wanted) if any(w != GENERIC for w in wanted) else 0
-        small = split_things(lab, regions.strength, regions.things, expected)
+        wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
+
+        def unlikeness(parts: list[Bool[np.ndarray, "h w"]]) -> float:
+            big = [_enlarge(part, image.shape[:2]) for part in parts]
+            return total_unlikeness(image, plane, big, wanted)
+
+        small = split_things(lab, regions.strength, regions.things, len(wanted), unlikeness)
         masks = [refine(image, mask) for mask in small]
         masks = sorted((m for m in masks if m.any()), key=_foot)
         names = name_things(image, plane, masks, wanted)

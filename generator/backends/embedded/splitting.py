@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
 from .regions import disc
 
+_TRIED = 4  # splits compared by what they leave
 _LEAST_SHARE = 0.06  # of a region: a smaller piece is a part, not a thing
 
 
@@ -16,19 +19,25 @@ def split_things(
     strength: Float[np.ndarray, "h w"],
     things: tuple[Bool[np.ndarray, "h w"], ...],
     expected: int,
+    unlikeness: Callable[[list[Bool[np.ndarray, "h w"]]], float],
 ) -> tuple[Bool[np.ndarray, "h w"], ...]:
-    """Split regions until there are ``expected`` things, the clearest seams first."""
+    """Split regions until there are ``expected`` things.
+
+    Of the splits whose seam is among the clearest, the one is taken that leaves the regions least
+    unlike what is expected.
+    """
     current = list(things)
     while 0 < len(current) < expected:
         options = []
         for k, mask in enumerate(current):
             parts = halve(lab, strength, mask)
             if parts is not None:
-                options.append((parts[2], k, parts[:2]))
+                split = [*current[:k], parts[0], parts[1], *current[k + 1 :]]
+                options.append((parts[2], split))
         if not options:
             break
-        _, k, (a, b) = max(options, key=lambda option: option[0])
-        current[k : k + 1] = [a, b]
+        clearest = sorted(options, key=lambda option: -option[0])[:_TRIED]
+        current = min((split for _, split in clearest), key=unlikeness)
     return tuple(current)
 
 
