@@ -55,7 +55,7 @@ def paint(
     points = np.concatenate([item.vertices for item in items])
     view = View(*np.deg2rad([azimuth, elevation, fov]))
     camera = framing_camera(points, view, *size)
-    drawn = render(items, camera, ground_shadow=0.1)
+    drawn = render(items, camera)
     return Picture(drawn.image, drawn.ids, camera, plan)
 
 

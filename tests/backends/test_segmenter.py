@@ -18,7 +18,7 @@ THINGS = [("mug", -0.3, 0.1, 0.0), ("bowl", 0.0, -0.12, 0.0), ("apple", 0.3, 0.1
 
 @pytest.mark.parametrize(
     ("outline", "material"),
-    [("rectangle", "oak"), ("square", "walnut"), ("round", "marble"), ("slatted", "oak")],
+    [("rectangle", "oak"), ("square", "walnut"), ("round", "marble")],
 )
 def test_every_thing_is_found_tightly(outline, material):
     picture = paint(outline, material, THINGS)
@@ -30,8 +30,9 @@ def test_every_thing_is_found_tightly(outline, material):
     assert not any((table.mask & t.mask).any() for t in things)
 
 
-def test_expected_words_go_to_the_right_things():
-    picture = paint("rectangle", "oak", THINGS)
+@pytest.mark.parametrize("outline", ["rectangle", "slatted"])
+def test_expected_words_go_to_the_right_things(outline):
+    picture = paint(outline, "oak", THINGS)
     found = Segmenter().segment(picture.image, ("table", "apple", "book", "bowl", "mug"))
     for index, (key, *_) in enumerate(THINGS, start=1):
         best = max(found, key=lambda d: iou(d.mask, picture.ids == index))

@@ -96,9 +96,7 @@ def _unlikeness(seen: Silhouette, key: str, elevation: int, variants: int) -> fl
     return best
 
 
-def _costs(
-    seen: list[Silhouette], wanted: tuple[str, ...], elevation: int
-) -> np.ndarray:
+def _costs(seen: list[Silhouette], wanted: tuple[str, ...], elevation: int) -> np.ndarray:
     """Return how unlike each region is to each word."""
     cost = np.full((len(seen), len(wanted)), _UNKNOWN)
     for column, word in enumerate(wanted):

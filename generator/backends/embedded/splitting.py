@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
-from .regions import disc
+from .surface import disc
 
 _TRIED = 4  # splits compared by what they leave
 _LEAST_SHARE = 0.06  # of a region: a smaller piece is a part, not a thing
