@@ -365,7 +365,9 @@ def test_a_real_interrupt_of_the_command(stage: str, store: Path) -> None:
             said.append(line)
             if line.startswith(stage):
                 process.send_signal(signal.SIGINT)
-        assert process.wait(30) == 130
+        # An interrupt inside exec() (dataclasses being made on import) makes CPython 3.11 die of
+        # the signal after our handler has run; a shell calls both endings 130.
+        assert process.wait(30) in (130, -signal.SIGINT)
     finally:
         process.kill()
     assert said[-1] == "interrupted; nothing was published"

@@ -41,10 +41,8 @@ def outline_of(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
         points = rounded_polygon(corners, 0.1 * min(x, y), 4)
         low, high = points.min(0), points.max(0)
         return (points - (low + high) / 2) / (high - low) * [x, y]
-    if plan.outline in OUTLINES:
-        radius = 0.0 if plan.outline == "slatted" else 0.02 * min(x, y)
-        return rectangle(x, y, radius, 2)
-    raise InputError(f"A table cannot be {plan.outline!r}." + choices(str(plan.outline), OUTLINES))
+    radius = 0.0 if plan.outline == "slatted" else 0.02 * min(x, y)
+    return rectangle(x, y, radius, 2)
 
 
 def build_table(plan: PlannedTable, seed: int) -> Model:

@@ -73,5 +73,5 @@ def test_impossible_tables_are_refused():
         build_table(PlannedTable(size=(1.0, 9.0, 0.7)), 0)
     with pytest.raises(InputError, match="Available: hairpin"):
         build_table(PlannedTable(legs="antler"), 0)
-    with pytest.raises(InputError, match="cannot be 'hexagon'"):
+    with pytest.raises(InputError, match="Unknown table outline 'hexagon'"):
         build_table(PlannedTable(outline="hexagon"), 0)  # type: ignore[arg-type]
