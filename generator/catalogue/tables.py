@@ -25,11 +25,7 @@ OUTLINES = ("rectangle", "square", "round", "oval", "triangle", "slatted")
 
 
 def outline_of(plan: PlannedTable) -> Float[np.ndarray, "k 2"]:
-    """Return the top's convex outline in metres, counter-clockwise, at most 16 points.
-
-    Raises:
-        InputError: the plan's outline is none of ``OUTLINES``.
-    """
+    """Return the top's convex outline in metres, counter-clockwise, at most 16 points."""
     x, y, _ = plan.size
     if plan.outline in ("round", "oval"):
         circle = ellipse(2, 2, 16)
