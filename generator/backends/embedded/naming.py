@@ -15,8 +15,7 @@ from .silhouettes import GRID, Silhouette, overlap, silhouettes
 
 _SIZE, _COLOR = 0.35, 0.002  # weights against the outlines' overlap, per e-fold and per CIELAB unit
 _UNKNOWN = 0.55  # unlikeness of a word that the catalogue does not know
-_CLEAR = 0.22  # unlikeness below which a region may be named without being told what to expect
-_BETTER = 0.02  # by which the best category must beat the next to be named
+_SURE = ((0.2, 0.015), (0.33, 0.06))  # a region is named at this unlikeness and this lead
 _SIZE_CAP, _COLOR_CAP = 1.5, 60.0  # e-folds, CIELAB units
 
 
@@ -111,7 +110,7 @@ def _costs(seen: list[Silhouette], wanted: tuple[str, ...], elevation: int) -> n
 def _recognised(seen: Silhouette, elevation: int) -> tuple[str, float]:
     costs = sorted((_unlikeness(seen, key, elevation, 1), key) for key in CATEGORIES)
     (cost, key), (runner_up, _) = costs[:2]
-    if cost < _CLEAR and runner_up - cost > _BETTER:
+    if any(cost < limit and runner_up - cost > lead for limit, lead in _SURE):
         return CATEGORIES[key].noun, float(1 - cost)
     return _shape_word(seen), 0.3
 

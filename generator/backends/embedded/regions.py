@@ -68,8 +68,8 @@ def _open_ground(
     """
     color, spread = smooth_color(lab, background)
     plain = (np.abs(lab - color) < 3.5 * spread).all(-1)
-    reached = background_patch(flat_patches(strength, _FAINT_EDGE, 2))
-    return reached | (plain & wider(reached, 3))
+    reached = background_patch(flat_patches(strength, _FAINT_EDGE, 4))
+    return reached | (plain & wider(reached, 4))
 
 
 def above_front(plane_mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:

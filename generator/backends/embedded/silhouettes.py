@@ -14,10 +14,10 @@ from ...geometry import rotation_z, view_rotation
 from ...render.raster import rasterise
 from ...scene import View
 
-GRID = 40
+GRID = 48
 """Side of the square grid that outlines are compared on."""
 
-_YAWS = 8
+_YAWS = 16
 
 
 @dataclass(frozen=True, eq=False)
