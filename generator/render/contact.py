@@ -29,6 +29,12 @@ class Body:
         """World vertices, metres."""
         return (self.mesh.vertices * self.scale) @ rotation_z(self.yaw).T + self.position
 
+    @property
+    def footprint(self) -> Float[np.ndarray, "2 2"]:
+        """Lowest and highest world x, y, metres."""
+        across = self.vertices[:, :2]
+        return np.stack([across.min(0), across.max(0)])
+
     def at_height(self, z: float) -> Body:
         """Return the body with its box centre at height ``z``."""
         return dataclasses.replace(self, position=np.array([*self.position[:2], z]))

@@ -257,7 +257,7 @@ def _colors(
 
 
 def _ground_shade(
-    hits: _Hits, camera: Camera, width: int, height: int, shadow: _Shadow, strength: float
+    hits: _Hits, camera: Camera, width: int, shadow: _Shadow, strength: float
 ) -> Float[np.ndarray, "p"]:
     """Return the factor by which the shadow on the floor z = 0 darkens the background."""
     factor = np.ones(len(hits.item))
@@ -301,7 +301,7 @@ def render(
     empty = hits.item < 0
     color[empty] = np.asarray(background) / 255.0
     if shadow is not None and ground_shadow > 0:
-        color *= _ground_shade(hits, camera, width, height, shadow, ground_shadow)[:, None]
+        color *= _ground_shade(hits, camera, width, shadow, ground_shadow)[:, None]
     ids = np.where(empty, BACKGROUND, np.array([i.id for i in solid] + [0])[hits.item])
     depth = hits.depth
     if glass:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -12,6 +11,7 @@ from scipy.optimize import least_squares
 from scipy.spatial import ConvexHull, QhullError
 
 from ...geometry import Camera, mask_box, rotation_z, view_rotation, yaw_quaternion
+from ...render.contact import Body
 from ...render.picture import TOP_DOWN
 from ...render.raster import Item, place, render
 from ...scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
@@ -22,22 +22,6 @@ from .stacking import stack
 _PIXELS = 640  # along the table's longer side
 _MARGIN = 0.12  # of the longer side, around the table
 _GROUND = (226, 226, 224)
-
-
-@dataclass(frozen=True, eq=False)
-class Fitted:
-    """A model on the table: scale (metres), yaw, and the centre of its box above the tabletop."""
-
-    model: Model
-    scale: Float[np.ndarray, "3"]
-    yaw: float
-    center: Float[np.ndarray, "3"]
-
-    @property
-    def footprint(self) -> Float[np.ndarray, "2 2"]:
-        """Lowest and highest x, y of the model on the table, metres."""
-        turned = (self.model.mesh.vertices * self.scale) @ rotation_z(self.yaw).T
-        return np.stack([turned.min(0)[:2], turned.max(0)[:2]]) + self.center[:2]
 
 
 def top_view(
@@ -60,11 +44,11 @@ def top_view(
     plane = find_plane(np.asarray(reference.image), plan, length)
     things = [i for i in instances if i.name != TABLE]
     order = stack(instances, lambda label: False)
-    fitted: dict[str, Fitted] = {}
+    fitted: dict[str, Body] = {}
     footprints: dict[str, np.ndarray] = {}
     for thing in sorted(things, key=lambda i: order[i.name].order):
-        below = fitted.get(order[thing.name].on)
-        floor = _upper_side(below) if below is not None else 0.0
+        on = order[thing.name].on
+        floor = _upper_side(fitted[on], models[on].container) if on in fitted else 0.0
         if thing.name in models:
             yaw = rotations[thing.name].yaw if thing.name in rotations else 0.0
             fitted[thing.name] = fit_model(thing, models[thing.name], yaw, plane, floor)
@@ -87,10 +71,10 @@ def _pixel_box(
     return np.array([x0 + half[0], half[1] - y1, x1 + half[0], half[1] - y0]) * scale
 
 
-def _upper_side(below: Fitted) -> float:
+def _upper_side(below: Body, container: bool) -> float:
     """Return how high above the tabletop things on ``below`` stand; in a container, lower."""
-    share = -0.3 if below.model.container else 0.5
-    return float(below.center[2] + share * below.scale[2])
+    share = -0.3 if container else 0.5
+    return float(below.position[2] + share * below.scale[2])
 
 
 def target_box(instance: Instance) -> Float[np.ndarray, "4"]:
@@ -107,7 +91,7 @@ def target_box(instance: Instance) -> Float[np.ndarray, "4"]:
 
 def fit_model(
     instance: Instance, model: Model, yaw: float, plane: TablePlane, floor: float
-) -> Fitted:
+) -> Body:
     """Solve x, y and size so that the model's projection fills the instance's box.
 
     ``floor`` is the height above the tabletop on which the model stands. Size may change by a
@@ -129,7 +113,7 @@ def fit_model(
     factor = float(np.exp(np.clip(found[2], -1.5, 1.5)))
     scale = np.asarray(model.size) * factor
     center = np.array([found[0], found[1], floor + scale[2] / 2])
-    return Fitted(model, scale, yaw, center)
+    return Body(model.mesh, scale, yaw, center)
 
 
 def _hull_points(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
@@ -146,7 +130,7 @@ def _draw(
     image: UInt8[np.ndarray, "h w 3"],
     things: list[Instance],
     plane: TablePlane,
-    fitted: Mapping[str, Fitted],
+    fitted: Mapping[str, Body],
     half: Float[np.ndarray, "2"],
     scale: float,
 ) -> UInt8[np.ndarray, "a b 3"]:
@@ -159,7 +143,7 @@ def _draw(
     items = [_sheet(half, top)]
     for index, thing in enumerate(fitted.values(), start=1):
         turn = yaw_quaternion(thing.yaw)
-        items.append(place(thing.model.mesh, thing.scale, thing.center, turn, index))
+        items.append(place(thing.mesh, thing.scale, thing.position, turn, index))
     return render(items, camera).image
 
 
