@@ -24,7 +24,7 @@ from .stages.alignment import Alignment, AlignmentConfig, align
 from .stages.assembly import AssemblyConfig, assemble
 from .stages.extraction import extract
 from .stages.modeling import make_models
-from .stages.reference import ReferenceConfig, Source, refer, source_digest
+from .stages.reference import ReferenceConfig, Source, fetch, refer, source_digest
 from .stages.rotation import RotationConfig, estimate_rotations
 
 Progress = Callable[[str, int, int], None]
@@ -100,6 +100,7 @@ def generate(
     step = _stepper(progress)
 
     step()  # Sec. 3: text to plan to reference image; a picture passes through
+    source = fetch(source, config.reference)
     reference = refer(source, b.reasoner, b.imager, seed, config.reference)
 
     step()  # Sec. 3.1: list, detect, segment, complete

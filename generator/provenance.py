@@ -9,6 +9,11 @@ from typing import Any
 
 import numpy as np
 
+_DECISIVE = (
+    "tabletopgen", "coacd", "mujoco", "numpy", "opencv-python-headless", "pillow", "scipy",
+    "shapely", "torch", "trimesh",
+)  # fmt: skip
+
 
 def scene_name(prompt: str | None) -> str:
     """Return a short file-safe name for a prompt: its first letters and digits."""
@@ -18,7 +23,7 @@ def scene_name(prompt: str | None) -> str:
 
 def versions() -> dict[str, str]:
     """Return the versions that decide a scene's bytes, for its provenance."""
-    return {package: metadata.version(package) for package in ("tabletopgen", "mujoco", "numpy")}
+    return {package: metadata.version(package) for package in _DECISIVE}
 
 
 def plain(value: Any) -> Any:

@@ -111,15 +111,22 @@ def read_image(
     return np.asarray(picture, np.uint8)
 
 
+def fetch(source: Source, config: ReferenceConfig | None = None) -> Source:
+    """Return a picture file's bytes, read once; any other source as it is.
+
+    Raises:
+        InputError: no such file, or one too large or unreadable.
+    """
+    if isinstance(source, Path) or (isinstance(source, str) and is_picture_name(source)):
+        return _read_bytes(source, config or ReferenceConfig())
+    return source
+
+
 def source_digest(source: Source) -> str | None:
-    """Return the sha256 of a picture's bytes; None for a text or a plan."""
+    """Return the sha256 of a fetched picture's bytes; None for a text or a plan."""
     if isinstance(source, np.ndarray):
         return hashlib.sha256(np.ascontiguousarray(source).tobytes()).hexdigest()
-    if isinstance(source, bytes):
-        return hashlib.sha256(source).hexdigest()
-    if isinstance(source, Path) or (isinstance(source, str) and is_picture_name(source)):
-        return hashlib.sha256(_read_bytes(source, ReferenceConfig())).hexdigest()
-    return None
+    return hashlib.sha256(source).hexdigest() if isinstance(source, bytes) else None
 
 
 def _read_bytes(source: str | Path | bytes, config: ReferenceConfig) -> bytes:

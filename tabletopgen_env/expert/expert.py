@@ -19,6 +19,7 @@ stuck      stand still: the object has come to lie where no grasp reaches it
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -99,7 +100,18 @@ class PickPlaceExpert:
         """Return the next action, ``float32`` in [-1, 1]."""
         self._steps += 1
         late = self._steps > _PATIENCE[self.phase]
-        return getattr(self, f"_{self.phase}")(late).astype(np.float32)
+        phases: dict[Phase, Callable[[bool], Float[np.ndarray, "5"]]] = {
+            "approach": self._approach,
+            "descend": self._descend,
+            "close": self._close,
+            "lift": self._lift,
+            "carry": self._carry,
+            "lower": self._lower,
+            "release": self._release,
+            "retreat": self._retreat,
+            "stuck": self._stuck,
+        }
+        return phases[self.phase](late).astype(np.float32)
 
     def _approach(self, late: bool) -> Float[np.ndarray, "5"]:
         if late or self._has_moved():

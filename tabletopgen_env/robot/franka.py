@@ -53,9 +53,6 @@ JOINTS: tuple[Joint, ...] = (
 HOME: tuple[float, ...] = (0.0, 0.0, 0.0, -HALF_PI, 0.0, HALF_PI, -HALF_PI / 2)
 """Home pose, radians: the hand points straight down 0.55 m in front of the base."""
 
-REACH = 0.855
-"""Largest distance of the wrist from the shoulder's axis, metres (data sheet)."""
-
 FLANGE = 0.107
 """From joint 7's frame to the flange, where the hand is screwed on, metres."""
 

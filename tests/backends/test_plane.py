@@ -9,6 +9,7 @@ from painted import paint
 
 from generator.backends.embedded.plane import find_plane, outline_distance, outline_points
 from generator.errors import SceneError
+from generator.scene import View
 
 THINGS = [("mug", -0.2, 0.1, 0.0), ("bowl", 0.15, 0.2, 0.0), ("apple", 0.1, -0.1, 0.0)]
 
@@ -54,6 +55,19 @@ def test_a_white_table_on_a_shaded_white_ground_is_found():
     plane = find_plane(image)
     near = [np.linalg.norm(plane.outline - c, axis=1).min() for c in corners]
     assert plane.shape == "rectangle" and max(near) < 8
+
+
+def test_a_given_view_is_kept_and_the_rest_is_fitted_to_it():
+    picture = paint("rectangle", "oak", THINGS)
+    free = find_plane(picture.image)
+    view = View(free.view.azimuth, free.view.elevation - 0.05, free.view.fov)
+    kept = find_plane(picture.image, view=view)
+    np.testing.assert_allclose(
+        [kept.view.azimuth, kept.view.elevation, kept.view.fov],
+        [view.azimuth, view.elevation, view.fov], atol=1e-5,
+    )  # fmt: skip
+    assert kept.error < 1.0
+    assert kept.size[1] > 1.03 * free.size[1]  # seen lower, the same outline is a deeper table
 
 
 def test_a_picture_without_a_table_is_refused():

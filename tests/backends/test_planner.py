@@ -206,6 +206,7 @@ def test_a_head_noun_decides_not_its_modifier() -> None:
         ("桌子上有一个杯子", "English"), ("стол с кружкой", "English"),
         ("qwrtz plmk xyzzy", "English"),
         ("200 mugs", "at most 24"), ("two hundred mugs on a desk", "at most 24"),
+        ("1e9 mugs", "at most 24"), ("1e999 mugs", "at most 24"), ("-3 mugs", "from 1 up"),
         ("20 mugs and 20 plates", "at most 24"), ("0 mugs", "from 1 up"), ("2.5 mugs", "whole"),
         ("a table on the mug", "Turn it round"), ("two tables with mugs", "exactly one table"),
         ("the mug is on the mug", "itself"), ("the stock market", "an office desk"),

@@ -59,7 +59,7 @@ class Reading:
             InputError: no whole number from 1 up, or more than a table holds.
         """
         if noun.count is not None:
-            if noun.count != int(noun.count) or noun.count < 1:
+            if noun.count < 1 or noun.count % 1 > 0:
                 raise InputError(f"{said(noun)!r}: say a whole number of objects, from 1 up.")
             if noun.count > MAX_OBJECTS - len(self.objects):
                 raise InputError(

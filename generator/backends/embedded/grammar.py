@@ -133,7 +133,7 @@ def _small_word(word: str) -> Chunk | None:
 
 
 def _is_number(word: str) -> bool:
-    return word in NUMBERS or word[0].isdigit()
+    return word in NUMBERS or word.lstrip("-")[:1].isdigit()
 
 
 def _is_content(word: str) -> bool:
@@ -259,7 +259,7 @@ def _count(run: Sequence[str]) -> tuple[float | None, tuple[int, int] | None]:
     for word in run:
         if not _is_number(word):
             continue
-        value = float(NUMBERS[word]) if word in NUMBERS else float(word)
+        value = min(float(NUMBERS.get(word, word)), 1e12)
         if total is None:
             total = value
         elif 20 <= total < 100 and value < 10:
@@ -278,8 +278,8 @@ def _lengths(run: tuple[str, ...]) -> tuple[tuple[float, ...], tuple[str, ...]]:
     pending: list[float] = []
     for word in run:
         unit = MEASURES.get(word) or MEASURES.get(lexicon.singular(word))
-        if word[0].isdigit():
-            pending.append(float(word))
+        if word not in NUMBERS and _is_number(word):
+            pending.append(min(float(word), 1e12))
         elif unit is not None and pending:
             lengths += [value * unit for value in pending]
             pending = []

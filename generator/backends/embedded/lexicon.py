@@ -24,12 +24,16 @@ IRREGULAR: Mapping[str, str] = MappingProxyType(
 
 
 def tokens(text: str) -> list[str]:
-    """Split a text into lower-case words, numbers and punctuation; accents and "'s" go."""
+    """Split a text into lower-case words, numbers and punctuation; accents and "'s" go.
+
+    A range of numbers ("2-3") becomes its upper end.
+    """
     plain = unicodedata.normalize("NFKD", text.lower().replace("’", "'"))
     plain = "".join(c for c in plain if not unicodedata.combining(c))
     plain = re.sub(r"(?<=[a-z])'s?\b", "", plain).replace("&", " and ")
     plain = re.sub(r"(?<=\d),(?=\d{3}\b)", "", plain)
-    return re.findall(r"\d+(?:\.\d+)?|[a-z]+|[,.;:!?\n()]", plain)
+    plain = re.sub(r"\b\d+ ?[-–] ?(?=\d)", "", plain)
+    return re.findall(r"(?<![\w.])-\d+|\d+(?:\.\d+)?(?:e\d+)?|[a-z]+|[,.;:!?\n()]", plain)
 
 
 def singular(word: str) -> str:

@@ -9,13 +9,13 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
-from ...catalogue import Category, category
-from ...errors import InputError
+from ...catalogue import Category
 from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
 from . import baking
 from .choosing import best_solid
 from .likeness import Likeness, fit_likeness, painted
+from .naming import known
 from .projection import Projection
 from .solids import Posed
 from .table_likeness import model_table
@@ -54,12 +54,7 @@ class Modeler:
 
 def known_category(instance: Instance, size: SizePrior) -> Category | None:
     """Return the catalogue's category for an instance's label or its prior's name, if any."""
-    for word in (instance.label, size.name.rstrip("_0123456789")):
-        try:
-            return category(word)
-        except InputError:
-            continue
-    return None
+    return known(instance.label) or known(size.name.rstrip("_0123456789"))
 
 
 def likeness_model(

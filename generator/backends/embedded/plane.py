@@ -9,6 +9,7 @@ single view leaves open: a rectangle seen head-on does not tell field of view fr
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 import cv2
@@ -241,8 +242,24 @@ _LOWER = np.array([-1.2, 0.1, np.log(0.15), -9, -9, -3, np.log(0.2), -8])
 _UPPER = np.array([1.2, np.pi / 2 - 0.01, np.log(1.6), 9, 9, 4, np.log(1.7), 8])
 
 
+def _view_parameters(view: View) -> Float[np.ndarray, "3"]:
+    return np.array([view.azimuth, view.elevation, np.log(view.fov)])
+
+
+def _bounds(view: View | None) -> tuple[np.ndarray, np.ndarray]:
+    """Return the least and greatest parameters; a given view leaves its own no room."""
+    if view is None:
+        return _LOWER, _UPPER
+    given = _view_parameters(view)
+    return np.r_[given - _PINNED, _LOWER[3:]], np.r_[given + _PINNED, _UPPER[3:]]
+
+
 def _fit(
-    candidate: Candidate, kind: _Kind, frame: tuple[int, int], plan: PlannedTable | None
+    candidate: Candidate,
+    kind: _Kind,
+    frame: tuple[int, int],
+    plan: PlannedTable | None,
+    view: View | None,
 ) -> _Fit:
     """Fit camera and outline of unit length to the candidate's edge points."""
     aspect = kind.aspect
@@ -250,13 +267,15 @@ def _fit(
         aspect = (float(np.log(plan.size[1] / plan.size[0])), 0.05)
     points = candidate.points[:: max(1, len(candidate.points) // 100)]
     arguments = (points, kind, aspect, frame)
-    starts = [np.clip(s, _LOWER, _UPPER) for s in _starts(candidate.hull, frame)]
+    low, high = _bounds(view)
+    starts = _starts(candidate.hull, frame)
     if kind.shape != "rectangle":  # seen turned, the others look much the same
         starts = [s for s in starts if s[0] == 0]
+    starts = [np.clip(s, low, high) for s in starts]
     costs = [float((_residuals(s, *arguments) ** 2).sum()) for s in starts]
     found = [
         least_squares(
-            _residuals, starts[k], bounds=(_LOWER, _UPPER), args=arguments, x_scale=_STEP,
+            _residuals, starts[k], bounds=(low, high), args=arguments, x_scale=_STEP,
             max_nfev=40, ftol=1e-5,
         )
         for k in np.argsort(costs)[: 2 if kind.shape == "rectangle" else 1]
@@ -266,6 +285,7 @@ def _fit(
     return _Fit(best.x, kind, float(2 * best.cost), error)
 
 
+_PINNED = 1e-6  # radians and log: the freedom of a parameter that is given
 _STEP = np.array([0.1, 0.1, 0.1, 0.05, 0.05, 0.1, 0.1, 1.0])  # usual size of a change
 
 
@@ -289,21 +309,21 @@ def _starts(hull: Float[np.ndarray, "k 2"], frame: tuple[int, int]) -> list[np.n
     return starts
 
 
-def _best_fit(candidate: Candidate, frame: tuple[int, int], plan: PlannedTable | None) -> _Fit:
-    kinds = [k for k in _KINDS if plan is None or plan.outline in k.planned]
-    return min((_fit(candidate, k, frame, plan) for k in kinds), key=lambda fit: fit.cost)
-
-
 def _choose(
-    found: tuple[Candidate, ...], frame: tuple[int, int], plan: PlannedTable | None
+    found: tuple[Candidate, ...],
+    frame: tuple[int, int],
+    plan: PlannedTable | None,
+    view: View | None,
 ) -> _Fit:
     """Return the fit of the candidate that stands out and that an outline explains best."""
+    kinds = [k for k in _KINDS if plan is None or plan.outline in k.planned]
     best, merit = None, -1.0
     for rank, candidate in enumerate(found[:_RIVALS]):
         weak = rank >= 4 or candidate.score < 0.7 * found[0].score
         if weak and best is not None and best.error < _POOR:
             break
-        fit = _best_fit(candidate, frame, plan)
+        fits = (_fit(candidate, kind, frame, plan, view) for kind in kinds)
+        fit = min(fits, key=lambda fit: fit.cost)
         worth = candidate.score / (1 + fit.error) ** 2
         if worth > merit:
             best, merit = fit, worth
@@ -317,6 +337,7 @@ def find_plane(
     image: UInt8[np.ndarray, "h w 3"],
     plan: PlannedTable | None = None,
     length: float | None = None,
+    view: View | None = None,
 ) -> TablePlane:
     """Find the tabletop in a picture and the camera that sees it.
 
@@ -324,21 +345,37 @@ def find_plane(
         image: the picture; the table's whole top should be in it.
         plan: what a text said of the table; fixes its shape and proportions if given.
         length: the table's length in metres; default: the plan's, else ``TABLE_LENGTH``.
+        view: the view to keep to; default: the one that explains the outline best.
 
     Raises:
         SceneError: nothing in the picture looks like a tabletop.
     """
+    height, width = image.shape[:2]
+    pixels = image.tobytes()
+    fit, factor = _solved(pixels, height, width, plan, None)
+    if view is not None and not np.allclose(fit.parameters[:3], _view_parameters(view), atol=1e-4):
+        fit, factor = _solved(pixels, height, width, plan, view)
+    metres = length or (plan.size[0] if plan else TABLE_LENGTH)
+    return _plane(fit, metres, width, height, factor)
+
+
+@lru_cache(maxsize=4)
+def _solved(
+    pixels: bytes, height: int, width: int, plan: PlannedTable | None, view: View | None
+) -> tuple[_Fit, float]:
+    """Return the best fit and the working copy's scale.
+
+    Several stages ask for the plane of one picture; the last few answers are kept.
+    """
+    image = np.frombuffer(pixels, np.uint8).reshape(height, width, 3)
     lab, factor = working_copy(image)
-    height, width = lab.shape[:2]
     found = candidates(lab)
     if not found:
         raise SceneError(
             "No table found: no large even surface stands out from a plain background. "
             "Use a picture that shows the whole table on a light, plain ground."
         )
-    fit = _choose(found, (width, height), plan)
-    metres = length or (plan.size[0] if plan else TABLE_LENGTH)
-    return _plane(fit, metres, image.shape[1], image.shape[0], factor)
+    return _choose(found, (lab.shape[1], lab.shape[0]), plan, view), factor
 
 
 def _plane(fit: _Fit, length: float, width: int, height: int, factor: float) -> TablePlane:

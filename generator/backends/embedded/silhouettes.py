@@ -66,7 +66,10 @@ def _outline(
     scaled = (points - (low + high) / 2) * (GRID / max(float(size.max()), 1e-6)) + GRID / 2
     corners = np.column_stack([scaled, np.ones(len(scaled))])[faces]
     owner, _, _ = rasterise(corners, GRID, GRID)
-    return Silhouette((owner >= 0).reshape(GRID, GRID), size, color)
+    shape = (owner >= 0).reshape(GRID, GRID)
+    for array in (shape, size, color):  # kept, so nobody may write to them
+        array.flags.writeable = False
+    return Silhouette(shape, size, color)
 
 
 def _mean_color(texture: np.ndarray) -> Float[np.ndarray, "3"]:

@@ -316,7 +316,10 @@ class Reader:
             return
         back = isinstance(self._owner, list) and targets == self._owner
         spread = self._joined or (kind in ("on", "in") and (back or not self._comma))
-        for group in self._group if spread else self._group[-1:]:
+        subjects = self._group if spread else self._group[-1:]
+        if len(subjects) > 1:  # "a book and a cup on the book"
+            subjects = [g for g in subjects if not any(t in g for t in targets)] or subjects
+        for group in subjects:
             if self._joined or back or group is self._group[-1] or shares(kind, group, targets):
                 self._apply(kind, group, targets)
         self._owner, self._carried, self._related = None, None, True

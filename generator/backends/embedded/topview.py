@@ -41,7 +41,7 @@ def top_view(
     """
     plan = reference.plan.table if reference.plan else None
     length = float(models[TABLE].size[0]) if TABLE in models else None
-    plane = find_plane(np.asarray(reference.image), plan, length)
+    plane = find_plane(np.asarray(reference.image), plan, length, view)
     things = [i for i in instances if i.name != TABLE]
     order = stack(instances, lambda label: False)
     fitted: dict[str, Body] = {}
