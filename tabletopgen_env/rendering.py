@@ -150,6 +150,7 @@ class GlDrawer:
             raise InputError("This environment is closed; make a new one to render.")
         self._gl.make_current()
         context, scene = self._hold(world)
+        mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, context)
         view = mujoco.MjvCamera()
         view.type = mujoco.mjtCamera.mjCAMERA_FIXED
         view.fixedcamid = world.model.camera(camera).id
@@ -170,7 +171,6 @@ class GlDrawer:
             model.vis.global_.offheight, model.vis.global_.offwidth = self._size
             model.vis.quality.offsamples = 0 if fast else 4
             context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
-            mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, context)
             context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR.value
             scene = mujoco.MjvScene(model, maxgeom=2000)
             for flag in ("SHADOW", "REFLECTION", "HAZE"):

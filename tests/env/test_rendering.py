@@ -62,6 +62,20 @@ def test_gl_and_software_see_the_same(world, camera) -> None:
     gl.close()
 
 
+@pytest.mark.parametrize("renderer", [pytest.param("gl", marks=needs_gl), "software"])
+def test_worlds_drawn_in_turn_keep_their_own_pictures(world, renderer) -> None:
+    other = make_env(toy_scene())
+    other.reset(seed=4, options={"target": "cube_1", "goal": (-0.2, -0.15)})
+    eyes = drawer(renderer, 48, 64)
+    first = [eyes.rgb(world, c) for c in (FRONT_CAMERA, WRIST_CAMERA)]
+    second = [eyes.rgb(other.world, c) for c in (FRONT_CAMERA, WRIST_CAMERA)]
+    again = [eyes.rgb(world, c) for c in (FRONT_CAMERA, WRIST_CAMERA)]
+    assert (first[0] != second[0]).any()
+    for before, after in zip(first, again, strict=True):
+        np.testing.assert_array_equal(before, after)
+    eyes.close()
+
+
 def test_depth_is_the_distance_along_the_optical_axis(world) -> None:
     depth = drawer("software", 120, 160).depth(world, "top")
     camera = world.data.cam_xpos[world.model.camera("top").id]
