@@ -1,0 +1,61 @@
+"""The ``tabletopgen`` command; what it prints for ``--help`` is written in this package."""
+
+from __future__ import annotations
+
+import sys
+
+import tyro
+
+from ..errors import (
+    BackendError,
+    BundleError,
+    InputError,
+    SceneError,
+    StorageError,
+    TabletopError,
+)
+from . import cache, looking, making
+
+EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
+    (InputError, 2),
+    (BackendError, 3),
+    (BundleError, 4),
+    (StorageError, 5),
+    (SceneError, 6),
+)
+
+DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.
+
+The store of finished tables has commands of its own: tabletopgen cache --help.
+
+Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle, 5 storage, 6 scene,
+130 interrupted.
+"""
+
+app = tyro.extras.SubcommandApp()
+for command in (making.generate, making.compose, looking.inspect, looking.verify, looking.view):
+    app.command(command)
+
+
+def main(args: list[str] | None = None) -> None:
+    """Run the command line; every expected error becomes one line and an exit code."""
+    arguments = sys.argv[1:] if args is None else args
+    try:
+        if arguments[:1] == ["cache"]:
+            code = cache.app.cli(
+                prog="tabletopgen cache", args=arguments[1:], use_underscores=False
+            )
+        else:
+            code = app.cli(
+                prog="tabletopgen",
+                description=DESCRIPTION,
+                args=arguments,
+                use_underscores=False,
+            )
+    except TabletopError as error:
+        print(f"error: {error}", file=sys.stderr)
+        code = next(number for kind, number in EXIT_CODES if isinstance(error, kind))
+    except KeyboardInterrupt:
+        print("interrupted; nothing was published", file=sys.stderr)
+        code = 130
+    raise SystemExit(code)

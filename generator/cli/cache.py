@@ -1,0 +1,54 @@
+"""``tabletopgen cache``: the store of finished tables."""
+
+from __future__ import annotations
+
+import tyro
+from tyro.conf import Positional
+
+from .looking import verify
+from .printing import emit
+from .store import some
+
+app = tyro.extras.SubcommandApp()
+
+
+@app.command(name="list")
+def listed(pattern: Positional[str] = "*", /, *, json: bool = False) -> int:
+    """List the bundles that can be found by name: the starters, and those in the user cache.
+
+    Args:
+        pattern: Glob on the names.
+        json: Print one JSON array instead of lines.
+    """
+    import assets_cache
+
+    entries = [p for p in assets_cache.entries() if p.match(pattern)]
+    emit([str(p) for p in entries], json, lambda: [p.name for p in entries] or ["no bundles"])
+    return 0
+
+
+@app.command(name="rm")
+def remove(bundles: Positional[tuple[str, ...]], /) -> int:
+    """Remove bundles from the user cache.
+
+    Args:
+        bundles: Names, digests or globs.
+    """
+    import assets_cache
+
+    for path in [p for wanted in some(bundles) for p in assets_cache.find(wanted)]:
+        assets_cache.remove(path)
+        print(f"removed {path.name}")
+    return 0
+
+
+@app.command(name="verify")
+def verify_all(*, json: bool = False) -> int:
+    """Check every bundle in the store.
+
+    Args:
+        json: Print one JSON object instead of lines.
+    """
+    import assets_cache
+
+    return verify(tuple(str(p) for p in assets_cache.entries()), json=json)
