@@ -103,10 +103,11 @@ def box_iou(a: Float[np.ndarray, "4"], b: Float[np.ndarray, "4"]) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Camera:
-    """A pinhole camera with square pixels and its principal point at the image centre.
+    """A pinhole camera with square pixels.
 
     ``rotation`` takes world directions to camera axes (x right, y *down*, z forward); ``fov`` is
     vertical, radians. Pixel (0, 0) is the top-left corner, so pixel centres are at halves.
+    ``offset`` is how far the principal point lies right of and below the image centre, pixels.
     """
 
     position: Float[np.ndarray, "3"]
@@ -114,6 +115,7 @@ class Camera:
     fov: float
     width: int
     height: int
+    offset: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
         object.__setattr__(
@@ -129,6 +131,11 @@ class Camera:
     def focal(self) -> float:
         """Focal length in pixels."""
         return self.height / 2 / np.tan(self.fov / 2)
+
+    @property
+    def center(self) -> Float[np.ndarray, "2"]:
+        """The principal point, pixels."""
+        return np.array([self.width / 2, self.height / 2]) + self.offset
 
     @classmethod
     def looking_at(
@@ -151,14 +158,12 @@ class Camera:
     def project(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 2"]:
         """Return the pixels of world points. Points behind the camera give meaningless pixels."""
         p = self.to_camera(points)
-        center = np.array([self.width / 2, self.height / 2])
-        return p[:, :2] / p[:, 2:] * self.focal + center
+        return p[:, :2] / p[:, 2:] * self.focal + self.center
 
     def rays(self, pixels: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 3"]:
         """Return unit world directions of the rays through ``pixels``."""
         uv = np.atleast_2d(np.asarray(pixels, float))
-        center = np.array([self.width / 2, self.height / 2])
-        p = np.column_stack([(uv - center) / self.focal, np.ones(len(uv))])
+        p = np.column_stack([(uv - self.center) / self.focal, np.ones(len(uv))])
         d = p @ self.rotation
         return d / np.linalg.norm(d, axis=1, keepdims=True)
 

@@ -162,16 +162,53 @@ def _check_extent(size: tuple[float, float, float], what: str) -> None:
 # ------------------------------------------------------------------------ what a picture holds
 
 
+@dataclass(frozen=True)
+class Intrinsics:
+    """Focal lengths and principal point of one picture's camera, in its pixels.
+
+    As calibrations state them (OpenCV, ROS): x right, y down, and the *centre* of the top-left
+    pixel at (0, 0), so that a centred principal point is ((width - 1) / 2, (height - 1) / 2).
+    """
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+
+    def __post_init__(self) -> None:
+        numbers = (self.fx, self.fy, self.cx, self.cy)
+        if not np.isfinite(numbers).all() or min(self.fx, self.fy) <= 0:
+            raise InputError(f"Intrinsics need finite numbers, fx and fy positive: {numbers}.")
+
+    def scaled(self, across: float, down: float) -> Intrinsics:
+        """Return the intrinsics of the picture resized by these factors."""
+        cx, cy = (self.cx + 0.5) * across - 0.5, (self.cy + 0.5) * down - 0.5
+        return Intrinsics(self.fx * across, self.fy * down, cx, cy)
+
+
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """The reference image I_ref (Sec. 3). ``plan`` and ``prompt`` are there if a text was."""
+    """The reference image I_ref (Sec. 3). ``plan`` and ``prompt`` are there if a text was.
+
+    Of an RGB-D picture ``depth`` is the distance along the optical axis in metres, 0 where it is
+    unknown, and ``intrinsics`` are the camera's; both are there or neither.
+    """
 
     image: UInt8[np.ndarray, "h w 3"]
     prompt: str | None = None
     plan: ScenePlan | None = None
+    depth: Float[np.ndarray, "h w"] | None = None
+    intrinsics: Intrinsics | None = None
 
     def __post_init__(self) -> None:
         _freeze(self, image=frozen_array(self.image, np.uint8, (None, None, 3), "Reference.image"))
+        if (self.depth is None) != (self.intrinsics is None):
+            raise InputError("A Reference needs depth and intrinsics together, or neither.")
+        if self.depth is not None:
+            depth = frozen_array(self.depth, np.float32, self.image.shape[:2], "Reference.depth")
+            if depth.min() < 0:
+                raise InputError("Reference.depth is in metres; 0 means unknown, none is below 0.")
+            _freeze(self, depth=depth)
 
 
 @dataclass(frozen=True, eq=False)
@@ -247,13 +284,14 @@ class TopView:
 
     Orthographic: +u is world +x, +v (down) is world -y. ``table_box`` and ``boxes`` (by instance
     name) are pixel boxes in it. ``repaired`` names the instances whose box came from geometry
-    instead of the drawn picture.
+    instead of the drawn picture. ``metres_per_pixel`` is there if the scale was measured.
     """
 
     image: UInt8[np.ndarray, "h w 3"]
     table_box: Float[np.ndarray, "4"]
     boxes: Mapping[str, Float[np.ndarray, "4"]]
     repaired: tuple[str, ...] = ()
+    metres_per_pixel: float | None = None
 
     def __post_init__(self) -> None:
         boxes = {

@@ -174,7 +174,7 @@ def _trace(items: Sequence[Item], camera: Camera, width: int, height: int) -> _H
     for k, item in enumerate(items):
         p = camera.to_camera(item.vertices)
         xy = p[:, :2] / np.maximum(p[:, 2:], 1e-6) * camera.focal * factor
-        xy += np.array([width / 2, height / 2])
+        xy += camera.center * factor
         block = np.concatenate([xy, 1.0 / np.maximum(p[:, 2:], 1e-6)], 1)[item.faces]
         ahead = np.flatnonzero((p[item.faces, 2] > 1e-3).all(1))
         blocks.append(block[ahead])
