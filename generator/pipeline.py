@@ -12,6 +12,7 @@ from .provenance import plain, scene_name, versions
 from .scene import (
     TABLE,
     Instance,
+    Intrinsics,
     Model,
     Provenance,
     Reference,
@@ -24,7 +25,16 @@ from .stages.alignment import Alignment, AlignmentConfig, align
 from .stages.assembly import AssemblyConfig, assemble
 from .stages.extraction import extract
 from .stages.modeling import make_models
-from .stages.reference import ReferenceConfig, Source, fetch, refer, source_digest
+from .stages.reference import (
+    DepthSource,
+    ReferenceConfig,
+    Source,
+    depth_digest,
+    fetch,
+    fetch_depth,
+    refer,
+    source_digest,
+)
 from .stages.rotation import RotationConfig, estimate_rotations
 
 Progress = Callable[[str, int, int], None]
@@ -59,10 +69,14 @@ class Generation:
 
     def save(self, folder: str | Path, *, allow_failed: bool = False) -> Path:
         """Publish the scene as a bundle under ``folder``; return the bundle's path."""
-        from .bundle import save
+        from .bundle import Segments, save
         from .figures import bundle_images
 
-        return save(self.scene, folder, images=bundle_images(self), allow_failed=allow_failed)
+        found = Segments.of(self.instances)
+        return save(
+            self.scene, folder, images=bundle_images(self), segments=found,
+            allow_failed=allow_failed,
+        )  # fmt: skip
 
     def save_figures(self, folder: str | Path) -> tuple[Path, ...]:
         """Write the pictures and JSON of the paper's Sec. 6.1 (Figs. 8-14) into ``folder``."""
@@ -77,6 +91,8 @@ def generate(
     config: Config | None = None,
     seed: int = 0,
     *,
+    depth: DepthSource | None = None,
+    intrinsics: Intrinsics | None = None,
     name: str | None = None,
     progress: Progress | None = None,
 ) -> Generation:
@@ -87,6 +103,10 @@ def generate(
         backends: who answers the stages' questions; None for the embedded ones.
         config: settings of the stages.
         seed: the same source, backends, config and seed give the same scene.
+        depth: the picture's depth map, of the same size: an array of metres (float) or
+            millimetres (uint16), or a 16-bit PNG of millimetres; 0 or NaN where unknown. Table,
+            sizes and places are then metric.
+        intrinsics: of the picture; they go with ``depth``.
         name: name of the scene; None makes one from the text, or "picture".
         progress: called as each stage starts.
 
@@ -101,7 +121,10 @@ def generate(
 
     step()  # Sec. 3: text to plan to reference image; a picture passes through
     source = fetch(source, config.reference)
-    reference = refer(source, b.reasoner, b.imager, seed, config.reference)
+    depth = fetch_depth(depth, config.reference)
+    reference = refer(
+        source, b.reasoner, b.imager, seed, config.reference, depth=depth, intrinsics=intrinsics
+    )
 
     step()  # Sec. 3.1: list, detect, segment, complete
     instances = extract(reference, b.reasoner, b.segmenter, b.imager)
@@ -130,7 +153,9 @@ def generate(
         alignment.placements,
         models[TABLE],
         alignment.table_scale,
-        provenance=_provenance(source, reference, b, config, seed, alignment.warnings),
+        provenance=_provenance(
+            source, depth, intrinsics, reference, b, config, seed, alignment.warnings
+        ),
         name=name or scene_name(reference.prompt),
         config=config.assembly,
         view=view,
@@ -159,6 +184,8 @@ def _stepper(progress: Progress | None) -> Callable[[], None]:
 
 def _provenance(
     source: Source,
+    depth: DepthSource | None,
+    intrinsics: Intrinsics | None,
     reference: Reference,
     backends: Backends,
     config: Config,
@@ -166,13 +193,16 @@ def _provenance(
     warnings: tuple[str, ...],
 ) -> Provenance:
     planned = reference.plan.warnings if reference.plan else ()
+    settings = plain(config)
+    if depth is not None:
+        settings["depth"] = {"sha256": depth_digest(depth), "intrinsics": plain(intrinsics)}
     return Provenance(
         kind="image" if reference.plan is None else "text",
         seed=seed,
         prompt=reference.prompt,
         source_sha256=source_digest(source),
         backends=backends.identity(),
-        config=plain(config),
+        config=settings,
         versions=versions(),
         warnings=planned + warnings,
     )

@@ -5,11 +5,15 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PIL import Image
+from toy import toy_scene
 
-from generator import cli
+from generator import bundle, cli
 from generator.errors import SceneError
+from generator.physics.gate import judge
+from generator.render.picture import render_scene
 
 TEXT = "a desk with a mug and a book"
 
@@ -122,7 +126,7 @@ def test_a_scene_error_has_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None
 def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert run("--help") == 0
     shown = capsys.readouterr().out
-    for command in ("generate", "compose", "inspect", "verify", "view", "cache"):
+    for command in ("generate", "compose", "inspect", "verify", "view", "compare", "cache"):
         assert command in shown
 
 
@@ -154,3 +158,39 @@ def test_a_picture_that_cannot_be_written_is_a_storage_error(
     assert run("compose", TEXT, "--name", "reading") == 0
     assert run("view", "reading", "--picture", str(blocked / "view.png")) == 5
     assert "cannot be written" in capsys.readouterr().err
+
+
+def test_compare_writes_a_sheet_and_figures(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene = toy_scene()
+    shot = render_scene(scene, width=240, height=180, supersample=1)
+    names = ("table", *(thing.name for thing in scene.objects))
+    path = bundle.save(
+        scene.replace(report=judge(scene)),
+        tmp_path / "made",
+        images={"reference": shot.image},
+        segments=bundle.Segments(names, names, (shot.ids + 1).astype(np.uint8)),
+    )
+    sheet = tmp_path / "sheet.png"
+    assert run("compare", str(path), "--out", str(sheet), "--json") == 0
+    facts = json.loads(capsys.readouterr().out)
+    assert [o["name"] for o in facts["objects"]] == list(names[1:])
+    assert facts["mean_iou"] > 0.85
+    first = sheet.read_bytes()
+    assert Image.open(sheet).width > 1000
+
+    other = tmp_path / "dark.png"
+    Image.fromarray(np.asarray(shot.image) // 2).save(other)
+    assert run("compare", str(other), str(path), "--out", str(sheet)) == 0
+    assert "cube_1" in capsys.readouterr().out
+    assert sheet.read_bytes() != first
+    assert run("compare", str(path), "--out", str(other / "sheet.png")) == 5
+
+
+def test_compare_needs_a_bundle_with_a_picture(capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("compose", TEXT, "--name", "reading") == 0
+    assert run("compare", "reading") == 2
+    assert "tabletopgen generate" in capsys.readouterr().err
+    assert run("compare") == 2
+    assert run("compare", "a", "b", "c") == 2

@@ -55,6 +55,10 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         (*VALUES, "generator.mjcf", "generator.provenance", "generator.bundle"),
     ),
     (
+        "generator.comparison",
+        (*VALUES, "generator.bundle", "generator.render", "generator.comparison"),
+    ),
+    (
         "generator.compose",
         (
             *VALUES,

@@ -220,7 +220,7 @@ def _decode_object(entry: Mapping[str, Any], models: Mapping[str, Model]) -> Obj
 
 
 def _decode_model(entry: Mapping[str, Any], file: Callable[[str], bytes]) -> Model:
-    texture = _decode_png(file(entry["texture"]), entry["texture"])
+    texture = decode_png(file(entry["texture"]), entry["texture"])
     vertices, faces, uv = _decode_obj(file(entry["mesh"]), entry["mesh"])
     return Model(
         name=str(entry["name"]),
@@ -283,7 +283,12 @@ def _decode_obj(raw: bytes, name: str) -> tuple[np.ndarray, np.ndarray, np.ndarr
         raise BundleError(f"{name} is not a mesh as bundles hold them ({error}).") from error
 
 
-def _decode_png(raw: bytes, name: str) -> UInt8[np.ndarray, "h w 3"]:
+def decode_png(raw: bytes, name: str) -> UInt8[np.ndarray, "h w 3"]:
+    """Return the pixels of a PNG called ``name``.
+
+    Raises:
+        BundleError: it is none, or has more than ``MOST_PIXELS``.
+    """
     from PIL import Image, UnidentifiedImageError
 
     try:

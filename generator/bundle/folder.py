@@ -24,7 +24,9 @@ from jaxtyping import UInt8
 from ..errors import BundleError, SceneError, StorageError
 from ..mjcf import document, encode_png
 from ..scene import Scene
-from .encoding import decode_scene, dumps, encode_scene, loads
+from .encoding import decode_png, decode_scene, dumps, encode_scene, loads
+from .segments import PATH as SEGMENTS_PATH
+from .segments import Segments, decode_segments, encode_segments
 
 SCHEMA = 1
 """Version of ``scene.json``; other versions are refused."""
@@ -44,6 +46,7 @@ def save(
     folder: str | Path,
     *,
     images: Mapping[str, UInt8[np.ndarray, "h w c"] | bytes] | None = None,
+    segments: Segments | None = None,
     allow_failed: bool = False,
 ) -> Path:
     """Publish ``scene`` as a bundle inside ``folder``; return the bundle's path.
@@ -52,6 +55,7 @@ def save(
         scene: the scene; numbers are rounded (lengths to 0.1 micrometre) as they are written.
         folder: made if missing.
         images: pictures by file stem ("reference", "preview", ...), as pixels or PNG bytes.
+        segments: what was found in the reference picture, if there was one.
         allow_failed: publish although the scene's report failed or is missing.
 
     Raises:
@@ -65,6 +69,8 @@ def save(
     }
     payload, meshes = encode_scene(scene)
     files |= meshes
+    if segments is not None:
+        payload["instances"], files[SEGMENTS_PATH] = encode_segments(segments)
     rounded = decode_scene(payload, files.__getitem__)
     files["scene.xml"] = document(rounded).xml.encode()
     listed = {name: _fingerprint(content) for name, content in sorted(files.items())}
@@ -108,6 +114,36 @@ def load(path: str | Path) -> Scene:
         ) from error
 
 
+def load_segments(path: str | Path) -> Segments | None:
+    """Read what was found in the bundle's reference picture; None if it keeps nothing of it.
+
+    Raises:
+        BundleError: there is no bundle, or this part of it is damaged.
+    """
+    folder = Path(path)
+    payload = _read_truth(folder)
+    if "instances" not in payload:
+        return None
+    if SEGMENTS_PATH not in payload["files"]:
+        raise BundleError(f"{folder} lists instances, but no {SEGMENTS_PATH}.")
+    raw = _read_listed(folder, SEGMENTS_PATH, payload["files"][SEGMENTS_PATH])
+    return decode_segments(payload["instances"], raw)
+
+
+def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | None:
+    """Read a picture of a bundle ("reference", "preview", ...), checked; None if it has none.
+
+    Raises:
+        BundleError: there is no bundle, or the picture is damaged.
+    """
+    folder = Path(path)
+    listed = _read_truth(folder)["files"]
+    name = f"{stem}.png"
+    if name not in listed:
+        return None
+    return decode_png(_read_listed(folder, name, listed[name]), name)
+
+
 def verify(path: str | Path) -> list[str]:
     """Return what is wrong with a bundle on disk: nothing, or one reason.
 
@@ -116,6 +152,7 @@ def verify(path: str | Path) -> list[str]:
     folder = Path(path)
     try:
         load(folder)
+        load_segments(folder)
         listed = {*_read_truth(folder)["files"], "scene.json"}
     except BundleError as error:
         return [str(error)]

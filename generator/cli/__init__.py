@@ -33,7 +33,14 @@ Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle,
 """
 
 app = tyro.extras.SubcommandApp()
-for command in (making.generate, making.compose, looking.inspect, looking.verify, looking.view):
+for command in (
+    making.generate,
+    making.compose,
+    looking.inspect,
+    looking.verify,
+    looking.view,
+    looking.compare,
+):
     app.command(command)
 
 

@@ -1,14 +1,17 @@
-"""The commands that look at bundles: ``inspect``, ``verify`` and ``view``."""
+"""The commands that look at bundles: ``inspect``, ``verify``, ``view`` and ``compare``."""
 
 from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Annotated, Any
 
+from tyro import conf
 from tyro.conf import Positional
 
-from ..errors import BundleError, SceneError
+from ..errors import BundleError, InputError, SceneError
 from .printing import emit, print_scene
 from .store import find, one, some
 
@@ -33,12 +36,13 @@ def verify(bundles: Positional[tuple[str, ...]], /, *, json: bool = False) -> in
         bundles: Names, digests, globs or paths.
         json: Print one JSON object instead of lines.
     """
-    from ..bundle import load
+    from ..bundle import load, load_segments
     from ..physics.gate import judge
 
     results = {}
     for path in [p for wanted in some(bundles) for p in find(wanted)]:
         try:
+            load_segments(path)
             report = judge(load(path))
             results[path.name] = list(report.failures)
         except (BundleError, SceneError) as error:
@@ -70,3 +74,52 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
     write_picture(preview(load(path)), target)
     print(target if picture else f"No screen here; wrote {target}.")
     return 0
+
+
+def compare(
+    sources: Annotated[Positional[tuple[str, ...]], conf.arg(metavar="[PICTURE] BUNDLE")],
+    /,
+    *,
+    out: Path | None = None,
+    json: bool = False,
+) -> int:
+    """Hold a bundle against its picture: masks, the scene from the same camera, both, figures.
+
+    Args:
+        sources: A picture and a bundle (name, digest, glob or path); the bundle alone means the
+            picture it keeps: the one it was made from, or drawn for its text.
+        out: Where the sheet goes, a PNG; named after the bundle if left out.
+        json: Print one JSON object instead of lines.
+    """
+    from .. import comparison
+    from ..bundle import load, load_picture, load_segments
+    from ..figures import write_picture
+    from ..stages.reference import read_image
+
+    if not 1 <= len(sources) <= 2:
+        raise InputError("Name one bundle, or a picture and the bundle made from it.")
+    path = one(sources[-1])
+    scene, segments, kept = load(path), load_segments(path), load_picture(path, "reference")
+    if segments is None or kept is None:
+        raise InputError(
+            f"{path.name} keeps no picture with instances, as scenes made by `tabletopgen "
+            "generate` do; make it again with that command."
+        )
+    picture = read_image(Path(sources[0])) if len(sources) == 2 else kept
+    compared = comparison.compare(scene, segments, picture)
+    target = out if out is not None else Path(f"{path.name}-compare.png")
+    write_picture(comparison.comparison_sheet(compared), target)
+    facts = {"bundle": str(path), "sheet": str(target), **compared.facts()}
+    emit(facts, json, lambda: _lines(facts))
+    return 0
+
+
+def _lines(facts: Mapping[str, Any]) -> list[str]:
+    rows = [
+        f"  {o['name']:<22} IoU {o['iou']:.2f}"
+        + ("" if o["color_difference"] is None else f"  colour {o['color_difference']:.1f}")
+        + ("" if o["built"] else "  not in the scene")
+        + ("" if o["found"] else "  not in the picture")
+        for o in [facts["table"], *facts["objects"]]
+    ]
+    return [facts["sheet"], *rows, f"  mean IoU of the objects: {facts['mean_iou']:.2f}"]

@@ -1,0 +1,115 @@
+"""What was found in the picture: every instance's visible pixels, as one indexed PNG and names."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from jaxtyping import Bool, UInt8
+
+from ..errors import BundleError, InputError
+from ..scene import TABLE, Instance, frozen_array
+
+PATH = "stages/instances.png"
+"""Where a bundle keeps it."""
+
+MOST = 255
+"""Instances that one byte a pixel can tell apart."""
+
+_MOST_PIXELS = 4096 * 4096
+
+
+@dataclass(frozen=True, eq=False)
+class Segments:
+    """The instances of a reference picture.
+
+    ``index`` has the picture's size; 0 is nothing, ``k`` the instance ``names[k - 1]``, whose word
+    is ``labels[k - 1]``. The table comes first and is what no object covers.
+    """
+
+    names: tuple[str, ...]
+    labels: tuple[str, ...]
+    index: UInt8[np.ndarray, "h w"]
+
+    def __post_init__(self) -> None:
+        index = frozen_array(self.index, np.uint8, (None, None), "Segments.index")
+        object.__setattr__(self, "index", index)
+        if len(self.names) != len(self.labels) or len(set(self.names)) < len(self.names):
+            raise InputError(f"Segments need one label a name and no name twice: {self.names}.")
+        if index.size and index.max() > len(self.names):
+            raise InputError(
+                f"Segments.index goes up to {index.max()}, but there are {len(self.names)} names."
+            )
+
+    @classmethod
+    def of(cls, instances: Sequence[Instance]) -> Segments:
+        """Flatten the masks of ``instances``; where two overlap, the smaller one is in front.
+
+        Raises:
+            InputError: no instance, or more than ``MOST``.
+        """
+        if not 0 < len(instances) <= MOST:
+            raise InputError(f"1 to {MOST} instances can be stored, got {len(instances)}.")
+        ordered = sorted(instances, key=lambda i: i.name != TABLE)
+        index = np.zeros(ordered[0].mask.shape, np.uint8)
+        for instance in sorted(ordered, key=lambda i: (i.name != TABLE, -int(i.mask.sum()))):
+            index[instance.mask] = ordered.index(instance) + 1
+        return cls(tuple(i.name for i in ordered), tuple(i.label for i in ordered), index)
+
+    def mask(self, name: str) -> Bool[np.ndarray, "h w"]:
+        """Return the visible pixels of the instance called ``name``; none if there is none."""
+        if name not in self.names:
+            return np.zeros(self.index.shape, bool)
+        return self.index == self.names.index(name) + 1
+
+
+def encode_segments(segments: Segments) -> tuple[list[dict[str, str]], bytes]:
+    """Return names and labels as JSON values, and the indexed PNG."""
+    from PIL import Image
+
+    picture = Image.fromarray(np.asarray(segments.index), "P")
+    picture.putpalette([value for k in range(MOST + 1) for value in _palette(k)])
+    buffer = io.BytesIO()
+    picture.save(buffer, "PNG", compress_level=9)
+    pairs = zip(segments.names, segments.labels, strict=True)
+    return [{"name": name, "label": label} for name, label in pairs], buffer.getvalue()
+
+
+def decode_segments(entries: Any, raw: bytes) -> Segments:
+    """Return the segments of :func:`encode_segments`.
+
+    Raises:
+        BundleError: the picture or the names are not as written.
+    """
+    from PIL import Image, UnidentifiedImageError
+
+    try:
+        with Image.open(io.BytesIO(raw), formats=("PNG",)) as picture:
+            if picture.mode != "P" or picture.width * picture.height > _MOST_PIXELS:
+                raise BundleError(f"{PATH} is no indexed picture of at most {_MOST_PIXELS} pixels.")
+            index = np.asarray(picture, np.uint8)
+        names = tuple(_word(entry, "name") for entry in entries)
+        return Segments(names, tuple(_word(entry, "label") for entry in entries), index)
+    except (UnidentifiedImageError, OSError, SyntaxError) as error:
+        raise BundleError(f"{PATH} is not a PNG picture ({error}).") from error
+    except (InputError, TypeError, KeyError) as error:
+        raise BundleError(f"{PATH} and its names do not fit together ({error}).") from error
+
+
+def _word(entry: Mapping[str, Any], key: str) -> str:
+    if not isinstance(entry[key], str):
+        raise TypeError(f"{key} must be a text")
+    return entry[key]
+
+
+def _palette(index: int) -> tuple[int, int, int]:
+    """Return colours that neighbours tell apart: black, grey for the table, then a hue circle."""
+    import colorsys
+
+    if index < 2:
+        return (0, 0, 0) if index == 0 else (150, 150, 150)
+    red, green, blue = colorsys.hsv_to_rgb(index * 0.61803 % 1.0, 0.75, 0.95)
+    return round(255 * red), round(255 * green), round(255 * blue)

@@ -1,0 +1,66 @@
+"""Where the picture's camera stood: a view has directions only, the masks say the place."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+from scipy.optimize import least_squares
+
+from ..bundle import Segments
+from ..errors import InputError
+from ..geometry import Camera, framing_camera, mask_box
+from ..render.picture import scene_items
+from ..scene import TABLE, Scene
+
+_EVEN = 0.01
+"""Share of the picture's diagonal beyond which a box counts as an outlier."""
+
+
+def picture_camera(scene: Scene, segments: Segments) -> Camera:
+    """Return the camera of the reference picture, in its pixels and the scene's world frame.
+
+    Azimuth, elevation and field of view are the scene's ``view``. The three numbers it leaves
+    open, the camera's place, are those under which the boxes of the table and of all objects come
+    closest to the boxes of their masks (robust least squares over box edges; what the frame cuts
+    is cut alike). Three numbers for the whole picture move no object against another.
+
+    Raises:
+        InputError: no instance of the picture is part of the scene.
+    """
+    height, width = segments.index.shape
+    names = [TABLE, *(thing.name for thing in scene.objects)]
+    solids = [np.asarray(item.vertices, float) for item in scene_items(scene)]
+    shown = [
+        (vertices, mask_box(mask))
+        for name, vertices in zip(names, solids, strict=True)
+        if (mask := segments.mask(name)).any()
+    ]
+    if not shown:
+        raise InputError("No instance of the picture is part of the scene; nothing to compare.")
+    points = np.concatenate([vertices for vertices, _ in shown])
+    start = framing_camera(points, scene.view, width, height)
+    depth = float(start.to_camera(points.mean(0)[None])[0, 2])
+    frame = np.array([width, height, width, height], float)
+
+    def camera(steps: Float[np.ndarray, "3"]) -> Camera:
+        """Step right and down by shares of the depth, and nearer or farther by a factor."""
+        right, down, forward = start.rotation
+        move = right * steps[0] + down * steps[1] + forward * (1 - np.exp(steps[2]))
+        return Camera(start.position + depth * move, start.rotation, start.fov, width, height)
+
+    def misses(steps: Float[np.ndarray, "3"]) -> Float[np.ndarray, "n"]:
+        seen = camera(steps)
+        edges = [np.clip(_box(seen, vertices), 0, frame) - box for vertices, box in shown]
+        return np.concatenate(edges)
+
+    scale = _EVEN * float(np.hypot(width, height))
+    fit = least_squares(misses, np.zeros(3), loss="soft_l1", f_scale=scale, diff_step=1e-4)
+    return camera(fit.x)
+
+
+def _box(camera: Camera, vertices: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "4"]:
+    """Return the pixel box of ``vertices``; those behind the camera are pushed before it."""
+    p = camera.to_camera(vertices)
+    pixels = p[:, :2] / np.maximum(p[:, 2:], 1e-3) * camera.focal
+    pixels += np.array([camera.width / 2, camera.height / 2])
+    return np.concatenate([pixels.min(0), pixels.max(0)])

@@ -1,0 +1,157 @@
+"""How near a scene comes to its picture, by numbers: silhouettes and colours, object by object."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from ..bundle import Segments
+from ..errors import InputError
+from ..geometry import Camera
+from ..render.picture import render_scene
+from ..render.raster import Rendered
+from ..scene import TABLE, Scene
+from .camera import picture_camera
+
+WORK_SIDE = 960
+"""Longest side in pixels at which pictures are compared."""
+
+_SAME_RATIO = 0.02
+
+
+@dataclass(frozen=True)
+class Score:
+    """One instance against its rebuilt body.
+
+    ``iou`` is of the visible silhouettes; ``color_difference`` the distance of their mean colours
+    in CIE L*a*b* (CIE76; about 2 is just visible), None if one of the two shows no pixel.
+    ``built`` is False for an instance that is no part of the scene, ``found`` for an object that
+    the picture has no instance of.
+    """
+
+    name: str
+    label: str
+    iou: float
+    color_difference: float | None
+    built: bool = True
+    found: bool = True
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """A scene beside its picture; ``picture``, ``segments`` and ``rendered`` have one size.
+
+    ``scores`` holds the objects', ``table`` the table's. Ids in ``rendered``: 0 the table, ``k``
+    the object ``scene.objects[k - 1]``, -1 nothing.
+    """
+
+    scene: Scene
+    picture: UInt8[np.ndarray, "h w 3"]
+    segments: Segments
+    camera: Camera
+    rendered: Rendered
+    table: Score
+    scores: tuple[Score, ...]
+
+    @property
+    def mean_iou(self) -> float:
+        """Mean over the objects; those not built or not found count as 0."""
+        return float(np.mean([score.iou for score in self.scores])) if self.scores else 0.0
+
+    @property
+    def mean_color_difference(self) -> float | None:
+        """Mean over the objects that both pictures show."""
+        known = [s.color_difference for s in self.scores if s.color_difference is not None]
+        return float(np.mean(known)) if known else None
+
+    def silhouette(self, name: str) -> Bool[np.ndarray, "h w"]:
+        """Return the rendered pixels of the table or an object; none if there is no such body."""
+        names = [TABLE, *(thing.name for thing in self.scene.objects)]
+        shown = np.asarray(self.rendered.ids)
+        return shown == names.index(name) if name in names else np.zeros(shown.shape, bool)
+
+    def facts(self) -> dict[str, Any]:
+        """Return the figures as JSON values."""
+        difference = self.mean_color_difference
+        return {
+            "mean_iou": round(self.mean_iou, 4),
+            "mean_color_difference": None if difference is None else round(difference, 2),
+            "table": _fact(self.table),
+            "objects": [_fact(score) for score in self.scores],
+            "camera": {
+                "position_m": [round(float(v), 4) for v in self.camera.position],
+                "azimuth_deg": round(float(np.rad2deg(self.scene.view.azimuth)), 2),
+                "elevation_deg": round(float(np.rad2deg(self.scene.view.elevation)), 2),
+                "fov_deg": round(float(np.rad2deg(self.camera.fov)), 2),
+            },
+        }
+
+
+def compare(scene: Scene, segments: Segments, picture: UInt8[np.ndarray, "h w 3"]) -> Comparison:
+    """Draw ``scene`` as the picture's camera sees it and measure how the two agree.
+
+    Args:
+        scene: the rebuilt scene.
+        segments: what was found in the picture.
+        picture: the picture, in any resolution.
+
+    Raises:
+        InputError: the picture has other proportions than ``segments``.
+    """
+    height, width = segments.index.shape
+    if abs(np.log(picture.shape[1] / picture.shape[0] * height / width)) > _SAME_RATIO:
+        raise InputError(
+            f"The picture is {picture.shape[1]}x{picture.shape[0]}, the scene was made from one of "
+            f"{width}x{height}. Pass that picture, or leave it out to use the bundle's own."
+        )
+    whole = picture_camera(scene, segments)
+    factor = min(1.0, WORK_SIDE / max(width, height))
+    size = (max(1, round(width * factor)), max(1, round(height * factor)))
+    camera = replace(whole, width=size[0], height=size[1])
+    index = cv2.resize(np.asarray(segments.index), size, interpolation=cv2.INTER_NEAREST)
+    small = cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
+    rendered = render_scene(scene, camera=camera, supersample=2)
+    found = replace(segments, index=index.astype(np.uint8))
+    labels = dict(zip(segments.names, segments.labels, strict=True))
+    labels = {thing.name: thing.label for thing in scene.objects} | labels
+    blank = Comparison(
+        scene, small.astype(np.uint8), found, camera, rendered, Score(TABLE, TABLE, 0.0, None), ()
+    )
+    scores = {name: _score(blank, name, label) for name, label in labels.items()}
+    table = scores.pop(TABLE, blank.table)
+    return replace(blank, table=table, scores=tuple(scores.values()))
+
+
+def _score(c: Comparison, name: str, label: str) -> Score:
+    mask, shown = c.segments.mask(name), c.silhouette(name)
+    union = int((mask | shown).sum())
+    iou = int((mask & shown).sum()) / union if union else 0.0
+    difference = None
+    if mask.any() and shown.any():
+        here, there = _mean_lab(c.picture, mask), _mean_lab(c.rendered.image, shown)
+        difference = float(np.linalg.norm(here - there))
+    built = name == TABLE or any(thing.name == name for thing in c.scene.objects)
+    return Score(name, label, iou, difference, built, name in c.segments.names)
+
+
+def _mean_lab(
+    image: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]
+) -> Float[np.ndarray, "3"]:
+    pixels = image[mask].astype(np.float32)[None] / 255
+    return cv2.cvtColor(pixels, cv2.COLOR_RGB2LAB)[0].mean(0)
+
+
+def _fact(score: Score) -> dict[str, Any]:
+    difference = score.color_difference
+    return {
+        "name": score.name,
+        "label": score.label,
+        "iou": round(score.iou, 4),
+        "color_difference": None if difference is None else round(difference, 2),
+        "built": score.built,
+        "found": score.found,
+    }
