@@ -23,12 +23,14 @@ from . import (
     food,
     gadgets,
     games,
+    groceries,
     keepsakes,
     kitchen,
     lab,
     lights,
     office,
     pantry,
+    produce,
     tools,
     toys,
     vanity,
@@ -40,6 +42,7 @@ from .look import Look
 
 _SHELVES = (
     *(dining, cutlery, brewing, kitchen, bottles, pantry, food, bakery),
+    *(produce, groceries),
     *(office, writing, electronics, gadgets, decor, keepsakes, lights),
     *(tools, workbench, toys, games, craft, vanity, lab),
 )
@@ -82,11 +85,12 @@ def build(
     Args:
         key: a category's key, noun or alias.
         seed: chooses proportions, colours and prints; the same seed gives the same bytes.
-        attributes: "color", "material" and "size" words that override the seed's choices.
+        attributes: "color", "material" and "size" words that override the seed's choices, and
+            "style": "cartoon" or "low-poly" instead of the plain look.
         size: the extent in metres, if fixed.
 
     Raises:
-        InputError: no category has that name.
+        InputError: no category has that name, or the style is unknown.
     """
     found = category(key)
     digest = hashlib.sha256(found.key.encode()).digest()
