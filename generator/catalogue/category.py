@@ -12,6 +12,7 @@ from ..scene import Model, Physics
 from .look import SIZE_FACTORS, Look
 from .shape import Shape, mesh_of
 from .solids import signed_volume
+from .styles import styled
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +69,7 @@ def model_of(
 
     ``size`` replaces the variant's own extent (and the attribute "size" with it).
     """
-    made = category.shape(look)
+    made = styled(category.shape(look), look.attributes.get("style", ""))
     mesh = mesh_of(made)
     volume = signed_volume(mesh.vertices.astype(float), mesh.faces)
     unit, center, extent = to_unit_box(mesh)

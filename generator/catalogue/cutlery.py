@@ -12,7 +12,7 @@ from .category import Category
 from .collision import hull_of, hull_part
 from .look import Look
 from .shape import Shape, shape
-from .solids import Solid, block, cylinder, joined, prism
+from .solids import Solid, block, cylinder, joined, prism, refined
 from .textures import Tile
 
 
@@ -62,24 +62,8 @@ def fork(look: Look) -> Shape:
                            (-0.5 * long, 0.0009)]), 0, 0.0022)  # fmt: skip
     tines = [tine.moved(y=(k - 1.5) * 0.0058) for k in range(4)]
     whole = joined([body, *tines])
-    fine = _bent(_refined(whole), long, 0.008)
+    fine = _bent(refined(whole), long, 0.008)
     return shape([(fine, steel)], _sliced(fine, [-0.5 * long, -0.04, 0.0, 0.5 * long]))
-
-
-def _refined(solid: Solid) -> Solid:
-    """Return the solid with every triangle split in four, so that it bends smoothly."""
-    v, f, uv = solid.vertices, solid.faces, solid.uv
-    pairs = np.concatenate([f[:, [0, 1]], f[:, [1, 2]], f[:, [2, 0]]])
-    ends = np.sort(pairs, axis=1)
-    middles = (v[ends[:, 0]] + v[ends[:, 1]]) / 2
-    number = len(v) + np.arange(len(pairs)).reshape(3, -1).T
-    a, b, c = f.T
-    ab, bc, ca = number.T
-    faces = np.concatenate(
-        [np.column_stack(t) for t in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]
-    )
-    between = (uv[ends[:, 0]] + uv[ends[:, 1]]) / 2
-    return Solid(np.concatenate([v, middles]), faces, np.concatenate([uv, between]))
 
 
 def spoon(look: Look) -> Shape:
@@ -96,7 +80,7 @@ def spoon(look: Look) -> Shape:
     )  # fmt: skip
 
     def lifted(solid: Solid) -> Solid:
-        return _bent(_refined(solid), long, 0.009)
+        return _bent(refined(solid), long, 0.009)
 
     whole = lifted(joined([head, grip]))
     dark = textures.gradient((120, 122, 128), (176, 178, 184), look.rng)

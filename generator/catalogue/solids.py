@@ -98,6 +98,22 @@ def joined(solids: Sequence[Solid]) -> Solid:
     return reduce(add, solids)
 
 
+def refined(solid: Solid) -> Solid:
+    """Return the solid with every triangle split in four, so that it bends smoothly."""
+    v, f, uv = solid.vertices, solid.faces, solid.uv
+    pairs = np.concatenate([f[:, [0, 1]], f[:, [1, 2]], f[:, [2, 0]]])
+    ends = np.sort(pairs, axis=1)
+    middles = (v[ends[:, 0]] + v[ends[:, 1]]) / 2
+    number = len(v) + np.arange(len(pairs)).reshape(3, -1).T
+    a, b, c = f.T
+    ab, bc, ca = number.T
+    faces = np.concatenate(
+        [np.column_stack(t) for t in ((a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca))]
+    )
+    between = (uv[ends[:, 0]] + uv[ends[:, 1]]) / 2
+    return Solid(np.concatenate([v, middles]), faces, np.concatenate([uv, between]))
+
+
 # ---------------------------------------------------------------------------------- the loft
 
 
