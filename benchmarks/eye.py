@@ -1,0 +1,129 @@
+"""How well the eye sees: rendered tables of categories, parameters and seeds never trained on.
+
+    python -m generator.training.renders --out out/eye-eval --count 300 --seed 7 --split eval
+    python benchmarks/eye.py --data out/eye-eval --out benchmarks/results
+
+A thing counts if at least 100 pixels and 15 % of it are visible; a find of one that does not count
+is neither right nor wrong. A find is right at an overlap (IoU) of at least 0.5 with the visible
+mask. Names are marked on things of the catalogue that were found.
+"""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import os
+import platform
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+from rich.progress import track
+from scipy.optimize import linear_sum_assignment
+
+from generator.backends.embedded.eye.horizon import fit_view
+from generator.backends.embedded.eye.sight import Sight, look
+from generator.backends.embedded.eye.weights import load_weights
+from generator.training.sample import Sample
+from generator.training.shards import ShardReader
+
+PIXELS, SHARE, RIGHT = 100, 0.15, 0.5
+
+
+def overlaps(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """Return the IoU of every mask of (n, h, w) with every one of (m, h, w)."""
+    x, y = a.reshape(len(a), -1).astype(np.float32), b.reshape(len(b), -1).astype(np.float32)
+    both = x @ y.T
+    return both / np.maximum(x.sum(1)[:, None] + y.sum(1)[None] - both, 1)
+
+
+def mark(sample: Sample, sight: Sight, keys: tuple[str, ...], own: tuple[str, ...]) -> dict:
+    """Return counts and errors of one picture; ``keys`` are the shard's, ``own`` the eye's."""
+    h, w = sample.visible.shape
+    truth = np.array([sample.visible == k + 1 for k in range(len(sample.full))]).reshape(-1, h, w)
+    area = truth.sum((1, 2))
+    counts = (area >= PIXELS) & (area >= SHARE * np.maximum(sample.full.sum((1, 2)), 1))
+    seen = np.array([t.visible for t in sight.things]).reshape(-1, h, w)
+    iou = overlaps(seen, truth)
+    pairs = [
+        (i, j) for i, j in zip(*linear_sum_assignment(-iou), strict=True) if iou[i, j] >= RIGHT
+    ]
+    excused = sum(not counts[j] for _, j in pairs)
+    matched = [(i, j) for i, j in pairs if counts[j]]
+    named = [(i, j) for i, j in matched if sample.category[j] >= 0 and sample.upright[j]]
+    said = [own[k] if (k := int(t.names.argmax())) < len(own) else "unknown" for t in sight.things]
+    table = np.isin(sample.region, [1, 2])
+    found = sight.region.argmax(0)
+    elevation, fov = fit_view(sight.latitude)
+    whole = overlaps(np.array([t.whole for t in sight.things]).reshape(-1, h, w), sample.full)
+    return {
+        "things": int(counts.sum()),
+        "finds": len(seen) - excused,
+        "right": len(matched),
+        "iou": [iou[i, j] for i, j in matched],
+        "whole": [whole[i, j] for i, j in matched],
+        "named": len(named),
+        "name": sum(said[i] == keys[sample.category[j]] for i, j in named),
+        "table": overlaps(np.isin(found, [1, 2])[None], table[None])[0, 0] if table.any() else None,
+        "top": overlaps((sight.top > 0.5)[None], sample.top[None])[0, 0],
+        "elevation": abs(np.rad2deg(elevation - sample.view.elevation)),
+        "fov": abs(np.rad2deg(fov - sample.view.fov)),
+    }
+
+
+def summary(marks: list[dict], seconds: float) -> list[tuple[str, str]]:
+    """Return the table's rows."""
+
+    def total(key: str) -> float:
+        return float(sum(m[key] for m in marks))
+
+    def every(key: str) -> np.ndarray:
+        return np.concatenate([np.atleast_1d(m[key]) for m in marks if m[key] is not None])
+
+    return [
+        ("pictures, things", f"{len(marks)}, {total('things'):.0f}"),
+        ("recall at IoU 0.5", f"{total('right') / total('things'):.1%}"),
+        ("precision", f"{total('right') / max(total('finds'), 1):.1%}"),
+        ("mask IoU, mean over finds", f"{every('iou').mean():.3f}"),
+        ("whole-mask IoU, mean over finds", f"{every('whole').mean():.3f}"),
+        ("table IoU (visible)", f"{every('table').mean():.3f}"),
+        ("tabletop IoU (whole)", f"{every('top').mean():.3f}"),
+        ("elevation error, median / 90 %", _spread(every("elevation"))),
+        ("field of view error, median / 90 %", _spread(every("fov"))),
+        ("category top-1", f"{total('name') / max(total('named'), 1):.1%}"),
+        ("seconds a picture", f"{seconds:.2f}"),
+    ]
+
+
+def _spread(errors: np.ndarray) -> str:
+    return f"{np.median(errors):.1f} / {np.quantile(errors, 0.9):.1f} degrees"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--data", type=Path, required=True)
+    parser.add_argument("--limit", type=int, default=0, help="at most that many pictures")
+    parser.add_argument("--out", type=Path, help="folder for eye.md")
+    args = parser.parse_args()
+    own, marks, spent = load_weights().categories, [], 0.0
+    readers = [ShardReader(path) for path in sorted(args.data.glob("*.shard"))]
+    places = [(r, k) for r in readers for k in range(len(r))][: args.limit or None]
+    for reader, k in track(places, "looking"):
+        sample = reader.read(k, depth=False)
+        start = time.perf_counter()
+        sight = look(sample.image)
+        spent += time.perf_counter() - start
+        marks.append(mark(sample, sight, reader.keys, own))
+    rows = summary(marks, spent / len(places))
+    text = "# The eye on rendered tables it was not trained on\n"
+    text += f"`python benchmarks/eye.py {' '.join(sys.argv[1:])}`, {platform.machine()}, "
+    text += f"{os.cpu_count()} cores, {datetime.date.today()}\n\n| figure | value |\n|---|---|\n"
+    text += "".join(f"| {name} | {value} |\n" for name, value in rows)
+    print(text)
+    if args.out:
+        (args.out / "eye.md").write_text(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""The learned eye of the embedded backend: network, weights, and what its maps mean."""

@@ -1,0 +1,157 @@
+"""The embedded eye: one small network that finds the table, the things on it, and the view.
+
+Boxes come first and names second: every cell inside a thing's visible middle answers for the whole
+thing. A cell tells how sure it is, the boxes of the visible and of the whole thing, and the weights
+of a tiny mask network of its own (conditional convolutions: Tian et al., "Conditional Convolutions
+for Instance Segmentation", ECCV 2020), which draws the visible and the whole mask from shared mask
+features. Names come from the features under the mask. The view is a map, each pixel's angle below
+the horizon (as in Jin et al., "Perspective Fields", CVPR 2023), so that crops can be learned from.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor, nn
+
+from .lite0 import CHANNELS, Lite0
+
+STRIDE = 4
+"""Picture pixels a cell of the dense maps."""
+
+REGIONS = ("background", "top", "legs", "thing")
+"""What a pixel shows: the channels of ``Maps.region``; "legs" is the table but its upper side."""
+
+_WIDTH = 96
+_MASK = 8  # channels of the mask features and of the layers in between
+_LAYERS = ((_MASK + 2, _MASK), (_MASK, _MASK), (_MASK, 2))
+_WEIGHTS = sum(i * o + o for i, o in _LAYERS)
+
+
+@dataclass(frozen=True, eq=False)
+class Maps:
+    """Dense answers for a batch; logits unless said otherwise.
+
+    ``heat`` (b, 1, h, w), ``box`` (b, 8, h, w): log distances in cells from the cell's centre to
+    left, top, right, bottom of the visible box, then of the whole box. ``region`` (b, 4, h, w);
+    ``top`` (b, 1, h, w): the whole upper side of the table, things on it included; ``latitude``
+    (b, 1, h/2, w/2): radians below the horizon. ``mask`` and ``thing`` are features for ``masks``
+    and ``names``. h and w are the picture's over ``STRIDE``.
+    """
+
+    heat: Tensor
+    box: Tensor
+    region: Tensor
+    top: Tensor
+    latitude: Tensor
+    mask: Tensor
+    thing: Tensor
+
+
+class _Separable(nn.Module):
+    """Depthwise, then pointwise convolution; adds its input where the shape allows."""
+
+    def __init__(self, inward: int, outward: int, kernel: int = 5) -> None:
+        super().__init__()
+        self.depthwise = nn.Conv2d(inward, inward, kernel, 1, kernel // 2, groups=inward)
+        self.pointwise = nn.Conv2d(inward, outward, 1, bias=False)
+        self.norm = nn.BatchNorm2d(outward, momentum=0.03)
+        self.residual = inward == outward
+
+    def forward(self, x: Tensor) -> Tensor:
+        y = nn.functional.relu(self.norm(self.pointwise(self.depthwise(x))))
+        return x + y if self.residual else y
+
+
+class Eye(nn.Module):
+    """See the module. ``categories`` is how many names there are, "unknown" (the last) included."""
+
+    def __init__(self, categories: int) -> None:
+        super().__init__()
+        self.encoder = Lite0()
+        self.lateral = nn.ModuleList(nn.Conv2d(c, _WIDTH, 1) for c in CHANNELS)
+        self.whole = nn.Linear(CHANNELS[-1], _WIDTH)
+        self.merge = nn.ModuleList(_Separable(_WIDTH, _WIDTH) for _ in CHANNELS)
+        self.things = nn.Sequential(_Separable(_WIDTH, _WIDTH), _Separable(_WIDTH, _WIDTH))
+        self.surfaces = _Separable(_WIDTH, _WIDTH)
+        self.level = _Separable(_WIDTH, _WIDTH)
+        self.heat = nn.Conv2d(_WIDTH, 1, 1)
+        self.box = nn.Conv2d(_WIDTH, 8, 1)
+        self.region = nn.Conv2d(_WIDTH, len(REGIONS) + 1, 1)
+        self.mask = nn.Conv2d(_WIDTH, _MASK, 1)
+        self.latitude = nn.Conv2d(_WIDTH, 1, 1)
+        self.controller = nn.Linear(_WIDTH, _WEIGHTS)
+        self.namer = nn.Sequential(
+            nn.Linear(2 * _WIDTH + 3, 192), nn.ReLU(), nn.Linear(192, categories)
+        )
+        nn.init.constant_(self.heat.bias, -4.0)  # type: ignore[arg-type]
+        nn.init.normal_(self.controller.weight, std=0.01)
+
+    def forward(self, images: Tensor) -> Maps:
+        """Read (b, 3, h, w) pictures in [0, 1]; h and w multiples of 32."""
+        features = self.encoder(images)
+        whole = self.whole(features[-1].mean((2, 3)))[:, :, None, None]
+        maps: list[Tensor] = []
+        x = self.merge[3](self.lateral[3](features[3]) + whole)
+        maps.append(x)
+        for k in (2, 1, 0):
+            lateral = self.lateral[k](features[k])
+            up = nn.functional.interpolate(x, size=lateral.shape[2:], mode="bilinear")
+            x = self.merge[k](lateral + up)
+            maps.append(x)
+        thing, surface = self.things(x), self.surfaces(x)
+        region = self.region(surface)
+        return Maps(
+            self.heat(thing),
+            self.box(thing),
+            region[:, :-1],
+            region[:, -1:],
+            self.latitude(self.level(maps[2])),
+            self.mask(surface),
+            thing,
+        )
+
+    def masks(self, maps: Maps, image: Tensor, cells: Tensor, sizes: Tensor) -> Tensor:
+        """Return (n, 2, h, w) logits of the visible and the whole mask of ``n`` cells.
+
+        Args:
+            maps: of the batch.
+            image: (n,) which picture each cell is of.
+            cells: (n, 2) column and row.
+            sizes: (n,) longer side of each thing's box, in cells; sets the coordinates' unit.
+        """
+        height, width = maps.mask.shape[2:]
+        features = maps.thing[image, :, cells[:, 1], cells[:, 0]]
+        weights = self.controller(features)
+        column = torch.arange(width, device=cells.device)[None, None, :]
+        row = torch.arange(height, device=cells.device)[None, :, None]
+        unit = sizes.clamp(min=1.0)[:, None, None]
+        x = ((column - cells[:, 0, None, None]) / unit).expand(-1, height, -1)
+        y = ((row - cells[:, 1, None, None]) / unit).expand(-1, -1, width)
+        z = torch.cat([maps.mask[image], torch.stack([x, y], 1).to(maps.mask.dtype)], 1)
+        z = z.flatten(2)
+        start = 0
+        for k, (inward, outward) in enumerate(_LAYERS):
+            end = start + inward * outward
+            w = weights[:, start:end].reshape(-1, outward, inward)
+            b = weights[:, end : end + outward, None]
+            z = torch.baddbmm(b.to(z.dtype), w.to(z.dtype), z)
+            z = nn.functional.relu(z) if k + 1 < len(_LAYERS) else z
+            start = end + outward
+        return z.reshape(-1, 2, height, width)
+
+    def names(self, maps: Maps, image: Tensor, cells: Tensor, visible: Tensor) -> Tensor:
+        """Return (n, categories) logits of what the ``visible`` (n, h, w) masks in [0, 1] show."""
+        area = visible.sum((1, 2)).clamp(min=1e-3)
+        flat, weight = maps.thing.flatten(2), visible.flatten(1).to(maps.thing.dtype)
+        pooled = visible.new_zeros(len(image), flat.shape[1], dtype=flat.dtype)
+        for picture in image.unique().tolist():
+            own = image == picture
+            pooled = pooled.index_put((own,), weight[own] @ flat[picture].T)
+        pooled = pooled / area[:, None]
+        point = maps.thing[image, :, cells[:, 1], cells[:, 0]]
+        tall = (visible.amax(2) > 0.5).sum(1).clamp(min=1).log()
+        wide = (visible.amax(1) > 0.5).sum(1).clamp(min=1).log()
+        form = torch.stack([tall - wide, area.log() - tall - wide, (tall + wide) / 2 - 2], 1)
+        return self.namer(torch.cat([pooled, point, form.to(pooled.dtype)], 1))

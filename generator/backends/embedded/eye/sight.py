@@ -1,0 +1,204 @@
+"""What the eye sees in one picture: the table, the things with their masks and names, the view.
+
+Two looks: the whole picture finds things; then each thing is looked at again, closer, for a finer
+mask and a better name.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+import torch
+from jaxtyping import Bool, Float, UInt8
+from torch import Tensor
+from torch.nn import functional
+
+from .network import STRIDE, Eye, Maps
+from .weights import Weights, load_weights
+
+SIDE = 544
+"""Longer side in pixels that a picture is looked at with."""
+
+_CLOSE = 192  # side of the closer looks
+_ROOM = 1.6  # side of a closer look over the longer side of the thing's box
+_FAINT = 0.12  # certainty below which a cell is not asked
+_MOST = 90  # cells asked
+_SAME = 0.5  # overlap at which two masks are one thing
+_INSIDE = 0.8  # share of a mask within a surer one that makes it a part
+
+
+@dataclass(frozen=True, eq=False)
+class Thing:
+    """Something on the table. Masks are at picture size; ``whole`` includes what is hidden.
+
+    ``names`` are probabilities over the catalogue's categories and, last, "unknown".
+    """
+
+    score: float
+    visible: Bool[np.ndarray, "h w"]
+    whole: Bool[np.ndarray, "h w"]
+    names: Float[np.ndarray, "k"]
+
+
+@dataclass(frozen=True, eq=False)
+class Sight:
+    """A picture, read. Maps are at picture size.
+
+    ``region``: probabilities of background, the table's upper side, the rest of the table, and
+    things. ``top``: probability that the tabletop is there, things on it or not. ``latitude``:
+    each pixel's angle below the horizon, radians.
+    """
+
+    things: tuple[Thing, ...]
+    region: Float[np.ndarray, "4 h w"]
+    top: Float[np.ndarray, "h w"]
+    latitude: Float[np.ndarray, "h w"]
+
+
+@dataclass(frozen=True, eq=False)
+class _Find:
+    """One thing in cells of a look: certainty, mask probabilities (2, h, w), name logits."""
+
+    score: float
+    mask: Tensor
+    names: Tensor
+
+
+def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.3) -> Sight:
+    """Read a picture; things less certain than ``least`` are left out.
+
+    Raises:
+        BackendError: the weights are missing or damaged.
+    """
+    weights = load_weights()
+    height, width = image.shape[:2]
+    factor = SIDE / max(height, width)
+    small = _resized(image, factor)
+    with torch.inference_mode():
+        maps = weights.eye(_tensor(_padded(small)))
+        finds = _finds(weights.eye, maps, least, small.shape[:2])
+        things = [_closer(weights, image, find, factor) for find in finds]
+
+    def full(x: Tensor) -> np.ndarray:
+        return _enlarged(x, small.shape[:2], (height, width))
+
+    region = full(maps.region[0].softmax(0))
+    return Sight(tuple(things), region, full(maps.top[0].sigmoid())[0], full(maps.latitude[0])[0])
+
+
+def _resized(image: UInt8[np.ndarray, "h w 3"], factor: float) -> UInt8[np.ndarray, "a b 3"]:
+    size = max(1, round(image.shape[1] * factor)), max(1, round(image.shape[0] * factor))
+    way = cv2.INTER_AREA if factor < 1 else cv2.INTER_LINEAR
+    return cv2.resize(image, size, interpolation=way)
+
+
+def _padded(image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "a b 3"]:
+    """Fill up to multiples of 32 by repeating the last row and column."""
+    down, right = -image.shape[0] % 32, -image.shape[1] % 32
+    return cv2.copyMakeBorder(image, 0, down, 0, right, cv2.BORDER_REPLICATE)
+
+
+def _tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
+    batch = torch.from_numpy(np.stack(images)).permute(0, 3, 1, 2).float() / 255
+    return batch.contiguous(memory_format=torch.channels_last)
+
+
+def _enlarged(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.ndarray:
+    """Carry maps (c, h, w) of any stride over a padded look to the picture's size."""
+    stride = -(-(seen[0]) // 32) * 32 / x.shape[1]
+    big = functional.interpolate(x[None].float(), scale_factor=stride, mode="bilinear")[0]
+    big = big[:, : seen[0], : seen[1]]
+    return functional.interpolate(big[None], size=size, mode="bilinear")[0].numpy()
+
+
+def _finds(eye: Eye, maps: Maps, least: float, seen: tuple[int, ...]) -> list[_Find]:
+    """Ask the surest cells, draw their masks, and keep one find a thing, surest first."""
+    heat = maps.heat[:1].sigmoid()
+    peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
+    peaks[..., -(-seen[0] // STRIDE) :, :] = 0
+    peaks[..., -(-seen[1] // STRIDE) :] = 0
+    score, place = peaks[0, 0].flatten().topk(min(_MOST, peaks.numel()))
+    place, score = place[score > _FAINT], score[score > _FAINT]
+    if not len(place):
+        return []
+    cells = torch.stack([place % heat.shape[3], place // heat.shape[3]], 1)
+    owner = torch.zeros(len(cells), dtype=torch.long)
+    masks, names = _answers(eye, maps, owner, cells)
+    inside = masks[:, 0] > 0.5
+    area = inside.sum((1, 2))
+    sure = (masks[:, 0] * inside).sum((1, 2)) / area.clamp(min=1)
+    score = score * sure * (area > 1)
+    kept: list[int] = []
+    for k in score.argsort(descending=True).tolist():
+        if score[k] < least:
+            break
+        if not any(_repeats(inside[k], inside[other]) for other in kept):
+            kept.append(k)
+    return [_Find(float(score[k]), masks[k], names[k]) for k in kept]
+
+
+def _answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> tuple[Tensor, Tensor]:
+    """Return mask probabilities (n, 2, h, w) and name logits of cells."""
+    box = maps.box[owner, :, cells[:, 1], cells[:, 0]].exp()
+    masks = eye.masks(maps, owner, cells, (box[:, :2] + box[:, 2:4]).amax(1)).sigmoid()
+    return masks, eye.names(maps, owner, cells, masks[:, 0])
+
+
+def _repeats(mask: Tensor, other: Tensor) -> bool:
+    both = int((mask & other).sum())
+    either, own = int((mask | other).sum()), int(mask.sum())
+    return both > _SAME * max(either, 1) or both > _INSIDE * max(own, 1)
+
+
+def _closer(
+    weights: Weights, image: UInt8[np.ndarray, "h w 3"], find: _Find, factor: float
+) -> Thing:
+    """Look at a find again from near; where the closer look disagrees, the first one stands."""
+    height, width = image.shape[:2]
+    rows = np.flatnonzero((find.mask.amax(0) > 0.5).any(1).numpy())
+    columns = np.flatnonzero((find.mask.amax(0) > 0.5).any(0).numpy())
+    low = np.array([columns[0], rows[0]]) * STRIDE / factor
+    high = np.array([columns[-1] + 1, rows[-1] + 1]) * STRIDE / factor
+    side = max(_ROOM * float((high - low).max()), 32 / factor)
+    corner = (low + high) / 2 - side / 2
+    scale = _CLOSE / side
+    warp = np.array([[scale, 0, -corner[0] * scale], [0, scale, -corner[1] * scale]])
+    way = cv2.INTER_AREA if scale < 1 else cv2.INTER_LINEAR
+    near = cv2.warpAffine(image, warp, (_CLOSE, _CLOSE), flags=way, borderMode=cv2.BORDER_REPLICATE)
+    maps = weights.eye(_tensor(near))
+    first = _carried(find.mask, factor, corner, scale)
+    masks, names = _chosen(weights.eye, maps, first)
+    logits = find.names if names is None else (find.names + names) / 2
+    probabilities = (logits / weights.temperature).softmax(0).numpy()
+    back = cv2.invertAffineTransform(warp)
+    fine = functional.interpolate(masks[None], size=(_CLOSE, _CLOSE), mode="bilinear")[0].numpy()
+    visible, whole = (cv2.warpAffine(m, back, (width, height)) > 0.5 for m in fine)
+    return Thing(find.score, visible, visible | whole, probabilities)
+
+
+def _carried(mask: Tensor, factor: float, corner: np.ndarray, scale: float) -> Tensor:
+    """Carry the first look's masks (2, h, w) into the cells of the closer look."""
+    zoom = scale / factor  # pixels of the closer look for each of the first
+    grid = _CLOSE // STRIDE
+    shift = -corner * scale / STRIDE + 0.5 * zoom - 0.5
+    warp = np.array([[zoom, 0, shift[0]], [0, zoom, shift[1]]])
+    carried = [cv2.warpAffine(m, warp, (grid, grid), flags=cv2.INTER_LINEAR) for m in mask.numpy()]
+    return torch.from_numpy(np.stack(carried))
+
+
+def _chosen(eye: Eye, maps: Maps, first: Tensor) -> tuple[Tensor, Tensor | None]:
+    """Return the closer look's masks and names of the same thing, or the first look's masks."""
+    wanted = first[0] > 0.5
+    heat = maps.heat[0, 0].sigmoid() * wanted
+    score, place = heat.flatten().topk(3)
+    place = place[score > _FAINT]
+    if not len(place):
+        return first, None
+    cells = torch.stack([place % heat.shape[1], place // heat.shape[1]], 1)
+    masks, names = _answers(eye, maps, torch.zeros(len(cells), dtype=torch.long), cells)
+    drawn = masks[:, 0] > 0.5
+    overlap = (drawn & wanted).sum((1, 2)) / (drawn | wanted).sum((1, 2)).clamp(min=1)
+    best = int(overlap.argmax())
+    return (masks[best], names[best]) if overlap[best] > _SAME else (first, None)

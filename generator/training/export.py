@@ -1,0 +1,78 @@
+"""Ship a trained eye: averaged weights in half precision, names calibrated on other pictures.
+
+python -m generator.training.export --run DIR/run --data DIR/tuning
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+import torch
+from rich.progress import track
+from torch.nn import functional
+
+from ..backends.embedded.eye.network import Eye
+from ..backends.embedded.eye.weights import PATH, save_weights
+from ..errors import InputError
+from .train import STATE, Crops, collate
+
+
+def averaged(run: Path) -> tuple[Eye, tuple[str, ...], int, float]:
+    """Return a run's averaged eye, its categories, its steps and the seconds it took.
+
+    Raises:
+        InputError: the folder holds no run.
+    """
+    path = run / STATE
+    if not path.is_file():
+        raise InputError(f"No training run in {run}: {STATE} is missing. Train one first.")
+    state = torch.load(path, map_location="cpu", weights_only=True)
+    eye = Eye(len(state["categories"]) + 1)
+    eye.load_state_dict(state["average"])
+    eye.eval()
+    return eye, tuple(state["categories"]), state["steps"], state["spent"]
+
+
+def calibrated(eye: Eye, data: Path, batches: int, seed: int) -> float:
+    """Return the temperature at which the names' probabilities fit pictures not trained on.
+
+    The temperature of least cross entropy: Guo et al., "On Calibration of Modern Neural
+    Networks", ICML 2017.
+    """
+    crops = Crops(data, 256, 8 * batches, seed, 0)
+    logits, wished = [], []
+    with torch.inference_mode():
+        for k in track(range(batches), "calibrating"):
+            batch = collate([crops[8 * k + j] for j in range(8)])
+            if not len(batch.cells):
+                continue
+            maps = eye(batch.image)
+            shape = maps.mask.shape[2:]
+            seen = functional.interpolate(batch.masks[:, :1].float(), size=shape, mode="area")[:, 0]
+            named = eye.names(maps, batch.owner, batch.cells, seen)
+            logits.append(named)
+            wished.append(torch.where(batch.category < 0, named.shape[1] - 1, batch.category))
+    found, right = torch.cat(logits), torch.cat(wished)
+    choices = np.geomspace(0.4, 3.0, 60)
+    costs = [float(functional.cross_entropy(found / t, right)) for t in choices]
+    return float(choices[int(np.argmin(costs))])
+
+
+def main() -> None:
+    """Read the command line and export."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--run", type=Path, required=True)
+    parser.add_argument("--data", type=Path, required=True, help="shards not trained on")
+    parser.add_argument("--batches", type=int, default=40)
+    parser.add_argument("--seed", type=int, default=0)
+    args = parser.parse_args()
+    eye, categories, steps, seconds = averaged(args.run)
+    temperature = calibrated(eye, args.data, args.batches, args.seed)
+    save_weights(PATH, eye.state_dict(), categories, temperature)
+    print(f"{PATH.name}: {steps} steps, {seconds / 60:.0f} min, temperature {temperature:.2f}")
+
+
+if __name__ == "__main__":
+    main()

