@@ -1,0 +1,138 @@
+"""Render training shards: ``python -m generator.training.renders --out DIR --count N --seed S``."""
+
+from __future__ import annotations
+
+import argparse
+import multiprocessing
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import get_args
+
+import numpy as np
+from PIL import Image
+
+from ..errors import InputError
+from .shards import ShardReader, ShardWriter
+from .sheet import contact_sheet
+from .supply import KEYS, SEEDS, Split, supply
+
+SIDE = 512
+"""Pixels a side of every picture."""
+
+PER_SHARD = 100
+PER_SUPPLY = 4
+"""Samples a shard, and shards that share one supply of models."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """Shards to make: their numbers are ``PER_SUPPLY * group + k``; all must be of one group."""
+
+    out: Path
+    seed: int
+    split: Split
+    group: int
+    shards: tuple[tuple[int, int], ...]  # number, samples
+
+
+def shard_path(out: Path, split: Split, seed: int, number: int) -> Path:
+    """Return the file of a shard."""
+    return out / f"{split}-{seed}-{number:05d}.shard"
+
+
+def plan(out: Path, count: int, seed: int, split: Split) -> tuple[Job, ...]:
+    """Return what is left to render of ``count`` samples; finished shards are skipped."""
+    jobs = []
+    total = -(-count // PER_SHARD)
+    for group in range(-(-total // PER_SUPPLY)):
+        numbers = range(PER_SUPPLY * group, min(PER_SUPPLY * (group + 1), total))
+        left = tuple(
+            (k, min(PER_SHARD, count - k * PER_SHARD))
+            for k in numbers
+            if not _finished(shard_path(out, split, seed, k), min(PER_SHARD, count - k * PER_SHARD))
+        )
+        if left:
+            jobs.append(Job(out, seed, split, group, left))
+    return tuple(jobs)
+
+
+def _finished(path: Path, count: int) -> bool:
+    """Tell whether a shard is there with at least ``count`` samples of today's categories."""
+    if not path.exists():
+        return False
+    reader = ShardReader(path)
+    enough = len(reader) >= count and reader.keys == KEYS
+    reader.close()
+    return enough
+
+
+def render(job: Job) -> list[int]:
+    """Render a job's shards and return how many samples each got.
+
+    Every sample depends on seed, split, its shard and its place alone.
+    """
+    from .gl import Painter
+    from .rendering import render_sample
+
+    origin = SEEDS[job.split][0]
+    kept = supply(job.seed * 100_003 + job.group, job.split)
+    painter = Painter(kept.stock, SIDE)
+    try:
+        for number, count in job.shards:
+            path = shard_path(job.out, job.split, job.seed, number)
+            with ShardWriter(path, KEYS) as writer:
+                for k in range(count):
+                    rng = np.random.default_rng([origin, job.seed, number, k])
+                    writer.add(render_sample(rng, kept, painter))
+    finally:
+        painter.close()
+    return [count for _, count in job.shards]
+
+
+def render_all(jobs: tuple[Job, ...], workers: int) -> Iterator[list[int]]:
+    """Run jobs in ``workers`` processes (1: in this one); yields as they finish."""
+    os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software GL: one thread each
+    if workers <= 1:
+        yield from map(render, jobs)
+        return
+    context = multiprocessing.get_context("spawn")
+    with context.Pool(workers, maxtasksperchild=8) as pool:
+        yield from pool.imap_unordered(render, jobs)
+
+
+def main() -> None:
+    """Render shards, or a contact sheet of those there."""
+    parser = argparse.ArgumentParser(description="Render tabletops for training, as shards.")
+    parser.add_argument("--out", type=Path, required=True, help="folder of the shards")
+    parser.add_argument("--count", type=int, default=400, help="samples")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--split", choices=get_args(Split), default="train")
+    parser.add_argument("--workers", type=int, default=2, help="processes")
+    parser.add_argument("--sheet", type=Path, help="PNG: draw the first samples with their masks")
+    chosen = parser.parse_args()
+    if chosen.count < 1 or chosen.workers < 1 or not 0 <= chosen.seed < 10_000:
+        raise InputError("--count and --workers must be at least 1, --seed in 0 to 9999.")
+    jobs = plan(chosen.out, chosen.count, chosen.seed, chosen.split)
+    _run(jobs, chosen.workers, chosen.count)
+    if chosen.sheet:
+        with_masks = ShardReader(shard_path(chosen.out, chosen.split, chosen.seed, 0))
+        samples = [with_masks[k] for k in range(min(len(with_masks), 30))]
+        Image.fromarray(contact_sheet(samples)).save(chosen.sheet)
+
+
+def _run(jobs: tuple[Job, ...], workers: int, count: int) -> None:
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
+
+    left = sum(samples for job in jobs for _, samples in job.shards)
+    with Progress(
+        "rendering", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    ) as progress:
+        bar = progress.add_task("rendering", total=count, completed=count - left)
+        for done in render_all(jobs, workers):
+            progress.advance(bar, sum(done))
+
+
+if __name__ == "__main__":
+    main()

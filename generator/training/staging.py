@@ -1,0 +1,334 @@
+"""A whole training scene: a table with things, a camera, lamps, and what is behind."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float, UInt8
+
+from ..geometry import Camera, framing_camera, rotation_z
+from ..scene import View
+from . import patterns
+from .arranging import Placed, arrange
+from .gl import Lamp, Thing
+from .supply import Supply
+
+Setting = Literal["white", "gradient", "room", "clutter"]
+SETTINGS: tuple[tuple[Setting, float], ...] = (
+    ("white", 0.4),
+    ("gradient", 0.15),
+    ("room", 0.3),
+    ("clutter", 0.15),
+)
+"""Backgrounds and how often each is drawn."""
+
+
+@dataclass(frozen=True, eq=False)
+class Staging:
+    """A scene ready to be drawn.
+
+    ``objects[k]`` draws ``placed[k]``; ``tabletop`` draws the table and what covers it; the
+    ``surroundings`` are background. ``backdrop`` is the picture far behind everything.
+    ``outline`` holds the top's corners in the world, metres. ``cartoon`` asks for drawn outlines.
+    ``mirror`` is how much of the things the polished top shows.
+    """
+
+    placed: tuple[Placed, ...]
+    objects: tuple[Thing, ...]
+    tabletop: tuple[Thing, ...]
+    surroundings: tuple[Thing, ...]
+    backdrop: UInt8[np.ndarray, "s s 3"]
+    outline: Float[np.ndarray, "k 3"]
+    camera: Camera
+    view: View
+    lamps: tuple[Lamp, ...]
+    setting: Setting
+    cartoon: bool
+    mirror: float
+
+
+def stage(rng: np.random.Generator, supply: Supply, side: int) -> Staging:
+    """Draw one random scene seen in a square picture of ``side`` pixels."""
+    index = int(rng.integers(len(supply.tables)))
+    table = supply.tables[index]
+    height = float(table.size[2])
+    outline = supply.outlines[index] * table.size[:2]
+    placed = arrange(rng, supply, outline, height, _count(rng))
+    corners = np.column_stack([outline, np.full(len(outline), height)])
+    view, camera = _camera(rng, supply, placed, corners, table.mesh.vertices * table.size, side)
+    setting = SETTINGS[int(rng.choice(len(SETTINGS), p=[share for _, share in SETTINGS]))][0]
+    cartoon = bool(rng.random() < 0.12)
+    lamps = _lamps(rng, cartoon)
+    tabletop = [_furniture(rng, supply, index), *_covers(rng, supply, outline, height)]
+    backdrop, surroundings = _surroundings(rng, supply, setting, camera, view, outline, lamps)
+    return Staging(
+        tuple(placed),
+        tuple(_drawn(rng, supply, p) for p in placed),
+        tuple(tabletop),
+        tuple(surroundings),
+        backdrop,
+        corners,
+        camera,
+        view,
+        tuple(lamps),
+        setting,
+        cartoon,
+        float(rng.uniform(0.05, 0.3)) if rng.random() < 0.15 else 0.0,
+    )
+
+
+def _count(rng: np.random.Generator) -> int:
+    """Return how many things: mostly 4 to 12, up to 20, a few tables empty."""
+    if rng.random() < 0.02:
+        return 0
+    return int(rng.integers(1, 21)) if rng.random() < 0.4 else int(rng.integers(4, 13))
+
+
+# ------------------------------------------------------------------------------------ camera
+
+
+def _camera(
+    rng: np.random.Generator,
+    supply: Supply,
+    placed: list[Placed],
+    corners: Float[np.ndarray, "k 3"],
+    table: Float[np.ndarray, "n 3"],
+    side: int,
+) -> tuple[View, Camera]:
+    """Return a camera: of the whole table, of its top, or close to some things."""
+    tops = [corners] + [p.vertices(supply.models[p.model])[::7] for p in placed]
+    framing = rng.random()
+    if framing < 0.5:
+        points = np.concatenate([*tops, table + np.array([0.0, 0.0, corners[0, 2] / 2])])
+        margin, highest = float(rng.uniform(0.01, 0.14)), 65.0
+    elif framing < 0.72:
+        points = np.concatenate(tops)
+        margin, highest = float(rng.uniform(-0.2, 0.08)), 85.0
+    else:
+        points = _close(rng, tops[1:], corners)
+        margin, highest = float(rng.uniform(-0.08, 0.22)), 85.0
+    elevation = np.clip(rng.normal(36, 12), 15, highest)
+    if rng.random() < 0.3:
+        elevation = rng.uniform(15, highest)
+    turned = rng.uniform(-180, 180) if rng.random() < 0.15 else rng.normal(0, 14)
+    if rng.random() < 0.35:
+        turned = 0.0
+    view = View(*(float(np.deg2rad(a)) for a in (turned, elevation, rng.uniform(20, 70))))
+    camera = framing_camera(points, view, side, side, margin)
+    slip = rng.normal(0, 0.06, 2) if framing > 0.3 else np.zeros(2)
+    reach = float(np.linalg.norm(camera.position - points.mean(0))) * np.tan(view.fov / 2)
+    shift = reach * (slip[0] * camera.rotation[0] + slip[1] * camera.rotation[1])
+    return view, Camera(camera.position + shift, camera.rotation, view.fov, side, side)
+
+
+def _close(
+    rng: np.random.Generator,
+    things: list[Float[np.ndarray, "m 3"]],
+    corners: Float[np.ndarray, "k 3"],
+) -> Float[np.ndarray, "n 3"]:
+    """Return points of some neighbouring things, or of a patch of an empty top."""
+    if not things:
+        middle = corners.mean(0)
+        return middle + (corners - middle) * float(rng.uniform(0.3, 0.8))
+    centers = np.array([t.mean(0) for t in things])
+    first = centers[int(rng.integers(len(things)))]
+    near = np.argsort(np.linalg.norm(centers - first, axis=1))
+    points = np.concatenate([things[k] for k in near[: int(rng.integers(2, 10))]])
+    low, high = points.min(0), points.max(0)
+    low[2] = corners[0, 2]
+    pad = np.maximum(0.24 - (high - low)[:2], 0) / 2
+    low[:2], high[:2] = low[:2] - pad, high[:2] + pad
+    return np.stack(np.meshgrid(*np.stack([low, high], 1)), -1).reshape(-1, 3)
+
+
+# ------------------------------------------------------------------------------------- light
+
+
+def _lamps(rng: np.random.Generator, cartoon: bool) -> list[Lamp]:
+    """Return a fill without shadows and one to three lamps, hard or soft."""
+    count = int(rng.choice([1, 1, 2, 3]))
+    strength = float(rng.uniform(0.85, 1.2))
+    fill = float(rng.uniform(0.35, 0.75)) + (0.15 if cartoon else 0.0)
+    lamps = [Lamp(_down(rng, 0.2), (0.12,) * 3, min(fill, 0.85), 0.0, shadow=False)]
+    for k in range(count):
+        share = max(strength - fill, 0.15) * float(rng.uniform(0.7, 1.3)) / count
+        tint = 1 + rng.normal(0, 0.05, 3)
+        r, g, b = np.clip(share * tint, 0, 1)
+        soft = float(rng.choice([0.01, 0.05, 0.15, 0.3]))
+        gloss = float(rng.uniform(0, 0.6))
+        lamps.append(Lamp(_down(rng, 0.6), (float(r), float(g), float(b)), 0.0, gloss, k < 2, soft))
+    return lamps
+
+
+def _down(rng: np.random.Generator, spread: float) -> Float[np.ndarray, "3"]:
+    way = np.array([*rng.normal(0, spread, 2), -1.0])
+    return way / np.linalg.norm(way)
+
+
+# ------------------------------------------------------------------------------------ things
+
+
+def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed) -> Thing:
+    """Return the thing as drawn: its own look, or a borrowed colour or texture."""
+    mesh = supply.model_mesh(placed.model)
+    texture = mesh
+    color = np.ones(4)
+    chance = rng.random()
+    if chance < 0.06:
+        texture = int(rng.choice([*supply.cloths, *supply.prints, *supply.surfaces]))
+    elif chance < 0.16:  # one colour
+        texture = 0
+        color[:3] = np.array(patterns.any_color(rng)) / 255
+    elif chance < 0.2:  # white or nearly black
+        texture = 0
+        color[:3] = rng.uniform(0.85, 1) if rng.random() < 0.5 else rng.uniform(0.02, 0.15)
+    elif chance < 0.4:
+        color[:3] = rng.uniform(0.6, 1, 3)
+    opacity = supply.models[placed.model].mesh.opacity
+    color[3] = opacity if opacity < 1 else 1.0
+    if color[3] == 1 and rng.random() < 0.015:
+        color[3] = rng.uniform(0.35, 0.7)
+    r, g, b, a = (float(c) for c in color)
+    return Thing(
+        mesh,
+        placed.rotation @ np.diag(placed.size),
+        placed.position,
+        texture,
+        (r, g, b, a),
+        float(rng.choice([0.05, 0.2, 0.6, 1.0])),
+        float(rng.uniform(0.1, 0.9)),
+    )
+
+
+def _furniture(rng: np.random.Generator, supply: Supply, index: int) -> Thing:
+    size = supply.tables[index].size
+    mesh = supply.table_mesh(index)
+    color = (1.0, 1.0, 1.0, 1.0)
+    if rng.random() < 0.2:
+        r, g, b = rng.uniform(0.35, 1, 3) if rng.random() < 0.5 else [rng.uniform(0.2, 1)] * 3
+        color = (float(r), float(g), float(b), 1.0)
+    at = np.array([0.0, 0.0, size[2] / 2])
+    return Thing(mesh, np.diag(size), at, mesh, color, float(rng.choice([0.0, 0.2, 0.7])), 0.6)
+
+
+def _covers(
+    rng: np.random.Generator, supply: Supply, outline: Float[np.ndarray, "k 2"], height: float
+) -> list[Thing]:
+    """Return now and then a cloth or placemats lying on the top."""
+    if rng.random() > 0.08:
+        return []
+    reach = np.ptp(outline, axis=0)
+    covers = []
+    for _ in range(int(rng.integers(1, 4))):
+        size = np.array([*(reach * rng.uniform(0.2, 0.6, 2)), 0.001])
+        at = np.array([*(rng.uniform(-0.5, 0.5, 2) * (reach - size[:2]) * 0.6), height])
+        covers.append(_board(rng, int(rng.choice(supply.cloths)), size, at, int(rng.integers(3))))
+    return covers
+
+
+def _board(
+    rng: np.random.Generator,
+    texture: int,
+    size: Float[np.ndarray, "3"],
+    at: Float[np.ndarray, "3"],
+    repeat: int,
+    yaw: float = 0.0,
+    glow: float = 0.0,
+) -> Thing:
+    """Return a box of the stock, its upper side textured."""
+    return Thing(repeat, rotation_z(yaw) @ np.diag(size), at, texture, glow=glow, specular=0.0)
+
+
+# ------------------------------------------------------------------------------- surroundings
+
+
+def _surroundings(
+    rng: np.random.Generator,
+    supply: Supply,
+    setting: Setting,
+    camera: Camera,
+    view: View,
+    outline: Float[np.ndarray, "k 2"],
+    lamps: list[Lamp],
+) -> tuple[UInt8[np.ndarray, "s s 3"], list[Thing]]:
+    """Return the backdrop's picture and the things around the table."""
+    side = 512
+    if setting == "white":
+        shade = 255 if rng.random() < 0.8 else int(rng.integers(240, 255))
+        backdrop = np.full((side, side, 3), shade, np.uint8)
+        return backdrop, _white_floor(rng, lamps, shade / 255) if rng.random() < 0.65 else []
+    if setting == "gradient":
+        return patterns.gradient(rng), []
+    backdrop = patterns.blurred_clutter(rng)
+    if setting == "clutter" and rng.random() < 0.5:
+        return backdrop, []
+    return backdrop, _room(rng, supply, view, outline)
+
+
+def _white_floor(rng: np.random.Generator, lamps: list[Lamp], shade: float) -> list[Thing]:
+    """Return a floor that is as bright as the backdrop but for a faint shadow.
+
+    Its own glow makes up for what the lights without shadows do not give.
+    """
+    depth = float(rng.uniform(0.02, 0.18))
+    steady = [lamp for lamp in lamps if not lamp.shadow]
+    given = sum(lamp.ambient - lamp.diffuse[0] * lamp.direction[2] for lamp in steady)
+    cast = sum(-lamp.diffuse[0] * lamp.direction[2] for lamp in lamps if lamp.shadow)
+    glow = max(0.0, max(1 - depth, 1.002 - cast) - given)
+    size = np.array([14.0, 14.0, 0.02])
+    return [Thing(0, np.diag(size), np.array([0, 0, -0.01]), 0, (shade,) * 3 + (1.0,), 0, 0, glow)]
+
+
+def _room(
+    rng: np.random.Generator, supply: Supply, view: View, outline: Float[np.ndarray, "k 2"]
+) -> list[Thing]:
+    """Return a floor, perhaps walls, and furniture standing about, none in front of the table."""
+    away = np.array([-np.sin(view.azimuth), np.cos(view.azimuth)])
+    reach = float(np.abs(outline).max())
+    turn = float(rng.normal(0, 0.3)) + view.azimuth
+    size = np.array([12.0, 12.0, 0.02])
+    floor = int(rng.choice(supply.surfaces))
+    things = [_board(rng, floor, size, np.array([0, 0, -0.011]), int(rng.integers(1, 3)), turn)]
+    if rng.random() < 0.7:
+        distance = 1.5 * reach + float(rng.exponential(0.8)) + 0.1
+        at = np.array([*(away * distance), 1.5])
+        wall = int(rng.choice(supply.surfaces))
+        slab = np.array([12.0, 0.04, 3.0])
+        things.append(_board(rng, wall, slab, at, int(rng.integers(3)), turn))
+    for _ in range(int(rng.integers(0, 8))):
+        way = away @ np.array([[np.cos(a := rng.uniform(-1.4, 1.4)), np.sin(a)],
+                               [-np.sin(a), np.cos(a)]])  # fmt: skip
+        far = 1.6 * reach + float(rng.uniform(0.2, 2.2))
+        things.append(_bystander(rng, supply, way * far))
+    return things
+
+
+def _bystander(rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "2"]) -> Thing:
+    """Return a box, another table or an enlarged thing standing on the floor."""
+    yaw, kind = float(rng.uniform(-np.pi, np.pi)), rng.random()
+    every = (*supply.surfaces, *supply.cloths, *supply.prints)
+    if kind < 0.5:
+        size = rng.uniform([0.1, 0.1, 0.2], [0.7, 0.5, 1.4])
+        place = np.array([*at, size[2] / 2])
+        return _board(rng, int(rng.choice(every)), size, place, int(rng.integers(2)), yaw)
+    if kind < 0.65:
+        index = int(rng.integers(len(supply.tables)))
+        mesh, size = supply.table_mesh(index), supply.tables[index].size * 0.6
+    else:
+        index = int(rng.integers(len(supply.models)))
+        size = supply.models[index].size
+        mesh, size = supply.model_mesh(index), size * float(rng.uniform(0.3, 0.9) / size.max())
+    place = np.array([*at, size[2] / 2])
+    return Thing(mesh, rotation_z(yaw) @ np.diag(size), place, mesh)
+
+
+def backdrop_board(camera: Camera, texture: int) -> Thing:
+    """Return a glowing board far behind everything that fills the camera's picture."""
+    distance = 25.0
+    extent = 2.2 * distance * np.tan(camera.fov / 2) * max(1.0, camera.width / camera.height)
+    right, down, forward = camera.rotation
+    turn = np.column_stack([right, forward, -down])  # its -y side faces the camera
+    linear = turn @ np.diag([extent, 0.01, extent])
+    return Thing(0, linear, camera.position + distance * forward, texture, specular=0.0, glow=1.0)

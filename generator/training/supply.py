@@ -1,0 +1,131 @@
+"""What scenes are set with: a seeded choice of models, tables and textures, compiled once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float
+
+from ..catalogue.colors import COLORS
+from ..catalogue.look import METALS, WOODS
+from ..catalogue.registry import CATEGORIES, build
+from ..catalogue.solids import box
+from ..catalogue.tables import LEGS, OUTLINES, build_table
+from ..geometry import convex_outline
+from ..scene import Mesh, Model, PlannedTable
+from . import patterns
+from .pool import Stock, stock
+from .sample import UNKNOWN
+from .strangers import stranger
+
+Split = Literal["train", "eval"]
+SEEDS: dict[str, tuple[int, int]] = {"train": (0, 1_000), "eval": (10_000, 20_000)}
+"""Catalogue seeds of each split: what is evaluated on was never trained on."""
+
+KEYS = tuple(sorted(CATEGORIES))
+"""Category keys that a sample's ``category`` indexes."""
+
+REPEATS = (1, 3, 9)
+"""How often the unit boxes repeat their texture."""
+
+
+@dataclass(frozen=True, eq=False)
+class Supply:
+    """Models and tables with the numbers of their meshes in the stock.
+
+    The first meshes are unit boxes, one for each of ``REPEATS``; then come the tables, then the
+    models. ``surfaces``, ``cloths`` and ``prints`` number textures.
+    """
+
+    stock: Stock
+    tables: tuple[Model, ...]
+    outlines: tuple[Float[np.ndarray, "k 2"], ...]
+    models: tuple[Model, ...]
+    categories: tuple[int, ...]
+    surfaces: tuple[int, ...]
+    cloths: tuple[int, ...]
+    prints: tuple[int, ...]
+
+    def table_mesh(self, index: int) -> int:
+        """Return the mesh number of a table."""
+        return len(REPEATS) + index
+
+    def model_mesh(self, index: int) -> int:
+        """Return the mesh number of a model."""
+        return len(REPEATS) + len(self.tables) + index
+
+
+def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supply:
+    """Build a supply. ``models`` are spread over all categories; a sixth are of none."""
+    rng = np.random.default_rng([seed, 11, SEEDS[split][0]])
+    low, high = SEEDS[split]
+    order = np.concatenate([rng.permutation(len(KEYS)) for _ in range(1 + models // len(KEYS))])
+    chosen = [int(k) for k in order[: models - models // 6]]
+    made = [build(KEYS[k], int(rng.integers(low, high))) for k in chosen]
+    made += [stranger(int(rng.integers(low, high)) + 7919 * seed) for _ in range(models // 6)]
+    categories = chosen + [UNKNOWN] * (models // 6)
+    stands = [_table(rng, low, high) for _ in range(tables)]
+    loose = [patterns.surface(rng) for _ in range(14)]
+    loose += [patterns.cloth(rng) for _ in range(8)]
+    loose += [patterns.clutter(rng, 128, 30) for _ in range(6)]
+    boxes = [_unit_box(repeat) for repeat in REPEATS]
+    kept = stock([*boxes, *(t.mesh for t in stands), *(m.mesh for m in made)], loose)
+    numbers = [kept.texture(k) for k in range(len(loose))]
+    return Supply(
+        kept,
+        tuple(stands),
+        tuple(_outline(t) for t in stands),
+        tuple(made),
+        tuple(categories),
+        tuple(numbers[:14]),
+        tuple(numbers[14:22]),
+        tuple(numbers[22:]),
+    )
+
+
+def _unit_box(repeat: int) -> Mesh:
+    solid = box(1, 1, 1).moved(z=-0.5)
+    white = np.full((8, 8, 3), 255, np.uint8)
+    return Mesh(solid.vertices, solid.faces, solid.uv * repeat, white)
+
+
+def _outline(table: Model) -> Float[np.ndarray, "k 2"]:
+    """Return the top's convex outline in the unit box, from the mesh itself."""
+    vertices = table.mesh.vertices
+    return convex_outline(vertices[vertices[:, 2] > 0.4999, :2])
+
+
+def _pick(rng: np.random.Generator, options: Sequence[str]) -> str:
+    return str(options[int(rng.integers(len(options)))])
+
+
+def _table(rng: np.random.Generator, low: int, high: int) -> Model:
+    """Return a random table; white, wooden, stone, metal or coloured."""
+    outline = _pick(rng, (*OUTLINES, "rectangle", "rectangle", "rectangle"))
+    length = float(rng.uniform(0.6, 1.6))
+    depth = length * float(rng.uniform(0.45, 0.8))
+    if outline in ("square", "round"):
+        length = depth = float(rng.uniform(0.55, 1.1))
+    kind = rng.random()
+    material, color = "oak", None
+    if kind < 0.3:
+        material = "white"
+    elif kind < 0.65:
+        material = _pick(rng, sorted(WOODS))
+    elif kind < 0.75:
+        material = _pick(rng, ("marble", "glass", *sorted(METALS)))
+    else:
+        material = _pick(rng, sorted(COLORS))
+        color = material
+    height = float(rng.uniform(0.3, 0.85))
+    plan = PlannedTable(
+        outline,  # type: ignore[arg-type]
+        material,
+        _pick(rng, sorted(LEGS)),
+        (length, depth, height),
+        color,
+    )
+    return build_table(plan, int(rng.integers(low, high)))
