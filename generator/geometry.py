@@ -184,23 +184,24 @@ def view_direction(view: View) -> Float[np.ndarray, "3"]:
 
 
 def view_rotation(view: View) -> Float[np.ndarray, "3 3"]:
-    """Return the world-to-camera rotation (rows: right, down, forward) of a level camera."""
+    """Return the world-to-camera rotation (rows: right, down, forward) of a view."""
     forward = -view_direction(view)
-    right = np.array([np.cos(view.azimuth), np.sin(view.azimuth), 0.0])
-    down = np.cross(forward, right)
-    return np.stack([right, down, forward])
+    level = np.array([np.cos(view.azimuth), np.sin(view.azimuth), 0.0])
+    below = np.cross(forward, level)
+    c, s = np.cos(view.roll), np.sin(view.roll)
+    return np.stack([c * level + s * below, c * below - s * level, forward])
 
 
 def ray_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: int) -> View:
     """Return the view under which the camera sees what lies at ``pixel``.
 
     An object away from the image centre is seen along its own ray, so its azimuth and elevation
-    differ from the camera's. ``fov`` is kept.
+    differ from the camera's. ``fov`` and ``roll`` are kept.
     """
     camera = Camera(np.zeros(3), view_rotation(view), view.fov, width, height)
     x, y, z = camera.rays(np.asarray(pixel, float)[None])[0]
     elevation = float(np.clip(np.arcsin(np.clip(-z, -1, 1)), 1e-3, np.pi / 2))
-    return View(float(np.arctan2(-x, y)), elevation, view.fov)
+    return View(float(np.arctan2(-x, y)), elevation, view.fov, view.roll)
 
 
 def framing_camera(

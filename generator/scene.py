@@ -263,14 +263,17 @@ class View:
 
     ``azimuth`` 0 looks along +y (from the front); positive moves the camera towards +x.
     ``elevation`` is above the horizon, in (0, pi/2]. ``fov`` is the vertical field of view.
+    ``roll`` turns the camera about its sight: positive dips its right side, and what it shows
+    turns counter-clockwise.
     """
 
     azimuth: float
     elevation: float
     fov: float
+    roll: float = 0.0
 
     def __post_init__(self) -> None:
-        if not np.isfinite([self.azimuth, self.elevation, self.fov]).all():
+        if not np.isfinite([self.azimuth, self.elevation, self.fov, self.roll]).all():
             raise InputError("View holds NaN or infinity; angles are finite radians.")
         if not 0 < self.elevation <= np.pi / 2 + 1e-9 or not 0 < self.fov < np.pi:
             raise InputError(

@@ -22,11 +22,13 @@ from ...scene import Instance, View
 def camera_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: int) -> View:
     """Return the view of the camera whose ray through ``pixel`` has the direction of ``view``.
 
-    The inverse of ``geometry.ray_view``. Where two level cameras qualify, the one that looks most
+    The inverse of ``geometry.ray_view``. Where two cameras qualify, the one that looks most
     nearly along +y is returned.
     """
     focal = height / 2 / np.tan(view.fov / 2)
-    x, y = (np.asarray(pixel, float) - [width / 2, height / 2]) / focal
+    right, down = (np.asarray(pixel, float) - [width / 2, height / 2]) / focal
+    c, s = np.cos(view.roll), np.sin(view.roll)
+    x, y = c * right - s * down, s * right + c * down  # as a level camera would see it
     sine = np.sqrt(1 + x * x + y * y) * np.sin(view.elevation) / np.sqrt(1 + y * y)
     first = np.arcsin(np.clip(sine, -1, 1))
     options = []
@@ -37,7 +39,8 @@ def camera_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: i
         elevation = float(np.clip(elevation, 1e-3, np.pi / 2))
         # In the camera's own heading the ray goes x to the right and `ahead` away from it.
         ahead = np.cos(elevation) - y * np.sin(elevation)
-        options.append(View(wrap(view.azimuth + np.arctan2(x, ahead)), elevation, view.fov))
+        azimuth = wrap(view.azimuth + np.arctan2(x, ahead))
+        options.append(View(azimuth, elevation, view.fov, view.roll))
     return min(options, key=lambda v: abs(v.azimuth))
 
 
