@@ -223,7 +223,7 @@ def _decimated(solid: Solid) -> tuple[Solid, Int[np.ndarray, "m"]]:
         sound = len(f) and _closed(np.asarray(f)) and signed_volume(v, f) > 0.7 * whole
         if sound and _away(points, v, np.asarray(f)) < STRAY * reach:
             coarse = outward(Solid(v, np.asarray(f), np.zeros((len(v), 2))))
-            return coarse, tree.query(_places(v, coarse.faces, reach))[1]
+            return coarse, np.asarray(tree.query(_places(v, coarse.faces, reach))[1])
     return solid, np.arange(len(solid.faces))
 
 
