@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
+from pathlib import Path
+from typing import get_args
 
 import pytest
 from hypothesis import given, settings
@@ -14,7 +17,7 @@ from generator.backends.embedded.planner import MAX_CHARACTERS, plan_scene
 from generator.backends.embedded.vocabulary import COLLECTIVES, SYNONYMS
 from generator.catalogue import CATEGORIES
 from generator.errors import InputError
-from generator.scene import PlannedObject, Relation, ScenePlan
+from generator.scene import OutlineKind, PlannedObject, Relation, ScenePlan
 
 
 def counted(plan: ScenePlan) -> Counter[str]:
@@ -311,3 +314,96 @@ def test_the_limit_is_what_the_message_says() -> None:
     assert len(plan_scene(text, 0).objects) == 1
     with pytest.raises(InputError, match=str(MAX_CHARACTERS)):
         plan_scene(text + " ", 0)
+
+
+ENGLISH = [
+    # ", to its left a book": the relation comes before what it is said of
+    ("A laptop. To its right a mouse on a tray, to its left a book.", "book_1",
+     {("left_of", "laptop_1")}),
+    ("a book, a pen to its right, and behind it a mug", "mug_1", {("behind", "book_1")}),
+    ("a mug, on the left a book", "mug_1", set()),
+    # what holds a thing goes where the sentence puts it
+    ("a bowl with two eggs behind the pot", "bowl_1", {("behind", "pot_1")}),
+    ("a bowl with two eggs behind the pot", "egg_1", {("in", "bowl_1")}),
+    ("a monitor with a keyboard in front of it", "keyboard_1", {("in_front_of", "monitor_1")}),
+    # "and" shares, commas part
+    ("a fork on the left, a knife and a spoon right of the plate", "knife_1",
+     {("right_of", "plate_1")}),
+    ("a desk with a mug, a donut on a plate and a pen", "mug_1", set()),
+    ("a desk with a stapler, a mug and a pair of glasses on a book", "stapler_1", set()),
+    ("a toy train, two building bricks on top of each other", "building_brick_1", set()),
+    ("two stacks of playing cards", "playing_cards_2", set()),
+    # what "it", "them" and "the tin" mean
+    ("a desk with a tablet, a mug to the right of it", "mug_1", {("right_of", "tablet_1")}),
+    ("two screwdrivers, a wrench between them, a can", "wrench_1",
+     {("next_to", "screwdriver_1"), ("next_to", "screwdriver_2")}),
+    ("two monitors, a keyboard in front of the monitors, a mug to the left of it", "mug_1",
+     {("left_of", "keyboard_1")}),
+    ("a tea tin and a kettle to the right of the tin", "kettle_1", {("right_of", "tea_tin_1")}),
+    ("a laptop with a speaker on either side of the laptop", "speaker_1",
+     {("left_of", "laptop_1")}),
+    ("a laptop with a speaker on either side of the laptop", "speaker_2",
+     {("right_of", "laptop_1")}),
+    ("an alarm clock in the back left corner", "alarm_clock_1",
+     {("left_of", "table"), ("behind", "table")}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("text", "name", "expected"), ENGLISH)
+def test_ordinary_english(text: str, name: str, expected: set[tuple[str, str]]) -> None:
+    assert related(plan_scene(text, 0), name) == expected
+
+
+@pytest.mark.parametrize(
+    ("text", "expected", "state"),
+    [
+        ("three bottles of nail polish", {"nail_polish": 3}, None),
+        ("a box of gloves", {"box": 1}, "with gloves"),
+        ("a bowl of chips", {"bowl": 1}, "with chips"),
+        ("a bag of chips", {"chips_bag": 1}, None),
+        ("two teacups with tea", {"teacup": 2}, "with tea"),
+        ("a box of pencils", {"box": 1}, "with pencils"),
+        ("a box of wipes", {"wipes_canister": 1}, None),
+        ("a watermelon slice", {"watermelon_slice": 1}, None),
+    ],
+)
+def test_what_is_in_a_package(text: str, expected: dict[str, int], state: str | None) -> None:
+    for seed in range(4):
+        plan = plan_scene(f"{text} on a table", seed)
+        assert counted(plan) == expected
+        assert plan.objects[0].attributes.get("state") == state
+
+
+@pytest.mark.parametrize(
+    ("text", "style"),
+    [("a cartoon-style desk with a mug", "cartoon"), ("a low-poly desk with a mug", "low-poly"),
+     ("a rustic table with a mug", "rustic"), ("a mug on a low table", "plain")],
+)  # fmt: skip
+def test_styles(text: str, style: str) -> None:
+    plan = plan_scene(text, 0)
+    assert plan.style == style
+    assert (plan.table.size[2] < 0.5) == ("low table" in text)
+    assert counted(plan) == {"mug": 1}
+
+
+def test_tea_is_laid_for_everyone() -> None:
+    plan = plan_scene("a tea table for three", 0)
+    assert counted(plan) == {"saucer": 3, "teacup": 3, "spoon": 3, "teapot": 1}
+    assert related(plan, "teacup_2") == {("on", "saucer_2")}
+
+
+def test_the_texts_of_the_benchmark_are_planned_as_they_say() -> None:
+    entries = json.loads((Path(__file__).parents[2] / "benchmarks" / "table78.json").read_text())
+    plans = [plan_scene(entry["text"], 0) for entry in entries]
+    assert len({entry["text"] for entry in entries}) == len(entries) == 78
+    assert min(Counter(entry["theme"] for entry in entries).values()) >= 6
+    assert len({entry["theme"] for entry in entries}) == 12
+    asked = Counter(plan.table.outline for plan in plans)
+    assert min(asked[outline] for outline in get_args(OutlineKind)) >= 10
+    assert all(4 <= len(plan.objects) <= 10 for plan in plans)
+    things = [thing for plan in plans for thing in plan.objects]
+    assert sum(thing.category == "generic" for thing in things) < 0.02 * len(things)
+    for entry, plan in zip(entries, plans, strict=True):
+        named = {"triangular": "triangle", "rectangular": "rectangle"}
+        words = {named.get(w, w) for w in tokens(entry["text"])} & set(get_args(OutlineKind))
+        assert not words or plan.table.outline in words, entry["text"]

@@ -114,10 +114,13 @@ def said(noun: NounPhrase) -> str:
 
 
 def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
-    """Tell whether "an apple and a pear on a plate" may mean that the apple is on it too."""
+    """Tell whether "an apple and a pear on a plate" may mean that the apple is on it too.
+
+    So it may with any other relation, unless the first has one of its own.
+    """
     target = targets[0]
-    if isinstance(target, str):
-        return True
+    if isinstance(target, str) or kind not in ("on", "in"):
+        return not any(d.relations for d in group)
     if any(not d.category for d in (group[0], target)):
         return False
     outer = CATEGORIES[str(target.category)]

@@ -179,7 +179,9 @@ def noun_phrase(run: tuple[str, ...]) -> NounPhrase:
 
 def _trimmed(content: tuple[str, ...]) -> tuple[str, ...]:
     """Drop trailing words that only describe: "mug steaming gently", "table set"."""
-    while len(content) > 1 and lexicon.category_of(content[-1:]) is None:
+    while len(content) > 1 and not any(
+        lexicon.category_of(content[start:]) for start in range(len(content))
+    ):
         last = content[-1]
         earlier = any(
             lexicon.category_of((w,)) or w in TABLE_NOUNS or w in GROUP_NOUNS for w in content[:-1]

@@ -15,11 +15,13 @@ from . import lexicon, relations
 from .drafts import Draft, Reading
 from .furniture import plan_table
 from .grammar import chunks
+from .laying import place_settings, setting_of
 from .statements import Reader
 from .themes import DEFAULT_TABLES, THEMES, Theme
 from .vocabulary import (
     COLORS,
     DEFINITE,
+    DRAWN,
     FILLERS,
     FOREIGN,
     MATERIALS,
@@ -64,6 +66,7 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     _check_text(prompt)
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
     text = _REQUEST.sub(" ", " ".join(lexicon.tokens(prompt)))
+    text, drawn = _drawn(text)
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
     reading = Reader(rng).read(chunks(words))
@@ -72,15 +75,15 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     objects = _plan_objects(reading)
     name = theme or _default_theme(reading, empty=not objects)
     _check_bare(reading, objects)
-    laid = people > 1 and not any(o.category == "plate" for o in objects)
-    if name and laid and any(t.startswith("plate ") for t in THEMES[name].things):
-        objects = [*objects, *_place_settings(people, objects, reading.excluded)]
+    setting = setting_of(THEMES[name], objects) if name and people > 1 else None
+    if setting:
+        objects = [*objects, *place_settings(people, setting, objects, reading.excluded)]
     elif name and (not objects or (theme and reading.vague and len(objects) < 6)):
         target = 7 if not objects else min(7, len(objects) + 3)
         objects = _fill(objects, THEMES[name], target, reading.excluded, rng)
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
     objects, doubts = relations.checked(objects)
-    style = next((word for word in words if word in STYLES), "plain")
+    style = drawn or next((word for word in words if word in STYLES), "plain")
     warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown(objects), *doubts]))
     return ScenePlan(prompt, table, tuple(objects), style, warnings)
 
@@ -146,6 +149,15 @@ def _unknown(objects: Sequence[PlannedObject]) -> list[str]:
 # -------------------------------------------------------------------------------------- themes
 
 
+def _drawn(text: str) -> tuple[str, str | None]:
+    """Take "cartoon style" or "low poly" out of a text; return the rest and the way to draw."""
+    for phrase, drawn in DRAWN.items():
+        found = re.search(rf"\b{phrase}\b(?: styled?\b)?", text)
+        if found:
+            return f"{text[: found.start()]} {text[found.end() :]}", drawn
+    return text, None
+
+
 def _theme(words: Sequence[str]) -> str | None:
     """Return the theme whose longest phrase occurs in the text."""
     text = f" {' '.join(words)} "
@@ -208,32 +220,6 @@ def _thing(entry: str) -> tuple[str | None, RelationKind | None, str | None]:
         relations.kind(words[at]),
         ("table" if to == ["table"] else lexicon.category_of(tuple(to))),
     )
-
-
-def _place_settings(
-    people: int, objects: Sequence[PlannedObject], excluded: set[str]
-) -> list[PlannedObject]:
-    """Lay a table: a plate, cutlery and a glass for each, at most four people."""
-    setting = (("plate", None), ("fork", "left_of"), ("knife", "right_of"), ("glass", "behind"))
-    taken = Counter(o.category for o in objects)
-    out: list[PlannedObject] = []
-    sides: tuple[RelationKind, ...] = ("in_front_of", "behind", "left_of", "right_of")
-    for person, side in enumerate(sides[:people], start=1):
-        for word, where in setting[: 4 if people < 3 else 3]:
-            key = lexicon.category_of((word,))
-            if key is None or key in excluded:
-                continue
-            if where is not None and side == "behind":  # as seen by who sits across
-                where = relations.OPPOSITE[where]
-            relation = Relation(side)
-            if where is not None:
-                relation = Relation(relations.kind(where), f"plate_{person}")
-            name = f"{key}_{taken[key] + person}"
-            out.append(PlannedObject(name, word, key, {}, (relation,)))
-    candle = lexicon.category_of(("candle",))
-    if candle and candle not in excluded and not objects:
-        out.append(PlannedObject(f"{candle}_1", "candle", candle, {}, (Relation("center"),)))
-    return out
 
 
 # ------------------------------------------------------------------------------------- objects

@@ -8,11 +8,14 @@ from itertools import pairwise
 
 import numpy as np
 
+from ...catalogue import CATEGORIES
 from ...errors import InputError
 from ...scene import TABLE
 from .drafts import Draft, Group, Reading, assumed_relation, said, same, shares
 from .grammar import Chunk, NounPhrase
-from .vocabulary import STACKED, SUBSTANCES
+from .lexicon import singular
+from .relations import fits
+from .vocabulary import PACKAGES, SEVERAL, STACKED, SUBSTANCES
 
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")
 
@@ -25,6 +28,18 @@ def _returns(rest: Sequence[Chunk]) -> bool:
         if chunk.kind == "relation" and chunk.text in ("on", "in"):
             return following.noun is not None and following.noun.kind == "pronoun"
     return False
+
+
+def _is_fronted(chunks: Sequence[Chunk], i: int) -> bool:
+    """Tell whether a relation opens a clause: ", to its left a book", "and behind it is a mug"."""
+    if not i or chunks[i - 1].kind not in ("comma", "and"):
+        return False
+    rest = [c.noun for c in chunks[i + 1 : i + 5] if c.kind not in ("are", "gap")]
+    if not chunks[i].text.partition(" ")[2]:  # its target comes first
+        if not rest or rest[0] is None or not rest[0].definite:
+            return False
+        del rest[0]
+    return bool(rest) and rest[0] is not None and rest[0].determined
 
 
 def _topmost(target: Draft | str) -> Draft | str:
@@ -59,7 +74,7 @@ class Reader:
             elif chunk.kind == "noun" and chunk.noun is not None:
                 self._noun(chunk.noun, following)
             elif chunk.kind == "relation":
-                self._relation(chunk.text)
+                self._relation(chunk.text, fronted=_is_fronted(chunks, i))
             elif chunk.kind == "carry":
                 self._carry(chunk.text)
             elif chunk.kind in ("and", "comma"):
@@ -78,8 +93,10 @@ class Reader:
         self._it: Group | str | None = None
         self._topic = None
         self._finished: list[Group] = []  # subjects before the last "and", done with
+        self._moved: list[Group] = []  # what the last relation was said of
         self._related = False  # the current subjects have got a relation
         self._subject_is_table = False
+        self._named: list[Group] = []  # every group named in this sentence
         self._group: list[Group] = []  # coordinated subjects, each some equal objects
         self._pending: str | None = None  # a relation without its target so far
         self._lead: tuple[str, list[Draft | str]] | None = None  # one told before its subject
@@ -89,6 +106,7 @@ class Reader:
         self._joined = False
         self._each = False
         self._comma = False
+        self._commas = False  # whether commas part the current subjects
         self._listing = False
         self._of: NounPhrase | None = None
         self._last: NounPhrase | None = None
@@ -96,19 +114,30 @@ class Reader:
 
     # -------------------------------------------------------------------------- connectors
 
-    def _relation(self, text: str) -> None:
+    def _relation(self, text: str, *, fronted: bool) -> None:
         self._end_relation()
         self._last = None
-        if self._listing and not self._group:  # "left of the cup and behind the pen"
+        if fronted:
+            self._group, self._owner, self._carried = [], None, None
+        text, *more = text.split("&")
+        if (
+            self._listing and not self._group and not fronted
+        ):  # "left of the cup and behind the pen"
             self._group, self._listing = self._finished, False
         kind, _, target = text.partition(" ")
         if kind == "stacked":
-            self._stack([d for group in self._group for d in group])
+            several = self._group[-1:] if self._group and len(self._group[-1]) > 1 else self._group
+            self._stack([d for group in several for d in group])
         elif target == "table":
             beside = self._owner if kind in _SIDES and self._group else None
             self._attach(kind, self._one(beside) or [TABLE])
+            for other in more:
+                for group in self._moved:
+                    self._apply(other.split()[0], group, [TABLE])
         elif target == "it":
-            self._attach(kind, self._one(self._antecedent()))
+            self._attach(kind, self._one(self._antecedent(kind)))
+        elif target == "each":  # on either side
+            self._flank()
         else:
             self._pending = kind
 
@@ -118,7 +147,7 @@ class Reader:
         self._carried = text
         self._group = [] if text != "without" else self._group
         self._last = None
-        self._joined = self._comma = False
+        self._joined = self._comma = self._commas = False
 
     def _conjunction(self, kind: str, returns: bool) -> None:
         """Go on with a list; ``returns``: its last words come back to the owner ("on it")."""
@@ -160,6 +189,8 @@ class Reader:
             return
         if self._special(noun, following):
             return
+        if self._fills(noun):
+            return
         group = self._refer(noun) or self._introduce(noun)
         if not group:
             return
@@ -171,6 +202,44 @@ class Reader:
         else:
             self._subject(group)
         self._mentioned = group
+        self._named.append(group)
+
+    def _fills(self, noun: NounPhrase) -> bool:
+        """Tell whether "with tea" only says what a vessel holds, and note it if so."""
+        owner = self._owner
+        if self._carried is None or not isinstance(owner, list) or self._pending is not None:
+            return False
+        if noun.determined or noun.plural or noun.noun not in SUBSTANCES:
+            return False
+        if any(not draft.category for draft in owner) or noun.category:
+            return False
+        for draft in owner:
+            draft.attributes.setdefault("state", f"with {noun.noun}")
+        self._group, self._owner, self._carried = [owner], None, None
+        return True
+
+    def _packed(self, of: NounPhrase, noun: NounPhrase) -> bool:
+        """Read "three bottles of nail polish" or "a box of gloves": one thing, not two."""
+        if of.noun not in PACKAGES or noun.determined or not self._group:
+            return False
+        drafts = self._group[-1]
+        vessel = CATEGORIES[of.category] if of.category else None
+        if noun.category is None:
+            if noun.kind != "unknown":
+                return False
+            for draft in drafts:
+                draft.attributes.setdefault("state", f"with {' '.join(noun.words)}")
+            return True
+        inner = CATEGORIES[noun.category].size
+        if vessel is not None and fits("in", inner, vessel.size, vessel.container):
+            return False
+        itself = not noun.plural or bool(PACKAGES & set(noun.category.split("_")))
+        for draft in drafts:
+            if itself:
+                draft.category, draft.noun = noun.category, f"{of.noun} of {' '.join(noun.words)}"
+            else:
+                draft.attributes.setdefault("state", f"with {' '.join(noun.words)}")
+        return True
 
     def _merged(self, of: NounPhrase, noun: NounPhrase) -> NounPhrase:
         """Read "a stack of three books", "a dozen of eggs", "a bowl of apples", "a cup of tea"."""
@@ -178,6 +247,8 @@ class Reader:
             if noun.noun in SUBSTANCES or " ".join(noun.words) in SUBSTANCES:
                 for draft in self._group[-1] if self._group else []:
                     draft.attributes.setdefault("state", f"with {noun.noun or noun.words[-1]}")
+                return NounPhrase("place", noun.words)
+            if self._packed(of, noun):
                 return NounPhrase("place", noun.words)
             self._carry("of")
             return noun
@@ -189,7 +260,7 @@ class Reader:
             count = noun.count if noun.count is not None else of.count
             if of.kind == "group" and noun.count is None and (of.count or 0) <= 1:
                 count = None if noun.plural else 1.0
-            stacked = bool(STACKED & set(of.words)) and (noun.plural or (count or 0) > 1)
+            stacked = bool(STACKED & set(of.words)) and (noun.plural or (noun.count or 0) > 1)
             attributes = {**noun.attributes, **({"stack": "yes"} if stacked else {})}
             return replace(
                 noun, count=count, vague=None if count is not None else vague,
@@ -206,7 +277,7 @@ class Reader:
         if noun.kind == "table":
             self._table(noun)
         elif noun.kind == "pronoun":
-            target = self._antecedent()
+            target = self._antecedent(self._pending, several=noun.words[0] in SEVERAL)
             if self._pending is not None:
                 self._target(TABLE if target is None else target)
             elif isinstance(target, list):
@@ -270,6 +341,7 @@ class Reader:
             self._topic = group
         if not self._listing and self._group and not self._joined:
             self._group = []
+        self._commas = self._listing and bool(self._group) and (self._commas or self._comma)
         self._group = [*self._group, group] if self._listing else [group]
         self._listing = self._comma = self._joined = False
 
@@ -312,22 +384,51 @@ class Reader:
                         "it round, for example 'a mug on the table'."
                     )
                 return
-            self._lead = (kind, list(targets))
+            self._lead, self._moved = (kind, list(targets)), []
             return
         back = isinstance(self._owner, list) and targets == self._owner
-        spread = self._joined or (kind in ("on", "in") and (back or not self._comma))
-        subjects = self._group if spread else self._group[-1:]
+        if not back and self._held():  # "a bowl with two eggs behind the pot"
+            self._group = [list(self._owner)] if isinstance(self._owner, list) else self._group
+        held = kind in ("on", "in") and back
+        subjects = self._group if self._joined or held or not self._commas else self._group[-1:]
         if len(subjects) > 1:  # "a book and a cup on the book"
             subjects = [g for g in subjects if not any(t in g for t in targets)] or subjects
-        for group in subjects:
-            if self._joined or back or group is self._group[-1] or shares(kind, group, targets):
-                self._apply(kind, group, targets)
+        self._moved = [
+            group for group in subjects
+            if self._joined or held or group is self._group[-1] or shares(kind, group, targets)
+        ]  # fmt: skip
+        for group in self._moved:
+            self._apply(kind, group, targets)
         self._owner, self._carried, self._related = None, None, True
         support = [target for target in targets if isinstance(target, Draft)]
         if kind in ("on", "in", "center") and support:
             self._group = [support]
 
+    def _held(self) -> bool:
+        """Tell whether the current subjects are on or in their owner, so that it is what moves."""
+        owner = self._owner
+        drafts = self._group[-1] if self._group else []
+        return (
+            isinstance(owner, list)
+            and len(self._group) == 1
+            and all(
+                d.provisional and any(k in ("on", "in") and to in owner for k, to in d.relations)
+                for d in drafts
+            )
+        )
+
+    def _flank(self) -> None:
+        """Note that what comes next has the current subject on its left and on its right."""
+        if self._group and len(self._group[-1]) == 1:
+            one = self._group[-1][0]
+            self._group[-1].append(self.reading.add(one.noun, one.category, one.attributes))
+        self._pending = "flank"
+
     def _apply(self, kind: str, group: Group, targets: Sequence[Draft | str]) -> None:
+        if kind == "flank":
+            for side, half in (("left_of", group[::2]), ("right_of", group[1::2])):
+                self._apply(side, half, targets)
+            return
         paired = len(group) == len(targets) and len(targets) > 1 and kind != "next_to"
         for i, draft in enumerate(group):
             if kind == "on":
@@ -348,18 +449,25 @@ class Reader:
                 elif (kind, target) not in (("on", TABLE), ("in", TABLE), ("next_to", TABLE)):
                     draft.relate(kind, target)
 
-    def _antecedent(self) -> Group | str | None:
-        """Return what "it" means, and remember it for the rest of the sentence."""
-        self._it = self._meant()
+    def _antecedent(self, kind: str | None, *, several: bool = False) -> Group | str | None:
+        """Return what "it" or "them" means, and remember it for the rest of the sentence.
+
+        ``kind`` is the relation to it: nothing is beside the table that it is on.
+        """
+        self._it = self._meant(kind in (None, "on", "in", "center", "edge"))
+        subjects = self._group[-1:]
+        if isinstance(self._it, list) and (len(self._it) > 1) != several:
+            before = [g for g in self._named if g not in subjects and (len(g) > 1) == several]
+            self._it = before[-1] if before else self._it
         return self._it
 
-    def _meant(self) -> Group | str | None:
+    def _meant(self, table: bool) -> Group | str | None:
         """Guess "it": the owner of the current group, what "it" meant, else the thing before."""
-        if self._owner is not None and self._group:
+        if self._owner is not None and self._group and (table or self._owner != TABLE):
             return self._owner
-        if self._group and self._it is not None and self._it not in self._group:
+        if self._topic is not None and self._it is not None and self._it not in self._group:
             return self._it
-        if not self._group and self._earlier:
+        if not self._group and self._topic is None and self._earlier:
             return self._earlier
         subjects = self._group if self._joined else self._group[-1:]
         if self._topic is not None and self._topic not in subjects:
@@ -386,6 +494,12 @@ class Reader:
             return alike
         if not (noun.definite or noun.other):
             return None
+        if not alike:  # "the tin" is the tea tin
+            head = noun.noun.split()[-1:]
+            alike = [
+                d for d in self.reading.objects
+                if d.noun.split()[-1:] == head or [singular(w) for w in d.noun.split()[-1:]] == head
+            ]  # fmt: skip
         if noun.other and len(alike) > 1:
             return [alike[1]]
         if noun.plural and (noun.count or 2) > 1:

@@ -139,6 +139,38 @@ THEMES: Mapping[str, Theme] = MappingProxyType(
             3,
             ("hairpin", "splayed", "tapered"),
         ),
+        "sewing": Theme(
+            _list("sewing table, sewing desk, sewing room, knitting table, sewing, knitting"),
+            ("rectangle", "slatted", "square"),
+            ("birch", "maple", "white"),
+            (1.1, 0.65, 0.74),
+            _list(
+                "scissors center table, thread spool left_of scissors, button tin behind scissors, "
+                "yarn ball right_of scissors, tape measure in_front_of scissors, "
+                "notebook right_of yarn ball, pencil on notebook, "
+                "desk lamp behind thread spool, mug behind notebook, box behind button tin"
+            ),
+            3,
+            ("straight", "tapered"),
+        ),
+        "outdoor": Theme(
+            _list(
+                "picnic table, garden table, patio table, camping table, balcony table, "
+                "terrace table, outdoor table, veranda table, barbecue table, beer garden table, "
+                "picnic, barbecue, camping, patio, terrace, veranda, outdoor, outdoors"
+            ),
+            ("slatted", "round", "rectangle"),
+            ("pine", "teak", "white"),
+            (1.2, 0.75, 0.72),
+            _list(
+                "basket center table, bread loaf in_front_of basket, watermelon left_of basket, "
+                "bottle right_of basket, glass right_of bottle, plate in_front_of table, "
+                "sandwich on plate, napkin left_of plate, apple in basket, "
+                "sunglasses right_of plate, potted plant behind table, playing cards left_of plate"
+            ),
+            3,
+            ("straight", "trestle", "splayed"),
+        ),
         "workbench": Theme(
             _list(
                 "workbench, work bench, tool bench, workshop table, carpenter bench, workshop, "
@@ -159,8 +191,8 @@ THEMES: Mapping[str, Theme] = MappingProxyType(
         "craft": Theme(
             _list(
                 "craft desk, craft table, hobby desk, hobby table, art table, art desk, "
-                "painting table, sewing table, crafting table, studio table, drawing table, "
-                "artist desk, drawing desk, hobby, arts and crafts, sewing desk, artist"
+                "painting table, crafting table, studio table, drawing table, "
+                "artist desk, drawing desk, hobby, arts and crafts, artist"
             ),
             ("rectangle", "slatted", "square"),
             ("pine", "birch", "maple"),

@@ -49,6 +49,7 @@ VAGUE: Mapping[str, tuple[int, int]] = MappingProxyType(
 
 DEFINITE = _words("the this that these those its his her my your their our")
 PRONOUNS = _words("it them itself themselves")
+SEVERAL = _words("them themselves")
 OTHERS = _words("other second")
 GROUP_NOUNS = _words(
     "set stack pile group row bunch collection piece pieces slice slices stacks piles sets pair "
@@ -68,6 +69,14 @@ RELATIONS = _table(
     right_of: to the right of, on the right of, on the right side of, at the right of, right of
     right_of: on the right hand side of, to the right side of, in the right of
     right_of: on the right part of, at the right side of
+    left_of table&behind table: in the back left corner, at the back left, in the back left
+    left_of table&behind table: in the far left corner, at the back on the left
+    right_of table&behind table: in the back right corner, at the back right, in the back right
+    right_of table&behind table: in the far right corner, at the back on the right
+    left_of table&in_front_of table: in the front left corner, at the front left, in the front left
+    right_of table&in_front_of table: in the front right corner, at the front right
+    right_of table&in_front_of table: in the front right
+    flank each: on either side of, on both sides of, to either side of, on each side of
     left_of it: to its left, on its left
     right_of it: to its right, on its right
     left_of table: on the left, at the left, to the left, on the left side, on the left hand side
@@ -147,6 +156,15 @@ STATES = _words(
     "electric digital portable retro toy uncapped spiral sharp dull neat neatly"
 )
 """Describing words that are kept as an object's "state" or ignored; never objects themselves."""
+
+PACKAGES = _words("bottle box bag jar tube can carton tin pack packet package canister")
+"""Packages named with what is in them: "a bottle of nail polish" is no bottle and a polish."""
+
+DRAWN: Mapping[str, str] = MappingProxyType(
+    {"cartoon": "cartoon", "cartoonish": "cartoon", "toon": "cartoon", "comic": "cartoon",
+     "low poly": "low-poly", "lowpoly": "low-poly", "low polygon": "low-poly"}
+)  # fmt: skip
+"""Ways to draw that a text may ask for, by the phrase for them."""
 
 STYLES = _words(
     "modern rustic vintage minimalist cozy cosy elegant messy cluttered tidy retro scandinavian "
@@ -252,7 +270,8 @@ PEOPLE: Mapping[str, int] = MappingProxyType(
 
 SUBSTANCES = _words(
     "water tea coffee milk juice wine beer soup cereal sugar salt pepper flour rice pasta jam "
-    "honey soda lemonade cocoa chocolate butter oil sauce paint ink salad soil sand"
+    "honey soda lemonade cocoa chocolate butter oil sauce paint ink salad soil sand cola coke "
+    "chips crisps popcorn nuts candy sweets"
 )
 """What vessels hold; it becomes the vessel's "state", unless it is an object itself."""
 
