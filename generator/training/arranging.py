@@ -83,7 +83,7 @@ def arrange(
     tight = rng.random() < 0.35
     center = outline.mean(0) + rng.uniform(-0.25, 0.25, 2) * np.ptp(outline, axis=0)
     spread = float(rng.uniform(0.08, 0.2)) if tight else 0.0
-    grown = float(rng.uniform(0.9, 1.35))
+    grown = float(rng.uniform(0.9, 1.6))
     stacking = float(rng.choice([0.0, 0.25, 0.6]))
     placed: list[Placed] = []
     for _ in range(count * 2):

@@ -46,7 +46,7 @@ def developed(
         if rng.random() < 0.6:
             image = image * np.exp(rng.normal(0, 0.07, 3))
         if rng.random() < 0.5:
-            image = image * float(np.exp(rng.normal(-0.05, 0.22)))
+            image = image * float(np.exp(rng.normal(-0.08, 0.2)))
         if rng.random() < 0.3:
             image = (image - 0.5) * float(rng.uniform(0.65, 1.2)) + 0.5
         if rng.random() < 0.25:
@@ -93,6 +93,6 @@ def _lens(
         kernel = np.zeros((length, length), np.float32)
         kernel[length // 2] = 1 / length
         turn = cv2.getRotationMatrix2D((length / 2, length / 2), float(rng.uniform(0, 180)), 1)
-        kernel = cv2.warpAffine(kernel, turn, (length, length))
-        return cv2.filter2D(image, -1, kernel / max(float(kernel.sum()), 1e-3))
+        line = np.asarray(cv2.warpAffine(kernel, turn, (length, length)), np.float32)
+        return cv2.filter2D(image, -1, line / np.float32(max(float(line.sum()), 1e-3)))
     return image

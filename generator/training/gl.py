@@ -113,7 +113,7 @@ class Painter:
         for k in range(passes):
             shift = (np.array([k + 0.5, (k * 0.6180339 + 0.25) % 1 * passes]) / passes) - 0.5
             self._aim(camera, shift)
-            self._light(lamps, camera, rng if passes > 1 else None)
+            self._light(lamps, k, rng if passes > 1 else None)
             mujoco.mjr_render(self._rect, self._scene, self._context)
             mujoco.mjr_readPixels(buffer, None, self._rect, self._context)
             total += buffer
@@ -209,11 +209,12 @@ class Painter:
             eye.frustum_bottom = -half + shift[1] * pixel
             eye.frustum_top = half + shift[1] * pixel
 
-    def _light(
-        self, lamps: Sequence[Lamp], camera: Camera, rng: np.random.Generator | None
-    ) -> None:
+    def _light(self, lamps: Sequence[Lamp], turn: int, rng: np.random.Generator | None) -> None:
+        """Set the lamps; those with shadows take turns to cast them, one a pass."""
         import mujoco
 
+        able = [k for k, lamp in enumerate(lamps) if lamp.shadow]
+        casting = able[turn % len(able)] if able else -1
         for k, lamp in enumerate(lamps):
             light = self._scene.lights[k]
             way = lamp.direction / np.linalg.norm(lamp.direction)
@@ -224,7 +225,7 @@ class Painter:
             light.pos, light.dir = -4.0 * way + [0, 0, 0.6], way
             light.diffuse, light.ambient = lamp.diffuse, [lamp.ambient] * 3
             light.specular = [lamp.specular] * 3
-            light.castshadow, light.headlight, light.texid = int(lamp.shadow), 0, -1
+            light.castshadow, light.headlight, light.texid = int(k == casting), 0, -1
             light.attenuation, light.cutoff, light.exponent = [1, 0, 0], 60, 1
         self._scene.nlight = len(lamps)
 

@@ -71,15 +71,16 @@ def stock(meshes: Sequence[Mesh], textures: Sequence[UInt8[np.ndarray, "h w 3"]]
 
 
 def _add_mesh(spec: mujoco.MjSpec, k: int, mesh: Mesh) -> None:
+    """Add a mesh with a vertex for every corner of a face, so that each has its own normal."""
     import mujoco
 
+    corner = mesh.faces.ravel()
+
     made = spec.add_mesh(name=f"m{k}")
-    made.uservert = mesh.vertices.ravel()
-    made.userface = mesh.faces.ravel()
-    made.usertexcoord = (mesh.uv * [1, -1] + [0, 1]).astype(np.float32).ravel()
-    made.userfacetexcoord = mesh.faces.ravel()
+    made.uservert = mesh.vertices[corner].ravel()
+    made.userface = np.arange(len(corner), dtype=np.int32)
+    made.usertexcoord = (mesh.uv[corner] * [1, -1] + [0, 1]).astype(np.float32).ravel()
     made.usernormal = corner_normals(mesh.vertices, mesh.faces).astype(np.float32).ravel()
-    made.userfacenormal = np.arange(mesh.faces.size, dtype=np.int32)
     made.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
     spec.worldbody.add_geom(
         type=mujoco.mjtGeom.mjGEOM_MESH, meshname=f"m{k}", contype=0, conaffinity=0

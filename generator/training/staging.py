@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 from typing import Literal
 
@@ -60,8 +61,8 @@ def stage(rng: np.random.Generator, supply: Supply, side: int) -> Staging:
     view, camera = _camera(rng, supply, placed, corners, table.mesh.vertices * table.size, side)
     setting = SETTINGS[int(rng.choice(len(SETTINGS), p=[share for _, share in SETTINGS]))][0]
     cartoon = bool(rng.random() < 0.12)
-    lamps = _lamps(rng, cartoon)
-    tabletop = [_furniture(rng, supply, index), *_covers(rng, supply, outline, height)]
+    lamps = _lamps(rng, view, cartoon)
+    tabletop = [*_furniture(rng, supply, index), *_covers(rng, supply, outline, height)]
     backdrop, surroundings = _surroundings(rng, supply, setting, camera, view, outline, lamps)
     return Staging(
         tuple(placed),
@@ -146,24 +147,26 @@ def _close(
 # ------------------------------------------------------------------------------------- light
 
 
-def _lamps(rng: np.random.Generator, cartoon: bool) -> list[Lamp]:
+def _lamps(rng: np.random.Generator, view: View, cartoon: bool) -> list[Lamp]:
     """Return a fill without shadows and one to three lamps, hard or soft."""
     count = int(rng.choice([1, 1, 2, 3]))
-    strength = float(rng.uniform(0.85, 1.2))
-    fill = float(rng.uniform(0.35, 0.75)) + (0.15 if cartoon else 0.0)
-    lamps = [Lamp(_down(rng, 0.2), (0.12,) * 3, min(fill, 0.85), 0.0, shadow=False)]
+    strength = float(rng.uniform(0.75, 1.08))
+    fill = float(rng.uniform(0.4, 0.72)) + (0.15 if cartoon else 0.0)
+    lamps = [Lamp(_down(rng, view, 0.2), (0.08, 0.08, 0.08), fill - 0.08, 0.0, shadow=False)]
     for k in range(count):
-        share = max(strength - fill, 0.15) * float(rng.uniform(0.7, 1.3)) / count
+        share = max(strength - fill, 0.15) / count
         tint = 1 + rng.normal(0, 0.05, 3)
         r, g, b = np.clip(share * tint, 0, 1)
-        soft = float(rng.choice([0.01, 0.05, 0.15, 0.3]))
+        soft = float(rng.choice([0.004, 0.03, 0.07, 0.12]))
         gloss = float(rng.uniform(0, 0.6))
-        lamps.append(Lamp(_down(rng, 0.6), (float(r), float(g), float(b)), 0.0, gloss, k < 2, soft))
+        way = _down(rng, view, 0.5)
+        lamps.append(Lamp(way, (float(r), float(g), float(b)), 0.0, gloss, k < 2, soft))
     return lamps
 
 
-def _down(rng: np.random.Generator, spread: float) -> Float[np.ndarray, "3"]:
-    way = np.array([*rng.normal(0, spread, 2), -1.0])
+def _down(rng: np.random.Generator, view: View, spread: float) -> Float[np.ndarray, "3"]:
+    """Return a direction downwards, more often away from the viewer than towards."""
+    way = rotation_z(view.azimuth) @ np.array([*rng.normal([0.0, spread / 2], spread), -1.0])
     return way / np.linalg.norm(way)
 
 
@@ -202,15 +205,34 @@ def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed) -> Thing:
     )
 
 
-def _furniture(rng: np.random.Generator, supply: Supply, index: int) -> Thing:
+def _furniture(rng: np.random.Generator, supply: Supply, index: int) -> list[Thing]:
+    """Return the table: as built, or its top plain white or coloured, or covered by a texture."""
     size = supply.tables[index].size
     mesh = supply.table_mesh(index)
-    color = (1.0, 1.0, 1.0, 1.0)
-    if rng.random() < 0.2:
-        r, g, b = rng.uniform(0.35, 1, 3) if rng.random() < 0.5 else [rng.uniform(0.2, 1)] * 3
-        color = (float(r), float(g), float(b), 1.0)
     at = np.array([0.0, 0.0, size[2] / 2])
-    return Thing(mesh, np.diag(size), at, mesh, color, float(rng.choice([0.0, 0.2, 0.7])), 0.6)
+    gloss = float(rng.choice([0.0, 0.1, 0.5]))
+    legs = Thing(mesh, np.diag(size), at, mesh, _paint(rng), gloss, 0.6)
+    chance = rng.random()
+    if chance < 0.45:
+        top = Thing(mesh + 1, np.diag(size), at, mesh, legs.color, gloss, 0.6)
+    elif chance < 0.8:
+        plain = np.full(3, rng.uniform(0.8, 1)) if rng.random() < 0.6 else rng.uniform(0, 1, 3)
+        r, g, b = (float(c) for c in plain * rng.uniform(0.93, 1, 3))
+        top = Thing(mesh + 1, np.diag(size), at, 0, (r, g, b, 1.0), gloss, 0.6)
+    else:
+        look = supply.cloths if chance > 0.96 else supply.surfaces
+        top = Thing(mesh + 2, np.diag(size), at, int(rng.choice(look)), specular=gloss)
+    if 0.45 < chance < 0.6:  # legs like the top
+        legs = dataclasses.replace(legs, texture=0, color=top.color)
+    return [legs, top]
+
+
+def _paint(rng: np.random.Generator) -> tuple[float, float, float, float]:
+    if rng.random() > 0.2:
+        return (1.0, 1.0, 1.0, 1.0)
+    grey = float(rng.uniform(0.2, 1))
+    r, g, b = rng.uniform(0.35, 1, 3) if rng.random() < 0.5 else (grey, grey, grey)
+    return float(r), float(g), float(b), 1.0
 
 
 def _covers(
@@ -224,12 +246,11 @@ def _covers(
     for _ in range(int(rng.integers(1, 4))):
         size = np.array([*(reach * rng.uniform(0.2, 0.6, 2)), 0.001])
         at = np.array([*(rng.uniform(-0.5, 0.5, 2) * (reach - size[:2]) * 0.6), height])
-        covers.append(_board(rng, int(rng.choice(supply.cloths)), size, at, int(rng.integers(3))))
+        covers.append(_board(int(rng.choice(supply.cloths)), size, at, int(rng.integers(3))))
     return covers
 
 
 def _board(
-    rng: np.random.Generator,
     texture: int,
     size: Float[np.ndarray, "3"],
     at: Float[np.ndarray, "3"],
@@ -278,7 +299,9 @@ def _white_floor(rng: np.random.Generator, lamps: list[Lamp], shade: float) -> l
     cast = sum(-lamp.diffuse[0] * lamp.direction[2] for lamp in lamps if lamp.shadow)
     glow = max(0.0, max(1 - depth, 1.002 - cast) - given)
     size = np.array([14.0, 14.0, 0.02])
-    return [Thing(0, np.diag(size), np.array([0, 0, -0.01]), 0, (shade,) * 3 + (1.0,), 0, 0, glow)]
+    return [
+        Thing(0, np.diag(size), np.array([0, 0, -0.01]), 0, (shade, shade, shade, 1.0), 0, 0, glow)
+    ]
 
 
 def _room(
@@ -290,13 +313,14 @@ def _room(
     turn = float(rng.normal(0, 0.3)) + view.azimuth
     size = np.array([12.0, 12.0, 0.02])
     floor = int(rng.choice(supply.surfaces))
-    things = [_board(rng, floor, size, np.array([0, 0, -0.011]), int(rng.integers(1, 3)), turn)]
+    things = [_board(floor, size, np.array([0, 0, -0.011]), int(rng.integers(1, 3)), turn)]
     if rng.random() < 0.7:
         distance = 1.5 * reach + float(rng.exponential(0.8)) + 0.1
         at = np.array([*(away * distance), 1.5])
         wall = int(rng.choice(supply.surfaces))
         slab = np.array([12.0, 0.04, 3.0])
-        things.append(_board(rng, wall, slab, at, int(rng.integers(3)), turn))
+        glow = float(rng.uniform(0.1, 0.4))  # lamps above hardly reach a wall
+        things.append(_board(wall, slab, at, int(rng.integers(3)), turn, glow))
     for _ in range(int(rng.integers(0, 8))):
         way = away @ np.array([[np.cos(a := rng.uniform(-1.4, 1.4)), np.sin(a)],
                                [-np.sin(a), np.cos(a)]])  # fmt: skip
@@ -312,10 +336,10 @@ def _bystander(rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "
     if kind < 0.5:
         size = rng.uniform([0.1, 0.1, 0.2], [0.7, 0.5, 1.4])
         place = np.array([*at, size[2] / 2])
-        return _board(rng, int(rng.choice(every)), size, place, int(rng.integers(2)), yaw)
+        return _board(int(rng.choice(every)), size, place, int(rng.integers(2)), yaw)
     if kind < 0.65:
         index = int(rng.integers(len(supply.tables)))
-        mesh, size = supply.table_mesh(index), supply.tables[index].size * 0.6
+        mesh, size = supply.table_mesh(index) + 1, supply.tables[index].size * [0.6, 0.6, 1]
     else:
         index = int(rng.integers(len(supply.models)))
         size = supply.models[index].size

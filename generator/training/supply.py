@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Float, Int
 
 from ..catalogue.colors import COLORS
 from ..catalogue.look import METALS, WOODS
@@ -28,6 +28,8 @@ SEEDS: dict[str, tuple[int, int]] = {"train": (0, 1_000), "eval": (10_000, 20_00
 KEYS = tuple(sorted(CATEGORIES))
 """Category keys that a sample's ``category`` indexes."""
 
+_TABLE_MESHES = 3
+
 REPEATS = (1, 3, 9)
 """How often the unit boxes repeat their texture."""
 
@@ -36,7 +38,8 @@ REPEATS = (1, 3, 9)
 class Supply:
     """Models and tables with the numbers of their meshes in the stock.
 
-    The first meshes are unit boxes, one for each of ``REPEATS``; then come the tables, then the
+    The first meshes are unit boxes, one for each of ``REPEATS``; then come the tables, three meshes
+    each (what is under the top, the top, the top with one picture laid flat over it), then the
     models. ``surfaces``, ``cloths`` and ``prints`` number textures.
     """
 
@@ -50,12 +53,12 @@ class Supply:
     prints: tuple[int, ...]
 
     def table_mesh(self, index: int) -> int:
-        """Return the mesh number of a table."""
-        return len(REPEATS) + index
+        """Return the number of a table's first mesh."""
+        return len(REPEATS) + _TABLE_MESHES * index
 
     def model_mesh(self, index: int) -> int:
         """Return the mesh number of a model."""
-        return len(REPEATS) + len(self.tables) + index
+        return len(REPEATS) + _TABLE_MESHES * len(self.tables) + index
 
 
 def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supply:
@@ -72,7 +75,9 @@ def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supp
     loose += [patterns.cloth(rng) for _ in range(8)]
     loose += [patterns.clutter(rng, 128, 30) for _ in range(6)]
     boxes = [_unit_box(repeat) for repeat in REPEATS]
-    kept = stock([*boxes, *(t.mesh for t in stands), *(m.mesh for m in made)], loose)
+    kept = stock(
+        [*boxes, *(part for t in stands for part in _halves(t)), *(m.mesh for m in made)], loose
+    )
     numbers = [kept.texture(k) for k in range(len(loose))]
     return Supply(
         kept,
@@ -96,6 +101,21 @@ def _outline(table: Model) -> Float[np.ndarray, "k 2"]:
     """Return the top's convex outline in the unit box, from the mesh itself."""
     vertices = table.mesh.vertices
     return convex_outline(vertices[vertices[:, 2] > 0.4999, :2])
+
+
+def _halves(table: Model) -> tuple[Mesh, Mesh, Mesh]:
+    """Return what is under the top, the top, and the top with its texture laid flat from above."""
+    mesh = table.mesh
+    slab = 0.5 - 0.036 / float(table.size[2])
+    upper = (mesh.vertices[mesh.faces, 2] > slab).all(1)
+    flat = mesh.vertices[:, :2] + 0.5
+
+    def part(faces: Int[np.ndarray, "m 3"], uv: Float[np.ndarray, "n 2"]) -> Mesh:
+        used, index = np.unique(faces, return_inverse=True)
+        return Mesh(mesh.vertices[used], index.reshape(-1, 3), uv[used], mesh.texture)
+
+    top = mesh.faces[upper]
+    return part(mesh.faces[~upper], mesh.uv), part(top, mesh.uv), part(top, flat)
 
 
 def _pick(rng: np.random.Generator, options: Sequence[str]) -> str:
