@@ -1,11 +1,14 @@
-"""Texts to published scenes, by both routes: soundness, counts, seconds.
+"""Texts to published scenes, by both routes: soundness, counts, names, seconds.
 
     python benchmarks/end_to_end.py --route generate --seeds 3 --out benchmarks/results
+    python benchmarks/end_to_end.py --texts benchmarks/table78.json --seeds 1
 
-Reads ``benchmarks/texts.json`` (a list of texts, or of objects with a "text"), runs each with
+Reads a list of texts (``benchmarks/texts.json``), or of objects with a "text", runs each with
 seeds 0..n-1 and writes one row a scene to ``<route>.csv`` as it goes (a second run resumes), then
-a summary table to ``<route>.md``. Every figure is measured on the *saved bundle*, simulated in
-plain MuJoCo from its ``scene.xml``: nothing is taken from the report the pipeline wrote.
+a summary table to ``<route>.md``; for other texts the file's name is added: ``<route>_table78``.
+"named" counts the planned objects whose category a rebuilt object's word means. Every figure is
+measured on the *saved bundle*, simulated in plain MuJoCo from its ``scene.xml``: nothing is taken
+from the report the pipeline wrote.
 """
 
 from __future__ import annotations
@@ -19,16 +22,20 @@ import platform
 import sys
 import tempfile
 import time
+from collections import Counter
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from generator.scene import Scene
 
 HERE = Path(__file__).parent
 FIELDS = (
     "text", "seed", "published", "planned", "built", "penetration_mm", "drift_mm", "tilt_deg",
-    "floating", "fallen", "seconds", "error",
+    "floating", "fallen", "seconds", "error", "named",
 )  # fmt: skip
 
 
@@ -60,13 +67,27 @@ def measure(bundle: Path, seconds: float = 2.0) -> dict[str, Any]:
     }
 
 
+def named(scene: Scene) -> int:
+    """Return how many planned objects are there by name, whatever their place.
+
+    Words are compared by the category they mean; those of no category, as they are.
+    """
+    from generator.backends.embedded.lexicon import category_of
+
+    planned = scene.plan.objects if scene.plan else ()
+    asked = Counter(p.noun if p.category == "generic" else p.category for p in planned)
+    words = [thing.label for thing in scene.objects]
+    there = Counter(category_of(tuple(word.split())) or word for word in words)
+    return (asked & there).total()
+
+
 def run(text: str, seed: int, route: str) -> dict[str, Any]:
     """Make one scene and measure it."""
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     import torch
 
     torch.set_num_threads(1)
-    from generator.bundle import save
+    from generator.bundle import load, save
 
     row: dict[str, Any] = {"text": text, "seed": seed, "published": 0, "error": ""}
     start = time.perf_counter()
@@ -84,7 +105,7 @@ def run(text: str, seed: int, route: str) -> dict[str, Any]:
                 scene, path = generation.scene, generation.save(folder)
             row["planned"] = len(scene.plan.objects) if scene.plan else ""
             row["seconds"] = round(time.perf_counter() - start, 2)
-            row |= measure(path) | {"published": 1}
+            row |= measure(path) | {"named": named(load(path)), "published": 1}
         except Exception as error:  # recorded as a failure; one scene must not end the run
             row["error"] = f"{type(error).__name__}: {error}"[:300]
     return row
@@ -99,6 +120,9 @@ def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
 
     same = sum(int(r["planned"]) == int(r["built"]) for r in done)
     total = max(len(rows), 1)
+    told = [r for r in done if r.get("named") not in (None, "")]
+    right = sum(int(r["named"]) == int(r["planned"]) == int(r["built"]) for r in told)
+    asked = sum(int(r["planned"]) for r in told)
     sound = sum(
         float(r["penetration_mm"]) <= 1
         and float(r["drift_mm"]) <= 10
@@ -123,6 +147,10 @@ def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
             f"| largest drift, tilt after 2 s | {worst('drift_mm'):.2f} mm, "
             f"{worst('tilt_deg'):.2f}° |",
             f"| planned count = built count | {100 * same / total:.1f} % |",
+            f"| planned names = built names | {100 * right / len(told):.1f} % of scenes, "
+            f"{100 * sum(int(r['named']) for r in told) / max(asked, 1):.1f} % of objects |"
+            if told
+            else "| planned names = built names | - |",
             f"| seconds a scene, median / worst | {np.median(seconds):.1f} / {max(seconds):.1f} |"
             if seconds
             else "| seconds | - |",
@@ -131,27 +159,38 @@ def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
     )
 
 
+def resume(table: Path) -> list[dict[str, Any]]:
+    """Return the rows written so far, and give the file the columns of this version."""
+    rows: list[dict[str, Any]] = []
+    if table.exists():
+        with table.open(newline="") as file:
+            rows = list(csv.DictReader(file))
+    with table.open("w", newline="") as file:
+        writer: csv.DictWriter[str] = csv.DictWriter(file, FIELDS, restval="")
+        writer.writeheader()
+        writer.writerows(rows)
+    return rows
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("--route", choices=("generate", "compose"), default="generate")
+    parser.add_argument("--texts", type=Path, default=HERE / "texts.json")
     parser.add_argument("--seeds", type=int, default=3)
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--limit", type=int, default=None, help="only the first N texts")
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()
-    entries = json.loads((HERE / "texts.json").read_text())
+    entries = json.loads(args.texts.read_text())
     texts = [e if isinstance(e, str) else e["text"] for e in entries][: args.limit]
     args.out.mkdir(parents=True, exist_ok=True)
-    table = args.out / f"{args.route}.csv"
-    rows: list[dict[str, Any]] = []
-    if table.exists():
-        rows = list(csv.DictReader(table.open()))
+    stem = args.route + ("" if args.texts.stem == "texts" else f"_{args.texts.stem}")
+    table = args.out / f"{stem}.csv"
+    rows = resume(table)
     done = {(r["text"], int(r["seed"])) for r in rows}
     jobs = [(t, s) for s in range(args.seeds) for t in texts if (t, s) not in done]
     with ProcessPoolExecutor(args.workers) as pool, table.open("a", newline="") as file:
         writer: csv.DictWriter[str] = csv.DictWriter(file, FIELDS, restval="")
-        if not rows:
-            writer.writeheader()
         futures = [pool.submit(run, text, seed, args.route) for text, seed in jobs]
         for number, future in enumerate(as_completed(futures), start=1):
             row = future.result()
@@ -162,8 +201,8 @@ def main() -> None:
             scene = f"{row['text'][:50]!r} seed {row['seed']}"
             print(f"[{number}/{len(jobs)}] {scene}: {state}", flush=True)
     command = "python " + " ".join([Path(sys.argv[0]).name, *sys.argv[1:]])
-    text = summary(rows, args.route, command)
-    (args.out / f"{args.route}.md").write_text(text)
+    text = summary(rows, stem, command)
+    (args.out / f"{stem}.md").write_text(text)
     print(text)
 
 

@@ -326,6 +326,9 @@ ENGLISH = [
     ("a bowl with two eggs behind the pot", "bowl_1", {("behind", "pot_1")}),
     ("a bowl with two eggs behind the pot", "egg_1", {("in", "bowl_1")}),
     ("a monitor with a keyboard in front of it", "keyboard_1", {("in_front_of", "monitor_1")}),
+    ("a desk with a basket full of two apples, a pear and a lemon, a mug", "lemon_1",
+     {("in", "basket_1")}),
+    ("a desk with a basket full of two apples, a pear and a lemon, a mug", "mug_1", set()),
     # "and" shares, commas part
     ("a fork on the left, a knife and a spoon right of the plate", "knife_1",
      {("right_of", "plate_1")}),

@@ -30,6 +30,11 @@ def _returns(rest: Sequence[Chunk]) -> bool:
     return False
 
 
+def _closes(rest: Sequence[Chunk]) -> bool:
+    """Tell whether a list inside a list ends here: "full of two apples, a pear and a lemon, a"."""
+    return [chunk.kind for chunk in rest[:4]] == ["noun", "and", "noun", "comma"]
+
+
 def _is_fronted(chunks: Sequence[Chunk], i: int) -> bool:
     """Tell whether a relation opens a clause: ", to its left a book", "and behind it is a mug"."""
     if not i or chunks[i - 1].kind not in ("comma", "and"):
@@ -78,7 +83,9 @@ class Reader:
             elif chunk.kind == "carry":
                 self._carry(chunk.text)
             elif chunk.kind in ("and", "comma"):
-                self._conjunction(chunk.kind, _returns(chunks[i + 1 :]))
+                rest = chunks[i + 1 :]
+                inner = self._carried == "hold" and _closes(rest)
+                self._conjunction(chunk.kind, inner or _returns(rest))
             elif chunk.kind == "are":
                 self._each = self._each or chunk.text == "each"
                 self._joined = chunk.text != "is" or len(self._group) < 2
