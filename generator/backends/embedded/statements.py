@@ -23,7 +23,7 @@ _SIDES = ("left_of", "right_of", "in_front_of", "behind")
 def _returns(rest: Sequence[Chunk]) -> bool:
     """Tell whether the rest of a sentence puts things on or in "it"."""
     for chunk, following in pairwise(rest):
-        if chunk.kind == "stop":
+        if chunk.kind in ("stop", "carry"):  # "a board with a knife on it": the board
             return False
         if chunk.kind == "relation" and chunk.text in ("on", "in"):
             return following.noun is not None and following.noun.kind == "pronoun"
@@ -243,7 +243,7 @@ class Reader:
         itself = not noun.plural or bool(PACKAGES & set(noun.category.split("_")))
         for draft in drafts:
             if itself:
-                draft.category, draft.noun = noun.category, f"{of.noun} of {' '.join(noun.words)}"
+                draft.category, draft.noun = noun.category, noun.noun
             else:
                 draft.attributes.setdefault("state", f"with {' '.join(noun.words)}")
         return True
