@@ -20,6 +20,11 @@ def side_view(outline: Any, width: float, bevel: float = 0.0) -> Solid:
     return prism(outline, -width / 2, width / 2, bevel).turned(0, np.pi / 2)
 
 
+def facing(solid: Solid) -> Solid:
+    """Return a solid with its top (+z) turned to the front (-y)."""
+    return solid.turned(0, np.pi / 2)
+
+
 def lobed(solid: Solid, count: int, depth: float) -> Solid:
     """Return a solid about z with ``count`` lobes: its radius swells and sinks by ``depth``."""
 

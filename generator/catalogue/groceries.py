@@ -20,7 +20,7 @@ def meat_can(look: Look) -> Shape:
     """A rectangular can of luncheon meat with a pull ring."""
     x, y, h = look.between(0.09, 0.105), look.between(0.055, 0.062), look.between(0.075, 0.088)
     color, ground = look.color("navy", "blue", "red", "green"), look.fixed("yellow", "cream", "sky")
-    word = look.pick(["MEAT", "HAM", "PORK", "SPAM", "TUNA"])
+    word = look.pick(["MEAT", "HAM", "PORK", "BEEF", "TUNA"])
     outline, share = rectangle(x, y, 0.018, 5), x / (x + y) / 2
     label = turned_to(wrap(look, word, ground, color, share=share), share / 2 + 0.03)
     tin = textures.brushed(look.rng, (190, 190, 186))
