@@ -70,7 +70,7 @@ class Painter:
         model.vis.global_.offheight = model.vis.global_.offwidth = side
         model.vis.quality.offsamples = 0
         model.vis.quality.shadowsize = 1024
-        model.stat.extent, model.vis.map.shadowclip = 1.0, 1.3
+        model.stat.extent, model.vis.map.shadowclip = 1.0, 1.8
         self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
         self._context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR.value
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
@@ -101,7 +101,7 @@ class Painter:
         camera: Camera,
         lamps: Sequence[Lamp],
         rng: np.random.Generator,
-        passes: int = 4,
+        passes: int = 3,
     ) -> Float[np.ndarray, "h w 3"]:
         """Return a picture in [0, 255]: the mean of ``passes`` with pixels and lamps shifted."""
         import mujoco

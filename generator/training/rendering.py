@@ -52,7 +52,8 @@ def draw(rng: np.random.Generator, staging: Staging, supply: Supply, painter: Pa
     clean = staging.setting == "white" or staging.cartoon
     picture = finishing.developed(rng, image, clean)
     kept, visible = _kept(visible, full)
-    region[(region == OBJECT) & (visible == 0)] = TOP
+    lost = (region == OBJECT) & (visible == 0)
+    region[lost] = np.where(top[lost], TOP, BACKGROUND)
     return _sample(staging, supply, picture, visible, full, kept, region, top, outline, depth)
 
 

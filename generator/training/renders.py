@@ -51,21 +51,20 @@ def plan(out: Path, count: int, seed: int, split: Split) -> tuple[Job, ...]:
         left = tuple(
             (k, min(PER_SHARD, count - k * PER_SHARD))
             for k in numbers
-            if not _finished(shard_path(out, split, seed, k), min(PER_SHARD, count - k * PER_SHARD))
+            if _held(shard_path(out, split, seed, k)) < min(PER_SHARD, count - k * PER_SHARD)
         )
         if left:
             jobs.append(Job(out, seed, split, group, left))
     return tuple(jobs)
 
 
-def _finished(path: Path, count: int) -> bool:
-    """Tell whether a shard is there with at least ``count`` samples of today's categories."""
+def _held(path: Path) -> int:
+    """Return how many samples a shard holds, 0 where there is none."""
     if not path.exists():
-        return False
+        return 0
     reader = ShardReader(path)
-    enough = len(reader) >= count and reader.keys == KEYS
     reader.close()
-    return enough
+    return len(reader)
 
 
 def render(job: Job) -> list[int]:

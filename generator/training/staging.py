@@ -9,7 +9,8 @@ from typing import Literal
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from ..geometry import Camera, framing_camera, rotation_z
+from ..catalogue.outlines import rectangle
+from ..geometry import Camera, framing_camera, inside_margin, rotation_z
 from ..scene import View
 from . import patterns
 from .arranging import Placed, arrange
@@ -24,6 +25,10 @@ SETTINGS: tuple[tuple[Setting, float], ...] = (
     ("clutter", 0.15),
 )
 """Backgrounds and how often each is drawn."""
+
+Tone = Literal["any", "white", "dark"]
+TONES: tuple[tuple[Tone, float], ...] = (("any", 0.88), ("white", 0.07), ("dark", 0.05))
+"""White things on white tables, dark ones on dark tables, and how often."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,11 +67,12 @@ def stage(rng: np.random.Generator, supply: Supply, side: int) -> Staging:
     setting = SETTINGS[int(rng.choice(len(SETTINGS), p=[share for _, share in SETTINGS]))][0]
     cartoon = bool(rng.random() < 0.12)
     lamps = _lamps(rng, view, cartoon)
-    tabletop = [*_furniture(rng, supply, index), *_covers(rng, supply, outline, height)]
+    tone = TONES[int(rng.choice(len(TONES), p=[share for _, share in TONES]))][0]
+    tabletop = [*_furniture(rng, supply, index, tone), *_covers(rng, supply, outline, height)]
     backdrop, surroundings = _surroundings(rng, supply, setting, camera, view, outline, lamps)
     return Staging(
         tuple(placed),
-        tuple(_drawn(rng, supply, p) for p in placed),
+        tuple(_drawn(rng, supply, p, tone) for p in placed),
         tuple(tabletop),
         tuple(surroundings),
         backdrop,
@@ -173,7 +179,7 @@ def _down(rng: np.random.Generator, view: View, spread: float) -> Float[np.ndarr
 # ------------------------------------------------------------------------------------ things
 
 
-def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed) -> Thing:
+def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed, tone: Tone) -> Thing:
     """Return the thing as drawn: its own look, or a borrowed colour or texture."""
     mesh = supply.model_mesh(placed.model)
     texture = mesh
@@ -186,7 +192,10 @@ def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed) -> Thing:
         color[:3] = np.array(patterns.any_color(rng)) / 255
     elif chance < 0.2:  # white or nearly black
         texture = 0
-        color[:3] = rng.uniform(0.85, 1) if rng.random() < 0.5 else rng.uniform(0.02, 0.15)
+        color[:3] = _level(rng, "white" if rng.random() < 0.5 else "dark")
+    elif tone != "any" and chance < 0.7:
+        texture = 0
+        color[:3] = _level(rng, tone)
     elif chance < 0.4:
         color[:3] = rng.uniform(0.6, 1, 3)
     opacity = supply.models[placed.model].mesh.opacity
@@ -205,19 +214,27 @@ def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed) -> Thing:
     )
 
 
-def _furniture(rng: np.random.Generator, supply: Supply, index: int) -> list[Thing]:
+def _level(rng: np.random.Generator, tone: Tone) -> Float[np.ndarray, "3"]:
+    """Return nearly white or nearly black."""
+    grey = rng.uniform(0.8, 1) if tone == "white" else rng.uniform(0.02, 0.18)
+    return grey * rng.uniform(0.92, 1, 3)
+
+
+def _furniture(rng: np.random.Generator, supply: Supply, index: int, tone: Tone) -> list[Thing]:
     """Return the table: as built, or its top plain white or coloured, or covered by a texture."""
     size = supply.tables[index].size
     mesh = supply.table_mesh(index)
     at = np.array([0.0, 0.0, size[2] / 2])
     gloss = float(rng.choice([0.0, 0.1, 0.5]))
     legs = Thing(mesh, np.diag(size), at, mesh, _paint(rng), gloss, 0.6)
-    chance = rng.random()
+    chance = rng.random() if tone == "any" else 0.5
     if chance < 0.45:
         top = Thing(mesh + 1, np.diag(size), at, mesh, legs.color, gloss, 0.6)
     elif chance < 0.8:
         plain = np.full(3, rng.uniform(0.8, 1)) if rng.random() < 0.6 else rng.uniform(0, 1, 3)
-        r, g, b = (float(c) for c in plain * rng.uniform(0.93, 1, 3))
+        if tone != "any":
+            plain = _level(rng, tone)
+        r, g, b = (float(c) for c in plain * rng.uniform(0.95, 1, 3))
         top = Thing(mesh + 1, np.diag(size), at, 0, (r, g, b, 1.0), gloss, 0.6)
     else:
         look = supply.cloths if chance > 0.96 else supply.surfaces
@@ -245,7 +262,9 @@ def _covers(
     covers = []
     for _ in range(int(rng.integers(1, 4))):
         size = np.array([*(reach * rng.uniform(0.2, 0.6, 2)), 0.001])
-        at = np.array([*(rng.uniform(-0.5, 0.5, 2) * (reach - size[:2]) * 0.6), height])
+        at = np.array([*(rng.uniform(-0.5, 0.5, 2) * (reach - size[:2]) * 0.8), height])
+        if (inside_margin(at[:2] + rectangle(size[0], size[1]), outline) < 0).any():
+            continue
         covers.append(_board(int(rng.choice(supply.cloths)), size, at, int(rng.integers(3))))
     return covers
 

@@ -13,6 +13,7 @@ from ..catalogue.colors import COLORS
 from ..catalogue.look import METALS, WOODS
 from ..catalogue.registry import CATEGORIES, build
 from ..catalogue.solids import box
+from ..catalogue.styles import STYLES
 from ..catalogue.tables import LEGS, OUTLINES, build_table
 from ..geometry import convex_outline
 from ..scene import Mesh, Model, PlannedTable
@@ -67,7 +68,7 @@ def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supp
     low, high = SEEDS[split]
     order = np.concatenate([rng.permutation(len(KEYS)) for _ in range(1 + models // len(KEYS))])
     chosen = [int(k) for k in order[: models - models // 6]]
-    made = [build(KEYS[k], int(rng.integers(low, high))) for k in chosen]
+    made = [_built(rng, KEYS[k], low, high) for k in chosen]
     made += [stranger(int(rng.integers(low, high)) + 7919 * seed) for _ in range(models // 6)]
     categories = chosen + [UNKNOWN] * (models // 6)
     stands = [_table(rng, low, high) for _ in range(tables)]
@@ -89,6 +90,12 @@ def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supp
         tuple(numbers[14:22]),
         tuple(numbers[22:]),
     )
+
+
+def _built(rng: np.random.Generator, key: str, low: int, high: int) -> Model:
+    """Return a variant of a category, now and then in one of the catalogue's styles."""
+    style = _pick(rng, sorted(STYLES)) if rng.random() < 0.15 else ""
+    return build(key, int(rng.integers(low, high)), attributes={"style": style})
 
 
 def _unit_box(repeat: int) -> Mesh:
