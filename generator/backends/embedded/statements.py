@@ -4,54 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from itertools import pairwise
 
 import numpy as np
 
-from ...catalogue import CATEGORIES
 from ...errors import InputError
 from ...scene import TABLE
+from .clauses import closes, is_fronted, returns
 from .drafts import Draft, Group, Reading, assumed_relation, said, same, shares
 from .grammar import Chunk, NounPhrase
-from .lexicon import singular
-from .relations import fits
-from .vocabulary import PACKAGES, SEVERAL, STACKED, SUBSTANCES
+from .linking import amount, headed, link, packed, stack
+from .vocabulary import SEVERAL, SUBSTANCES
 
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")
-
-
-def _returns(rest: Sequence[Chunk]) -> bool:
-    """Tell whether the rest of a sentence puts things on or in "it"."""
-    for chunk, following in pairwise(rest):
-        if chunk.kind in ("stop", "carry"):  # "a board with a knife on it": the board
-            return False
-        if chunk.kind == "relation" and chunk.text in ("on", "in"):
-            return following.noun is not None and following.noun.kind == "pronoun"
-    return False
-
-
-def _closes(rest: Sequence[Chunk]) -> bool:
-    """Tell whether a list inside a list ends here: "full of two apples, a pear and a lemon, a"."""
-    return [chunk.kind for chunk in rest[:4]] == ["noun", "and", "noun", "comma"]
-
-
-def _is_fronted(chunks: Sequence[Chunk], i: int) -> bool:
-    """Tell whether a relation opens a clause: ", to its left a book", "and behind it is a mug"."""
-    if not i or chunks[i - 1].kind not in ("comma", "and"):
-        return False
-    rest = [c.noun for c in chunks[i + 1 : i + 5] if c.kind not in ("are", "gap")]
-    if not chunks[i].text.partition(" ")[2]:  # its target comes first
-        if not rest or rest[0] is None or not rest[0].definite:
-            return False
-        del rest[0]
-    return bool(rest) and rest[0] is not None and rest[0].determined
-
-
-def _topmost(target: Draft | str) -> Draft | str:
-    """Return the top of a stack that ``target`` is in, else itself."""
-    while isinstance(target, Draft) and target.stacked_under is not None:
-        target = target.stacked_under
-    return target
 
 
 class Reader:
@@ -79,13 +43,13 @@ class Reader:
             elif chunk.kind == "noun" and chunk.noun is not None:
                 self._noun(chunk.noun, following)
             elif chunk.kind == "relation":
-                self._relation(chunk.text, fronted=_is_fronted(chunks, i))
+                self._relation(chunk.text, fronted=is_fronted(chunks, i))
             elif chunk.kind == "carry":
                 self._carry(chunk.text)
             elif chunk.kind in ("and", "comma"):
                 rest = chunks[i + 1 :]
-                inner = self._carried == "hold" and _closes(rest)
-                self._conjunction(chunk.kind, inner or _returns(rest))
+                inner = self._carried == "hold" and closes(rest)
+                self._conjunction(chunk.kind, inner or returns(rest))
             elif chunk.kind == "are":
                 self._each = self._each or chunk.text == "each"
                 self._joined = chunk.text != "is" or len(self._group) < 2
@@ -134,13 +98,13 @@ class Reader:
         kind, _, target = text.partition(" ")
         if kind == "stacked":
             several = self._group[-1:] if self._group and len(self._group[-1]) > 1 else self._group
-            self._stack([d for group in several for d in group])
+            stack([d for group in several for d in group])
         elif target == "table":
             beside = self._owner if kind in _SIDES and self._group else None
             self._attach(kind, self._one(beside) or [TABLE])
             for other in more:
                 for group in self._moved:
-                    self._apply(other.split()[0], group, [TABLE])
+                    link(other.split()[0], group, [TABLE], self.reading.warnings)
         elif target == "it":
             self._attach(kind, self._one(self._antecedent(kind)))
         elif target == "each":  # on either side
@@ -225,29 +189,6 @@ class Reader:
         self._group, self._owner, self._carried = [owner], None, None
         return True
 
-    def _packed(self, of: NounPhrase, noun: NounPhrase) -> bool:
-        """Read "three bottles of nail polish" or "a box of gloves": one thing, not two."""
-        if of.noun not in PACKAGES or noun.determined or not self._group:
-            return False
-        drafts = self._group[-1]
-        vessel = CATEGORIES[of.category] if of.category else None
-        if noun.category is None:
-            if noun.kind != "unknown":
-                return False
-            for draft in drafts:
-                draft.attributes.setdefault("state", f"with {' '.join(noun.words)}")
-            return True
-        inner = CATEGORIES[noun.category].size
-        if vessel is not None and fits("in", inner, vessel.size, vessel.container):
-            return False
-        itself = not noun.plural or bool(PACKAGES & set(noun.category.split("_")))
-        for draft in drafts:
-            if itself:
-                draft.category, draft.noun = noun.category, noun.noun
-            else:
-                draft.attributes.setdefault("state", f"with {' '.join(noun.words)}")
-        return True
-
     def _merged(self, of: NounPhrase, noun: NounPhrase) -> NounPhrase:
         """Read "a stack of three books", "a dozen of eggs", "a bowl of apples", "a cup of tea"."""
         if of.kind == "object":
@@ -255,24 +196,14 @@ class Reader:
                 for draft in self._group[-1] if self._group else []:
                     draft.attributes.setdefault("state", f"with {noun.noun or noun.words[-1]}")
                 return NounPhrase("place", noun.words)
-            if self._packed(of, noun):
+            if packed(of, noun, self._group[-1] if self._group else []):
                 return NounPhrase("place", noun.words)
             self._carry("of")
             return noun
         if of.kind == "unknown" and noun.noun in SUBSTANCES:
             return replace(of, attributes={**of.attributes, "state": f"with {noun.noun}"})
         if of.kind in ("group", "amount", "vague"):
-            several = of.kind == "group" and of.words[-1] not in ("piece", "slice", "type", "kind")
-            vague = of.vague or ((3, 3) if several and noun.plural else None)
-            count = noun.count if noun.count is not None else of.count
-            if of.kind == "group" and noun.count is None and (of.count or 0) <= 1:
-                count = None if noun.plural else 1.0
-            stacked = bool(STACKED & set(of.words)) and (noun.plural or (noun.count or 0) > 1)
-            attributes = {**noun.attributes, **({"stack": "yes"} if stacked else {})}
-            return replace(
-                noun, count=count, vague=None if count is not None else vague,
-                attributes=attributes,
-            )  # fmt: skip
+            return amount(of, noun)
         return noun
 
     def _exclude(self, noun: NounPhrase) -> None:
@@ -343,7 +274,7 @@ class Reader:
             self._assume(group)
         elif self._lead is not None:
             kind, targets = self._lead
-            self._apply(kind, group, targets)
+            link(kind, group, targets, self.reading.warnings)
         if self._topic is None:
             self._topic = group
         if not self._listing and self._group and not self._joined:
@@ -405,7 +336,7 @@ class Reader:
             if self._joined or held or group is self._group[-1] or shares(kind, group, targets)
         ]  # fmt: skip
         for group in self._moved:
-            self._apply(kind, group, targets)
+            link(kind, group, targets, self.reading.warnings)
         self._owner, self._carried, self._related = None, None, True
         support = [target for target in targets if isinstance(target, Draft)]
         if kind in ("on", "in", "center") and support:
@@ -430,31 +361,6 @@ class Reader:
             one = self._group[-1][0]
             self._group[-1].append(self.reading.add(one.noun, one.category, one.attributes))
         self._pending = "flank"
-
-    def _apply(self, kind: str, group: Group, targets: Sequence[Draft | str]) -> None:
-        if kind == "flank":
-            for side, half in (("left_of", group[::2]), ("right_of", group[1::2])):
-                self._apply(side, half, targets)
-            return
-        paired = len(group) == len(targets) and len(targets) > 1 and kind != "next_to"
-        for i, draft in enumerate(group):
-            if kind == "on":
-                targets = [_topmost(target) for target in targets]
-            chosen = [targets[i]] if paired else list(targets if kind == "next_to" else targets[:1])
-            stacked = any(to in group for _, to in draft.relations)
-            for target in [] if stacked else chosen:
-                if target is draft:
-                    raise InputError(
-                        f"The text relates the {draft.noun} to itself; name two different objects."
-                    )
-                if kind == "under" and isinstance(target, Draft):
-                    target.relate("on", draft)
-                elif kind == "under":
-                    self.reading.warnings.append(
-                        f"The {draft.noun} cannot go under the table; it stands on it."
-                    )
-                elif (kind, target) not in (("on", TABLE), ("in", TABLE), ("next_to", TABLE)):
-                    draft.relate(kind, target)
 
     def _antecedent(self, kind: str | None, *, several: bool = False) -> Group | str | None:
         """Return what "it" or "them" means, and remember it for the rest of the sentence.
@@ -501,23 +407,12 @@ class Reader:
             return alike
         if not (noun.definite or noun.other):
             return None
-        if not alike:  # "the tin" is the tea tin
-            head = noun.noun.split()[-1:]
-            alike = [
-                d for d in self.reading.objects
-                if d.noun.split()[-1:] == head or [singular(w) for w in d.noun.split()[-1:]] == head
-            ]  # fmt: skip
+        alike = alike or headed(self.reading.objects, noun)
         if noun.other and len(alike) > 1:
             return [alike[1]]
         if noun.plural and (noun.count or 2) > 1:
             return alike or None
         return alike[:1] or None
-
-    @staticmethod
-    def _stack(group: Group) -> None:
-        for below, above in pairwise(group):
-            above.relate("on", below)
-            below.stacked_under = above
 
     def _one_each(self, owners: Group) -> None:
         """Multiply the current subject so that each owner gets its own ("on each plate")."""
@@ -559,5 +454,5 @@ class Reader:
             for _ in range(self.reading.number(noun, self._rng) * owners)
         ]  # fmt: skip
         if noun.attributes.get("stack"):
-            self._stack(group)
+            stack(group)
         return group
