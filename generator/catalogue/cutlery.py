@@ -10,9 +10,11 @@ from ..scene import ConvexPart
 from . import textures
 from .category import Category
 from .collision import hull_of, hull_part
+from .colors import tinted
 from .look import Look
+from .outlines import ellipse
 from .shape import Shape, shape
-from .solids import Solid, block, cylinder, joined, prism, refined
+from .solids import Solid, block, cylinder, joined, loft, prism, refined
 from .textures import Tile
 
 
@@ -41,78 +43,135 @@ def _mirrored(half: list[tuple[float, float]]) -> np.ndarray:
 
 
 def _metal(look: Look) -> Tile:
-    return look.surface(look.color("silver", "silver", "gold", "black", spread=4), "metal")
+    """Return a flat of bright, brushed, golden, coppery or black metal, a little scratched."""
+    color = look.color(*["silver"] * 5, "gray", "gray", "gold", "black", "copper", spread=6)
+    tile = look.surface(color, "metal")
+    if look.material:
+        return tile
+    worn = textures.scratched(look.rng, color, tinted(color, 1.25), int(look.rng.integers(4, 26)))
+    return look.pick([tile, worn])
+
+
+def _grip_paint(look: Look) -> tuple[str, Tile]:
+    """Return how a handle is made, "metal" or "sleeve", and the sleeve's tile."""
+    color = look.fixed("black", "white", "brown", "red", "teal", "sky", "cream")
+    sleeve = look.pick([textures.wood(look.rng, (150, 98, 60)), textures.plain(color),
+                        textures.speckled(look.rng, color, 5, 32)])  # fmt: skip
+    return ("sleeve" if look.chance(0.3) and not look.material else "metal"), sleeve
+
+
+def _sleeve(long: float, start: float, wide: float) -> Solid:
+    """Return the flattened sleeve of a handle from x ``start`` to the right end."""
+    x = 0.5 * long - start
+    return block(x, 2 * wide, 0.0052, wide, 0.0012).moved(x=start + x / 2)
 
 
 def fork(look: Look) -> Shape:
-    """A fork lying flat, four tines to the left."""
-    long = look.between(0.185, 0.205)
-    steel = _metal(look)
+    """A fork lying flat, three or four tines to the left."""
+    long, wide = look.between(0.175, 0.21), look.between(0.85, 1.15)
+    steel, kind, sleeve = _metal(look), *_grip_paint(look)
+    end = look.between(0.005, 0.0105)
     grip = [
-        (-0.046, 0.0),
-        (-0.044, -0.006),
-        (-0.03, -0.011),
-        (-0.02, -0.0035),
-        (0.02, -0.003),
-        (0.5 * long - 0.01, -0.0095),
-        (0.5 * long, -0.006),
-    ]
+        (-0.046, 0.0), (-0.044, -0.007 * wide), (-0.03, -0.0112 * wide), (-0.02, -0.0035),
+        (0.02, -0.0028), (0.5 * long - 0.012, -end), (0.5 * long - 0.003, -0.8 * end),
+        (0.5 * long, -0.4 * end),
+    ]  # fmt: skip
     body = prism(_mirrored([(x, y) for x, y in grip if y < 0 or x < -0.045]), 0, 0.0024)
-    tine = prism(np.array([(-0.5 * long, -0.0009), (-0.03, -0.0019), (-0.03, 0.0019),
+    count = look.pick([3, 4, 4])
+    pitch = 0.0174 * wide / (count - 1)
+    half = 0.0019 * (1.3 if count == 3 else 1.0)
+    tine = prism(np.array([(-0.5 * long, -0.0009), (-0.03, -half), (-0.03, half),
                            (-0.5 * long, 0.0009)]), 0, 0.0022)  # fmt: skip
-    tines = [tine.moved(y=(k - 1.5) * 0.0058) for k in range(4)]
-    whole = joined([body, *tines])
-    fine = _bent(refined(whole), long, 0.008)
-    return shape([(fine, steel)], _sliced(fine, [-0.5 * long, -0.04, 0.0, 0.5 * long]))
+    tines = [tine.moved(y=(k - (count - 1) / 2) * pitch) for k in range(count)]
+    fine = _bent(refined(joined([body, *tines])), long, 0.008)
+    pieces = [(fine, steel)]
+    if kind == "sleeve":
+        pieces.append((_bent(refined(_sleeve(long, 0.018, max(end, 0.006))), long, 0.008), sleeve))
+    return shape(pieces, _sliced(fine, [-0.5 * long, -0.04, 0.0, 0.5 * long]))
 
 
 def spoon(look: Look) -> Shape:
-    """A spoon lying flat, its bowl to the left."""
-    long = look.between(0.165, 0.195)
-    steel = _metal(look)
-    width = look.between(0.019, 0.021)
-    head = cylinder(1, 0.0022, 24).scaled(0.031, width, 1).moved(x=-0.5 * long + 0.031)
-    hollow = cylinder(1, 0.0006, 24).scaled(0.026, width - 0.0045, 1)
-    hollow = hollow.moved(x=-0.5 * long + 0.031, z=0.0021)
+    """A spoon lying flat, its hollow bowl to the left: round, oval or pointed."""
+    long = look.between(0.155, 0.2)
+    steel, kind, sleeve = _metal(look), *_grip_paint(look)
+    reach, wide = look.between(0.026, 0.034), look.between(0.0175, 0.023)
+    end, pointed = look.between(0.005, 0.0095), look.between(-0.15, 0.25)
+    middle = -0.5 * long + reach
+    ring = ellipse(2, 2, 24)
+    ring = np.column_stack([ring[:, 0], ring[:, 1] * (1 + pointed * ring[:, 0])]) * [reach, wide]
+    levels = [(0.12, 0.0003), (0.62, 0.0014), (1.0, 0.0072), (0.9, 0.0072), (0.55, 0.003),
+              (0.12, 0.0018)]  # fmt: skip
+    head = loft(
+        np.stack([np.column_stack([ring * k + [middle, 0], np.full(24, z)]) for k, z in levels]),
+        ring, profile=np.array([(k * reach, z) for k, z in levels]),
+    )  # fmt: skip
+    neck = middle + 0.93 * reach
     grip = prism(
-        _mirrored([(-0.5 * long + 0.055, -0.005), (0.0, -0.0028), (0.5 * long - 0.02, -0.0085),
-                   (0.5 * long - 0.004, -0.007), (0.5 * long, -0.003)]), 0, 0.0022,
+        _mirrored([(neck, -0.0055), (neck + 0.012, -0.0036), (0.0, -0.0026),
+                   (0.5 * long - 0.02, -end), (0.5 * long - 0.004, -0.8 * end),
+                   (0.5 * long, -0.35 * end)]), 0, 0.0022,
     )  # fmt: skip
 
     def lifted(solid: Solid) -> Solid:
-        return _bent(refined(solid), long, 0.009)
+        def raised(p: np.ndarray) -> np.ndarray:
+            t = np.clip((p[:, 0] - neck) / (0.5 * long - neck), 0, 1)
+            rise = 0.0055 * np.cos(np.pi / 2 * t) ** 0.8 + 0.004 * np.sin(np.pi * t)
+            return np.column_stack([p[:, :2], p[:, 2] + rise])
 
-    whole = lifted(joined([head, grip]))
-    dark = textures.gradient((120, 122, 128), (176, 178, 184), look.rng)
+        return refined(refined(solid)).bent(raised)
+
+    lift, hollow = lifted(grip), textures.plain(tuple(0.62 * c for c in steel.mean((0, 1))))
+    pieces = [(head, textures.stacked((steel, 57), (hollow, 43))),
+              (lift, steel)]  # fmt: skip
+    if kind == "sleeve":
+        pieces.append((lifted(_sleeve(long, 0.03, max(end, 0.006))), sleeve))
+    x = lift.vertices[:, 0]
     return shape(
-        [(whole, steel), (lifted(hollow), dark)],
-        _sliced(whole, [-0.5 * long, -0.5 * long + 0.06, 0.02, 0.5 * long]),
+        pieces,
+        [hull_of(head), hull_part(lift.vertices[x <= 0.03]), hull_part(lift.vertices[x >= 0.028])],
     )
 
 
 def knife(look: Look) -> Shape:
-    """A table knife lying flat, or a kitchen knife with a dark handle."""
-    table = look.chance(0.5)
-    long, width = (look.between(0.21, 0.225), 0.019) if table else (look.between(0.27, 0.3), 0.036)
-    steel = textures.brushed(look.rng, (196, 199, 204))
-    cut = 0.02 if table else 0.0
-    blade = prism(
-        np.array([(-0.5 * long, 0.3 * width), (-0.44 * long, -0.35 * width),
-                  (-0.3 * long, -0.5 * width), (cut, -0.5 * width), (cut, 0.5 * width),
-                  (-0.36 * long, 0.5 * width)]), 0.0012, 0.0032,
-    )  # fmt: skip
-    color = look.color("silver") if table else look.color("black", "wooden", "red", "charcoal")
-    grip = block(
-        0.5 * long - cut, 0.8 * min(width, 0.028), 0.0075 if table else 0.016, 0.006, 0.002
-    )
+    """A table knife lying flat, or a kitchen knife: chef's, santoku, paring, serrated, steak."""
+    kind = look.pick(["table", "table", "chef", "santoku", "bread", "steak"])
+    long, wide, cut = {
+        "table": (look.between(0.2, 0.23), 0.019, look.between(0.0, 0.03)),
+        "chef": (look.between(0.28, 0.31), 0.04, 0.045),
+        "santoku": (look.between(0.26, 0.29), 0.042, 0.035),
+        "bread": (look.between(0.28, 0.31), 0.028, 0.04),
+        "steak": (look.between(0.2, 0.23), 0.02, 0.005),
+    }[kind]
+    steel = textures.brushed(look.rng, look.pick([(196, 199, 204), (176, 179, 184), (90, 92, 98)]))
+    if look.chance(0.3):
+        steel = textures.spotted(look.rng, (186, 189, 194), (120, 116, 110), 0.03)
+    tip = -0.5 * long
+    edge = {
+        "table": [(0.0, 0.3), (0.06, -0.35), (0.2, -0.5)],
+        "chef": [(0.0, 0.42), (0.12, 0.0), (0.3, -0.35), (0.5, -0.5)],
+        "santoku": [(0.0, -0.3), (0.03, -0.5), (0.5, -0.5)],
+        "bread": [(0.0, -0.1), (0.04, -0.45), (0.3, -0.5)],
+        "steak": [(0.0, 0.45), (0.1, -0.1), (0.3, -0.5)],
+    }[kind]
+    back = {"santoku": [(0.24, 0.5), (0.08, 0.25)], "table": [(0.14, 0.5)]}.get(kind, [(0.1, 0.5)])
+    outline = [(tip + u * long, v * wide) for u, v in edge]
+    outline += [(cut, -0.5 * wide), (cut, 0.5 * wide)]
+    outline += [(tip + u * long, v * wide) for u, v in back]
+    blade = prism(np.array(outline), 0.0, 0.002)
+    metal = kind == "table" and look.chance(0.7)
+    color = look.color("silver", "gray") if metal else look.color(
+        "black", "wooden", "red", "charcoal", "brown", "white", "teal", "yellow")  # fmt: skip
+    thick = 0.0075 if kind == "table" else 0.016
+    grip = block(0.5 * long - cut, 0.8 * min(wide, 0.028), thick, 0.006, 0.002)
     grip = grip.moved(x=cut + (0.5 * long - cut) / 2)
-    blade = blade.moved(z=-0.0012 if table else 0.0)
-    low = 0.0 if table else 0.0012
-    under = blade.moved(z=-low)
-    return shape(
-        [(under, steel), (grip, look.surface(color, "metal" if table else "plastic"))],
-        [hull_of(under), hull_of(grip)],
-    )
+    tile = look.surface(color, "metal" if metal else look.pick(["plastic", "wood"]))
+    pieces = [(blade, steel), (grip, tile)]
+    if not metal and kind != "table":
+        rivet = cylinder(0.0028, thick + 0.0004, 10)
+        way = 0.5 * long - cut
+        pieces += [(rivet.moved(x=cut + u * way), textures.plain((196, 190, 170)))
+                   for u in (0.22, 0.5, 0.78)]  # fmt: skip
+    return shape(pieces, [hull_of(blade), hull_of(grip)])
 
 
 CATEGORIES = (

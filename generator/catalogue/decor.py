@@ -9,11 +9,11 @@ import numpy as np
 from . import textures
 from .category import Category
 from .collision import box_part, hull_of, hull_part
-from .colors import tinted
+from .glazes import glazed
 from .look import Look
 from .outlines import rectangle, smooth
 from .shape import Shape, shape
-from .solids import Solid, block, cylinder, ellipsoid, joined, lathe, loft, tube
+from .solids import Solid, block, cylinder, ellipsoid, joined, lathe, loft, torus, tube
 
 
 def _stem(base: np.ndarray, tip: np.ndarray, thick: float = 0.0022) -> Solid:
@@ -21,33 +21,22 @@ def _stem(base: np.ndarray, tip: np.ndarray, thick: float = 0.0022) -> Solid:
     return tube(smooth([base, middle, tip], 3), thick, 6)
 
 
-def _leaf(length: float, width: float, angle: float, lift: float) -> Solid:
-    """Return a thin curved leaf that starts at the origin and points along ``angle``."""
-    t = np.linspace(0, 1, 7)
-    half = width / 2 * np.sin(np.pi * np.clip(t * 0.94 + 0.03, 0, 1)) ** 0.75
-    rise = length * (np.sin(lift) * t - 0.35 * np.cos(lift) * t**2)
-    along = length * np.cos(lift) * t
-    section = np.array([(-1.0, 0.0), (0.0, -0.3), (1.0, 0.0), (0.0, -0.05)])
-    thick = np.array([0, 0, 0, 0.0008])
-    rings = np.stack(
-        [
-            np.column_stack([np.full(4, x), section[:, 0] * w, section[:, 1] * w + z + thick])
-            for x, w, z in zip(along, half, rise, strict=True)
-        ]
-    )
-    return loft(rings, section, profile=np.column_stack([along, rise])).turned(2, angle)
-
-
 def vase(look: Look) -> Shape:
     """A curved vase, open at the top; some hold flowers."""
-    r, h = look.between(0.045, 0.06), look.between(0.17, 0.24)
-    color = look.color("white", "teal", "terracotta", "navy", "cream", "sage", "mustard")
-    style, phase = int(look.rng.integers(3)), look.between(0.4, 1.1)
+    r, h = look.between(0.042, 0.064), look.between(0.16, 0.25)
+    color = look.color(
+        *("white", "white", "teal", "terracotta", "navy", "cream", "sage", "mustard", "black"),
+        *("pink", "gray", "sky"),
+    )
+    style, phase = int(look.rng.integers(6)), look.between(0.4, 1.1)
     t = np.linspace(0, 1, 14)
     swell = [
         0.66 + 0.34 * np.sin(np.pi * (0.15 + 0.95 * t)),
         0.62 + 0.38 * np.sin(2 * np.pi * (t * 0.75 + 0.02)) * (1 - 0.35 * t),
         0.75 + 0.25 * np.cos(2 * np.pi * t * 0.8 + phase),
+        0.86 + 0.14 * t,
+        np.where(t < 0.55, np.sin(np.pi * (0.16 + 0.74 * t / 0.55)), 0.32 + 0.08 * t),
+        0.55 + 0.45 * t**0.7,
     ][style]
     swell = np.maximum(swell / swell.max(), 0.3)
     outer = np.column_stack([r * swell, h * t])
@@ -57,14 +46,7 @@ def vase(look: Look) -> Shape:
         [(0, 0), *outer, *inner, (0, inner[-1, 1])],
         v=[0, *np.linspace(0.01, 0.93, 14), *np.linspace(0.95, 0.99, len(inner)), 1],
     )
-    glaze = look.surface(color, "ceramic")
-    if not look.material:
-        other = tinted(color, look.pick([0.6, 1.5]))
-        glaze = look.pick(
-            [glaze, textures.gradient(tinted(color, 0.6), color, look.rng),
-             textures.stacked((glaze, 5), (textures.plain(other), 1), (glaze, 2)),
-             textures.spotted(look.rng, color, other, 0.04)]
-        )  # fmt: skip
+    glaze = textures.fitted(glazed(look, color), 128, 128)
     pieces = [(body, glaze)]
     levels = [0, 4, 9, 13]
     parts = [
@@ -101,55 +83,13 @@ def _flowers(look: Look, mouth: float, h: float) -> list[tuple[Solid, textures.T
     return pieces
 
 
-def potted_plant(look: Look) -> Shape:
-    """A pot with a leafy plant, a succulent or a cactus."""
-    r, h = look.between(0.045, 0.06), look.between(0.075, 0.095)
-    color = look.color("terracotta", "white", "gray", "teal", "cream", "black")
-    low = 0.75 * r
-    pot = lathe(
-        [(0, 0), (low, 0), (0.96 * r, 0.8 * h), (r, 0.8 * h), (r, h), (r - 0.005, h),
-         (r - 0.005, 0.88 * h), (0, 0.88 * h)], 28,
-    )  # fmt: skip
-    soil = cylinder(r - 0.006, 0.004, 24).moved(z=0.88 * h)
-    pieces = [(pot, look.surface(color, "ceramic")),
-              (soil, textures.speckled(look.rng, (74, 54, 40), 14))]  # fmt: skip
-    parts = [hull_of(pot)]
-    kind = look.pick(["leafy", "leafy", "succulent", "cactus"])
-    green = look.fixed("green", "olive", "sage", "teal")
-    if kind == "cactus":
-        ribs = textures.stripes([green, tinted(green, 0.75)], 9, upright=True, side=128)
-        trunk = ellipsoid(0.05, 0.05, 0.15, 20, 12).moved(z=h + 0.05)
-        arm = tube(smooth([(0.01, 0, h + 0.05), (0.042, 0, h + 0.055), (0.045, 0, h + 0.1)], 4),
-                   0.011, 10)  # fmt: skip
-        bloom = ellipsoid(0.02, 0.02, 0.016, 12, 6).moved(z=h + 0.125)
-        pieces += [(trunk, ribs), (arm, ribs), (bloom, textures.plain((226, 110, 150)))]
-        return shape(pieces, [*parts, hull_of(trunk), hull_of(arm)])
-    count, lift = (22, 0.5) if kind == "leafy" else (20, 0.75)
-    tile = textures.leaf(look.rng, green).transpose(1, 0, 2)
-    leaves = []
-    for k in range(count):
-        ring = k / count
-        long = look.between(0.075, 0.12) if kind == "leafy" else 0.065 * (1.2 - 0.7 * ring)
-        wide = (0.45 if kind == "leafy" else 0.55) * long
-        base = h * 0.9 + (look.between(0.0, 0.06) if kind == "leafy" else 0.012 * ring)
-        steep = lift + (0.9 * ring if kind == "succulent" else look.between(-0.3, 0.75))
-        leaves.append(_leaf(long, wide, 2.4 * k, steep).moved(z=base))
-    if kind == "leafy":
-        trunk = cylinder(0.0045, 0.075, 8).moved(z=0.86 * h)
-        pieces.append((trunk, textures.plain((96, 84, 52))))
-    crown = joined(leaves)
-    pieces.append((crown, tile))
-    inner = crown.vertices[np.hypot(*crown.vertices[:, :2].T) < 1.15 * r]
-    return shape(pieces, [*parts, hull_part(inner)])
-
-
 def sculpture(look: Look) -> Shape:
     """A small sculpture on a plinth: a bust, a twist, or balanced stones."""
-    color = look.color("white", "bronze", "black", "gray", "gold")
+    color = look.color("white", "bronze", "black", "gray", "gold", "terracotta", "teal", "pink")
     stone = look.surface(color, look.pick(["marble", "bronze", "stone"]))
     base = block(0.085, 0.085, 0.026, 0.004, 0.002)
     wood = textures.wood(look.rng, look.fixed("charcoal", "brown"), side=64)
-    kind = look.pick(["bust", "twist", "stones"])
+    kind = look.pick(["bust", "bust", "twist", "stones", "figure", "ring"])
     if kind == "bust":
         chest = ellipsoid(0.11, 0.062, 0.085, 24, 12).moved(z=0.05)
         neck = cylinder(0.018, 0.05, 20, top=0.016).moved(z=0.078)
@@ -165,6 +105,17 @@ def sculpture(look: Look) -> Shape:
             turned = square @ np.array([[c, s], [-s, c]]) * (1 - 0.45 * t)
             rings.append(np.column_stack([turned, np.full(4, 0.025 + 0.15 * t)]))
         figure = [loft(np.stack(rings), square, profile=np.array([(0.0, t) for t in range(13)]))]
+    elif kind == "figure":  # slender, arms raised
+        robe = cylinder(0.03, 0.075, 18, top=0.014, bevel=0.002).moved(z=0.024)
+        trunk = ellipsoid(0.04, 0.026, 0.07, 18, 10).moved(z=0.118)
+        head = ellipsoid(0.024, 0.026, 0.03, 16, 10).moved(z=0.166)
+        arms = [tube(smooth([(s * 0.012, 0, 0.138), (s * 0.036, 0, 0.15), (s * 0.03, 0, 0.188)], 4),
+                     0.0055, 8) for s in (-1, 1)]  # fmt: skip
+        figure = [robe, trunk, head, *arms]
+    elif kind == "ring":
+        turn = look.between(-0.4, 0.4)
+        hoop = torus(0.05, 0.013, 28, 12).turned(0, np.pi / 2).turned(2, turn).moved(z=0.085)
+        figure = [hoop, ellipsoid(0.034, 0.034, 0.034, 18, 12).moved(z=0.162)]
     else:
         sizes = [(0.08, 0.04), (0.064, 0.036), (0.05, 0.03), (0.034, 0.024)]
         figure, z = [], 0.024
@@ -191,16 +142,6 @@ CATEGORIES = (
         ("living", "dining", "office"),
         ("tall", "round"),
         ("white", "teal", "navy"),
-    ),
-    Category(
-        "potted_plant",
-        potted_plant,
-        (0.17, 0.17, 0.185),
-        0.6,
-        ("plant", "succulent", "cactus", "houseplant", "flower pot", "pot plant", "bonsai"),
-        ("office", "living", "coffee"),
-        ("tall",),
-        ("terracotta", "white"),
     ),
     Category(
         "sculpture",

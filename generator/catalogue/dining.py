@@ -4,96 +4,40 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..scene import ConvexPart
 from . import textures
 from .category import Category
 from .collision import box_part, cylinder_part, frame_parts, ring_parts
 from .colors import RGB, tinted
+from .glazes import SIDE, glazed
 from .look import Look
-from .outlines import smooth
 from .shape import Shape, shape
-from .solids import Solid, box, lathe, open_box, tube
+from .solids import box, lathe, open_box, tube
 from .textures import Tile
 
 
-def handle(radius: float, low: float, high: float, reach: float, thick: float) -> Solid:
-    """Return an ear-shaped handle on the +x side of a wall of ``radius``."""
-    path = smooth(
-        [
-            (radius, 0, high),
-            (radius + 0.6 * reach, 0, high + 0.04 * (high - low)),
-            (radius + reach, 0, low + 0.62 * (high - low)),
-            (radius + 0.72 * reach, 0, low + 0.22 * (high - low)),
-            (radius, 0, low),
-        ],
-        4,
-    )
-    return tube(path, thick, 8, squash=0.75)
-
-
-def handle_part(radius: float, low: float, high: float, reach: float, thick: float) -> ConvexPart:
-    """Return a handle's collision box."""
-    return box_part(reach, 2 * thick, high - low, (radius + reach / 2, 0, low))
-
-
-def decorated(look: Look, color: RGB) -> Tile:
-    """Return a glaze for the outside of crockery: plain, banded, spotted, two-tone."""
-    other = look.fixed("white", "navy", "terracotta", "teal", "cream", "mustard")
-    style = int(look.rng.integers(5))
-    glaze = look.surface(color, "ceramic")
-    if look.material or style <= 1:
-        return glaze
-    if style == 2:
-        return textures.stacked((glaze, 5), (textures.plain(other), 1), (glaze, 1.4))
-    if style == 3:
-        return textures.spotted(look.rng, color, tinted(color, 0.6))
-    return textures.stacked((textures.plain(tinted(color, 0.55)), 2), (glaze, 4))
-
-
-def mug(look: Look) -> Shape:
-    """A mug with an ear; a ball falls into it."""
-    r, h, wall = look.between(0.039, 0.043), look.between(0.088, 0.102), 0.0045
-    top = r * look.pick([1.0, 1.0, 1.06])
-    color = look.color("white", "red", "blue", "teal", "mustard", "sage", "black", "terracotta")
-    glaze, inside = decorated(look, color), look.surface(tinted(color, 1.4), "ceramic")
-    body = lathe(
-        [
-            (0, 0),
-            (r * 0.86, 0),
-            (r, 0.006),
-            (top, h - 0.002),
-            (top - wall / 2, h),
-            (top - wall, h - 0.002),
-            (r - wall, 0.012),
-            (r * 0.7, 0.006),
-            (0, 0.006),
-        ],
-        v=[0, 0, 0.02, 0.96, 0.97, 0.98, 0.99, 1, 1],
-    )
-    ear = handle(r - 0.002, 0.22 * h, 0.82 * h, 0.026, 0.0055)
-    tile = textures.stacked((glaze, 97), (inside, 4), side=128)
-    wedges = ring_parts(
-        [(r * 0.86, 0.0), (r, 0.006), (top, h)], [(top - wall, h), (r - wall, 0.006)]
-    )
-    bottom = cylinder_part(r * 0.86, 0.006)
-    return shape(
-        [(body, tile), (ear, look.surface(color, "ceramic"))],
-        [*wedges, bottom, handle_part(r, 0.22 * h, 0.8 * h, 0.022, 0.005)],
-    )
-
-
 def bowl(look: Look) -> Shape:
-    """An open bowl on a foot ring."""
-    r, h, wall = look.between(0.07, 0.085), look.between(0.055, 0.072), 0.005
-    foot = 0.45 * r
-    color = look.color("white", "cream", "teal", "blue", "terracotta", "sage", "wooden")
+    """An open bowl on a foot ring: round, conical, straight-sided or shallow."""
+    r, h, wall = look.between(0.066, 0.09), look.between(0.05, 0.075), 0.005
+    foot = look.between(0.4, 0.6) * r
+    color = look.color(
+        *("white", "white", "cream", "teal", "blue", "terracotta", "sage", "wooden", "black"),
+        *("pink", "mustard", "gray", "navy", "coral"),
+    )
+    bulge = look.pick(["round", "round", "cone", "straight"])
     t = np.linspace(0, np.pi / 2, 8)
-    outer = np.column_stack([foot + (r - foot) * np.sin(t), h * (1 - np.cos(t))])
-    inner = np.column_stack([outer[:, 0] - wall, 0.007 + (h - 0.007) * (1 - np.cos(t))])[::-1]
-    v = [0, *np.linspace(0.02, 0.95, 8), *np.linspace(0.97, 1, 8), 1]
+    x, z = {
+        "round": (np.sin(t), 1 - np.cos(t)),
+        "cone": (0.4 * np.sin(t) + 0.6 * t / t[-1], t / t[-1]),
+        "straight": (np.minimum(1, np.sin(1.6 * np.minimum(t, 0.98))), (t / t[-1]) ** 1.6),
+    }[bulge]
+    outer = np.column_stack([foot + (r - foot) * x, h * z])
+    inner = np.column_stack([outer[:, 0] - wall, 0.007 + (h - 0.007) * z])[::-1]
+    v = [0, *np.linspace(0.02, 0.48, 8), *np.linspace(0.52, 0.99, 8), 1]
     body = lathe([(0, 0), *outer, *inner, (0, 0.007)], v=v)
-    inside = look.surface(look.pick([tinted(color, 1.5), color]), "ceramic")
-    tile = textures.stacked((decorated(look, color), 96), (inside, 4))
+    inside = look.surface(look.pick([tinted(color, 1.5), color, (244, 242, 236)]), "ceramic")
+    within = inside if look.chance(0.7) else glazed(look, color)[::-1]
+    rim = textures.plain(tinted(color, 0.5)) if look.chance(0.3) else inside
+    tile = textures.stacked((glazed(look, color), 48), (rim, 4), (within, 48), side=192)
     wedges = ring_parts(
         [(foot, 0), tuple(outer[3]), tuple(outer[5]), (r, h)],
         [(r - wall, h), (foot - wall, 0.007)],
@@ -102,11 +46,13 @@ def bowl(look: Look) -> Shape:
 
 
 def plate(look: Look) -> Shape:
-    """A dinner plate with a low rim."""
-    r, h, t = look.between(0.115, 0.135), look.between(0.02, 0.026), 0.0045
-    color = look.color("white", "cream", "blue", "sage", "terracotta", "gray")
-    rim = look.fixed("navy", "gold", "teal", "white", "terracotta")
-    well = 0.66 * r
+    """A dinner plate: a low or wide rim, or a coupe; painted rings, rims and glazes."""
+    r, h, t = look.between(0.11, 0.14), look.between(0.017, 0.028), 0.0045
+    color = look.color(
+        *("white", "white", "cream", "blue", "sage", "terracotta", "gray", "black", "teal"),
+        *("pink", "mustard", "navy"),
+    )
+    well = look.pick([0.58, 0.66, 0.66, 0.78]) * r
     body = lathe(
         [
             (0, 0),
@@ -114,17 +60,43 @@ def plate(look: Look) -> Shape:
             (well * 1.06, 0.003),
             (r, h - t * 0.6),
             (r, h),
+            (0.5 * (r + well * 1.08), 0.5 * (h + 0.009) - 0.001),
             (well * 1.08, 0.009),
             (well, t + 0.002),
+            (0.5 * well, t + 0.002),
             (0, t + 0.002),
         ],
-        v=[0, 0, 0.05, 0.5, 0.52, 0.75, 0.8, 1],
+        v=[0, 0, 0.05, 0.3, 0.32, 0.46, 0.6, 0.66, 0.84, 1],
     )
+    return shape([(body, _plate_glaze(look, color))], [
+        cylinder_part(well, t + 0.002),
+        *ring_parts([(well, 0), (r, h - t * 0.6), (r, h)], [(well, t + 0.002)], 8),
+    ])  # fmt: skip
+
+
+def _plate_glaze(look: Look, color: RGB) -> Tile:
+    """Return a plate's glaze: its underside below v 0.3, its rim, and its well above 0.66."""
     glaze = look.surface(color, "ceramic")
-    ring = textures.plain(rim if look.chance(0.5) else tinted(color, 0.9))
-    tile = textures.stacked((glaze, 51), (ring, 6), (glaze, 43))
-    wedges = ring_parts([(well, 0), (r, h - t * 0.6), (r, h)], [(well, t + 0.002)], 8)
-    return shape([(body, tile)], [cylinder_part(well, t + 0.002), *wedges])
+    rim = look.fixed("navy", "gold", "teal", "white", "terracotta", "crimson", "black")
+    kind = int(look.rng.integers(7))
+    if look.material or kind == 0:
+        return glaze
+    if kind <= 2:
+        wide = look.between(2, 14)
+        return textures.stacked((glaze, 31), (textures.plain(rim), wide), (glaze, 69 - wide))
+    if kind == 3:
+        line = textures.plain(rim)
+        return textures.stacked(
+            (glaze, 31), (line, 3), (glaze, 4), (line, 1.5), (glaze, 24), (line, 1.5), (glaze, 35)
+        )
+    if kind == 4:
+        pale = look.surface(look.pick([(244, 242, 236), tinted(color, 1.4)]), "ceramic")
+        return textures.stacked((glaze, 31), (glazed(look, color), 30), (pale, 39), side=192)
+    if kind == 5:
+        rings = textures.stripes([color, tinted(color, 0.86)], 16, side=SIDE)
+        return rings if look.chance(0.4) else textures.spotted(
+            look.rng, color, tinted(color, 0.55), 0.05)  # fmt: skip
+    return textures.gradient(tinted(color, 0.45), tinted(color, 1.3), look.rng, 9)
 
 
 def saucer(look: Look) -> Shape:
@@ -132,77 +104,90 @@ def saucer(look: Look) -> Shape:
     return plate(look).scaled(0.6)
 
 
-def teacup(look: Look) -> Shape:
-    """A wide, thin cup with an ear, on its foot."""
-    r, h, wall = look.between(0.042, 0.048), look.between(0.056, 0.064), 0.0035
-    foot = 0.5 * r
-    color = look.color("white", "cream", "pink", "sky", "mint", "navy")
-    t = np.linspace(0, np.pi / 2, 7)
-    outer = np.column_stack([foot + (r - foot) * np.sin(t) ** 0.8, 0.005 + (h - 0.005) * t / t[-1]])
-    inner = np.column_stack([outer[:, 0] - wall, 0.011 + (h - 0.011) * t / t[-1]])[::-1]
-    v = [0, 0, 0.03, *np.linspace(0.06, 0.95, 7), *np.linspace(0.97, 1, 7), 1]
-    body = lathe([(0, 0), (foot, 0), (foot, 0.004), *outer, *inner, (0, 0.01)], v=v)
-    tile = textures.stacked((decorated(look, color), 96), (look.surface(color, "ceramic"), 4))
-    ear = handle(0.95 * r, 0.42 * h, 0.86 * h, 0.02, 0.0032)
-    wedges = ring_parts([(foot, 0), tuple(outer[2]), (r, h)], [(r - wall, h), (foot - wall, 0.01)])
-    return shape(
-        [(body, tile), (ear, look.surface(color, "ceramic"))],
-        [*wedges, cylinder_part(foot, 0.01), handle_part(r, 0.42 * h, 0.86 * h, 0.016, 0.003)],
-    )
-
-
 def glass(look: Look) -> Shape:
-    """A drinking glass, sometimes with a drink in it."""
-    r, h, wall = look.between(0.034, 0.04), look.between(0.1, 0.14), 0.0028
-    low = r * look.pick([0.8, 0.9, 1.0])
-    color = look.color("clear", "clear", "sky", "mint", "amber")
+    """A drinking glass: tapered, straight, waisted or faceted, sometimes with a drink in it."""
+    r, h, wall = look.between(0.034, 0.042), look.between(0.095, 0.15), 0.0028
+    kind = look.pick(["taper", "taper", "straight", "tulip", "faceted"])
+    low = r * {"taper": look.between(0.7, 0.9), "tulip": 0.75}.get(kind, 0.98)
+    color = look.color("clear", "clear", "clear", "sky", "mint", "amber", "pink", "green")
+    t = np.linspace(0, 1, 6)
+    swell = low + (r - low) * (t if kind != "tulip" else np.sin(np.pi * (0.05 + 0.62 * t)))
+    outer = np.column_stack([swell, h * t])
+    inner = np.column_stack([swell - wall, 0.009 + (h - 0.009) * t])[::-1]
     body = lathe(
-        [(0, 0), (low, 0), (r, h), (r - wall, h), (low - wall, 0.009), (0, 0.009)],
-        v=[0, 0, 0.95, 0.96, 0.99, 1],
+        [(0, 0), *outer, *inner, (0, 0.009)],
+        9 if kind == "faceted" else 32,
+        v=[0, *np.linspace(0.01, 0.95, 6), *np.linspace(0.96, 0.99, 6), 1],
     )
+    clear, hue = tinted(color, 1.2), look.pick([(214, 120, 30), (150, 40, 40), (230, 200, 90)])
+    tile = textures.plain(clear)
+    if look.chance(0.4):  # the drink shows through the wall and from above
+        level = look.between(0.45, 0.85)
+        wet = textures.plain(look.pick([hue, hue, (204, 220, 226)]))
+        tile = textures.stacked((wet, 0.94 * level), (tile, 1.02 - 0.94 * level), (wet, 0.04))
+    top = float(outer[-1, 0]) * (np.cos(np.pi / 9) if kind == "faceted" else 1.0)
+    foot = low * (np.cos(np.pi / 9) if kind == "faceted" else 1.0)
+    middle = (float(outer[3, 0]) * top / float(outer[-1, 0]), float(outer[3, 1]))
     return shape(
-        [(body, textures.plain(tinted(color, 1.2)))],
+        [(body, tile)],
         [
-            *ring_parts([(low, 0), (r, h)], [(r - wall, h), (low - wall, 0.009)]),
-            cylinder_part(low, 0.009),
+            *ring_parts([(foot, 0), middle, (top, h)], [(top - wall, h), (foot - wall, 0.009)]),
+            cylinder_part(foot, 0.009),
         ],
         opacity=0.45,
     )
 
 
 def wine_glass(look: Look) -> Shape:
-    """A stemmed glass."""
-    r, h, wall = look.between(0.036, 0.042), look.between(0.18, 0.215), 0.0022
-    cup = look.between(0.42, 0.5) * h
-    foot = 0.9 * r
+    """A stemmed glass: tulip, balloon, flute or coupe; some hold wine."""
+    r, h, wall = look.between(0.034, 0.044), look.between(0.175, 0.22), 0.0022
+    kind = look.pick(["tulip", "tulip", "balloon", "flute", "cone"])
+    r = {"flute": 0.84 * r, "balloon": 1.05 * r}.get(kind, r)
+    cup = {"flute": 0.38, "balloon": 0.45, "cone": 0.6}.get(kind, look.between(0.42, 0.5)) * h
+    foot = 0.9 * r if kind != "flute" else 1.05 * r
     t = np.linspace(0, 1, 8)
-    outer = np.column_stack([r * np.sin(0.2 + 2.05 * t), cup + (h - cup) * t])
+    swell = {
+        "tulip": np.sin(0.2 + 2.05 * t),
+        "balloon": np.sin(0.2 + 2.25 * t),
+        "flute": np.sin(0.3 + 1.6 * t) ** 0.7,
+        "cone": 0.12 + 0.88 * t,
+    }[kind]
+    outer = np.column_stack([r * swell, cup + (h - cup) * t])
     outer[0, 0] = 0.006
     inner = np.column_stack([np.maximum(outer[:, 0] - wall, 0.001), outer[:, 1] + 0.004])[::-1]
     inner[0, 1] = h
     stem = [(0, 0), (foot, 0), (foot, 0.0015), (0.006, 0.008), (0.0042, 0.03), (0.0042, cup - 0.02)]
-    body = lathe([*stem, *outer, *inner, (0, cup + 0.004)], 28)
-    color = look.color("clear", "clear", "sky", "pink")
+    up, down = np.linspace(0.3, 0.8, 8), np.linspace(0.82, 0.99, 8)
+    body = lathe(
+        [*stem, *outer, *inner, (0, cup + 0.004)], 28, v=[*np.linspace(0, 0.28, 6), *up, *down, 1]
+    )
+    color = look.color("clear", "clear", "clear", "sky", "pink", "amber", "green")
+    clear = textures.plain(tinted(color, 1.2))
+    wine = textures.plain(look.pick([(110, 16, 34), (226, 200, 110), (230, 150, 140)]))
+    level = look.between(0.12, 0.3) if look.chance(0.5) else 0.0
+    tile = clear
+    if level:
+        tile = textures.stacked((clear, 0.3), (wine, level), (clear, 0.66 - level), (wine, 0.04))
     rim = float(outer[-1, 0])
     wedges = ring_parts(
         [(0.006, cup), tuple(outer[3]), tuple(outer[5]), (rim, h)],
         [(rim - wall, h), (0.003, cup + 0.004)],
     )
     return shape(
-        [(body, textures.plain(tinted(color, 1.2)))],
+        [(body, tile)],
         [*wedges, cylinder_part(foot, 0.004), cylinder_part(0.0042, cup, (0, 0, 0.002))],
         opacity=0.45,
     )
 
 
-# ---------------------------------------------------------------------------------- cutlery
-
-
 def napkins(look: Look) -> Shape:
     """A stack of folded napkins."""
     side, h = look.between(0.15, 0.17), look.between(0.012, 0.03)
-    color = look.color("white", "red", "cream", "sage", "navy", "pink")
-    cloth = textures.fabric(look.rng, color, look.fixed("white") if look.chance(0.4) else None)
+    color = look.color("white", "red", "cream", "sage", "navy", "pink", "teal", "mustard", "gray")
+    kind, other = int(look.rng.integers(4)), look.fixed("white", "red", "navy", "mustard")
+    cloth = textures.fabric(look.rng, color, other if kind == 1 else None)
+    if kind >= 2:
+        cloth = glazed(look, color)
     layers = 4
     pieces = [
         (
@@ -236,26 +221,6 @@ def tray(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category(
-        "mug",
-        mug,
-        (0.11, 0.083, 0.095),
-        0.3,
-        ("coffee mug", "coffee cup", "cup"),
-        ("office", "coffee", "kitchen"),
-        ("container", "round"),
-        ("white", "red", "blue", "teal", "black"),
-    ),
-    Category(
-        "teacup",
-        teacup,
-        (0.106, 0.09, 0.06),
-        0.16,
-        ("tea cup", "espresso cup"),
-        ("coffee", "dining"),
-        ("container", "round"),
-        ("white", "cream", "pink"),
-    ),
     Category(
         "glass",
         glass,

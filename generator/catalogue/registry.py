@@ -36,6 +36,7 @@ from . import (
     meals,
     office,
     pantry,
+    plants,
     portables,
     produce,
     sweets,
@@ -51,7 +52,7 @@ from .look import Look
 _SHELVES = (
     *(cups, dining, cutlery, brewing, kitchen, bottles, pantry, food, bakery),
     *(fruit, produce, groceries, meals, sweets, hardware, devices, portables),
-    *(office, writing, electronics, handhelds, gadgets, decor, keepsakes, lights),
+    *(office, writing, electronics, handhelds, gadgets, decor, plants, keepsakes, lights),
     *(tools, workbench, toys, games, craft, vanity, lab),
 )
 
