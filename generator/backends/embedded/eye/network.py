@@ -70,7 +70,12 @@ class Eye(nn.Module):
     def __init__(self, categories: int) -> None:
         super().__init__()
         self.encoder = Lite0()
-        self.lateral = nn.ModuleList(nn.Conv2d(c, _WIDTH, 1) for c in CHANNELS)
+        self.lateral = nn.ModuleList(
+            nn.Sequential(
+                nn.Conv2d(c, _WIDTH, 1, bias=False), nn.BatchNorm2d(_WIDTH, momentum=0.03)
+            )
+            for c in CHANNELS
+        )
         self.whole = nn.Linear(CHANNELS[-1], _WIDTH)
         self.merge = nn.ModuleList(_Separable(_WIDTH, _WIDTH) for _ in CHANNELS)
         self.things = nn.Sequential(_Separable(_WIDTH, _WIDTH), _Separable(_WIDTH, _WIDTH))
@@ -85,13 +90,16 @@ class Eye(nn.Module):
         self.namer = nn.Sequential(
             nn.Linear(2 * _WIDTH + 3, 192), nn.ReLU(), nn.Linear(192, categories)
         )
+        for head in (self.heat, self.box, self.region, self.mask, self.latitude, self.controller):
+            nn.init.normal_(head.weight, std=0.01)
         nn.init.constant_(self.heat.bias, -4.0)  # type: ignore[arg-type]
-        nn.init.normal_(self.controller.weight, std=0.01)
+        nn.init.constant_(self.box.bias, 1.5)  # type: ignore[arg-type]
+        nn.init.constant_(self.latitude.bias, 0.8)  # type: ignore[arg-type]
 
     def forward(self, images: Tensor) -> Maps:
         """Read (b, 3, h, w) pictures in [0, 1]; h and w multiples of 32."""
         features = self.encoder(images)
-        whole = self.whole(features[-1].mean((2, 3)))[:, :, None, None]
+        whole = self.whole(features[-1].mean((2, 3)).relu())[:, :, None, None]
         maps: list[Tensor] = []
         x = self.merge[3](self.lateral[3](features[3]) + whole)
         maps.append(x)
@@ -127,8 +135,8 @@ class Eye(nn.Module):
         column = torch.arange(width, device=cells.device)[None, None, :]
         row = torch.arange(height, device=cells.device)[None, :, None]
         unit = sizes.clamp(min=1.0)[:, None, None]
-        x = ((column - cells[:, 0, None, None]) / unit).expand(-1, height, -1)
-        y = ((row - cells[:, 1, None, None]) / unit).expand(-1, -1, width)
+        x = ((column - cells[:, 0, None, None]) / unit).clamp(-3, 3).expand(-1, height, -1)
+        y = ((row - cells[:, 1, None, None]) / unit).clamp(-3, 3).expand(-1, -1, width)
         z = torch.cat([maps.mask[image], torch.stack([x, y], 1).to(maps.mask.dtype)], 1)
         z = z.flatten(2)
         start = 0
