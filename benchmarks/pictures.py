@@ -66,6 +66,7 @@ def run(
     from generator.comparison import compare, comparison_sheet
     from generator.figures import write_picture
     from generator.pipeline import generate
+    from generator.provenance import scene_name
     from generator.scene import Intrinsics
 
     metric: dict[str, Any] = {}
@@ -74,7 +75,7 @@ def run(
     row: dict[str, Any] = {"picture": name, "depth": int(bool(metric)), "error": ""}
     start = time.perf_counter()
     try:
-        made = generate(picture, **metric)
+        made = generate(picture, name=scene_name(name), **metric)
         row["seconds"] = round(time.perf_counter() - start, 1)
         made.save(out / "bundles", allow_failed=True)
         seen = compare(made.scene, Segments.of(made.instances), np.asarray(made.reference.image))
