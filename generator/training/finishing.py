@@ -19,9 +19,10 @@ def cartoon(
         flat = cv2.bilateralFilter(flat, 7, 40, 5)
     hsv = cv2.cvtColor(flat, cv2.COLOR_RGB2HSV).astype(np.float32)
     hsv[..., 1] = np.clip(hsv[..., 1] * rng.uniform(1.1, 1.7), 0, 255)
-    steps = int(rng.integers(4, 10))
-    value = np.round(hsv[..., 2] / 255 * steps) / steps * 255
-    hsv[..., 2] = np.where(hsv[..., 2] > 250, 255, value)
+    if rng.random() < 0.6:
+        steps = int(rng.integers(4, 10))
+        value = np.round(hsv[..., 2] / 255 * steps) / steps * 255
+        hsv[..., 2] = np.where(hsv[..., 2] > 250, 255, value)
     flat = cv2.cvtColor(hsv.astype(np.uint8), cv2.COLOR_HSV2RGB).astype(np.float32)
     near = 1 / np.minimum(depth, 50).astype(np.float32)
     bend = np.abs(cv2.Laplacian(near, cv2.CV_32F)) / near

@@ -48,7 +48,7 @@ def draw(rng: np.random.Generator, staging: Staging, supply: Supply, painter: Pa
     region[on_table & top] = TOP
     region[visible > 0] = OBJECT
     if staging.cartoon:
-        image = finishing.cartoon(rng, image, _inked(ids, n, t), depth)
+        image = finishing.cartoon(rng, image, *_inked(staging, ids, depth))
     clean = staging.setting == "white" or staging.cartoon
     picture = finishing.developed(rng, image, clean)
     kept, visible = _kept(visible, full)
@@ -57,8 +57,16 @@ def draw(rng: np.random.Generator, staging: Staging, supply: Supply, painter: Pa
     return _sample(staging, supply, picture, visible, full, kept, region, top, outline, depth)
 
 
-def _inked(ids: Int[np.ndarray, "h w"], n: int, t: int) -> Int[np.ndarray, "h w"]:
-    return np.where((ids >= n) & (ids < n + t), n, ids)
+def _inked(
+    staging: Staging, ids: Int[np.ndarray, "h w"], depth: Float[np.ndarray, "h w"]
+) -> tuple[Int[np.ndarray, "h w"], Float[np.ndarray, "h w"]]:
+    """Return ids and depth whose edges get ink: the table is one thing, a white floor none."""
+    n = len(staging.objects)
+    end = n + len(staging.tabletop)
+    ids = np.where((ids >= n) & (ids < end), n, ids)
+    if staging.setting != "white":
+        return ids, depth
+    return np.where(ids >= end, -1, ids), np.where(ids >= end, np.inf, depth)
 
 
 def _sample(

@@ -6,7 +6,7 @@ import argparse
 import multiprocessing
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import get_args
 
@@ -56,6 +56,13 @@ def plan(out: Path, count: int, seed: int, split: Split) -> tuple[Job, ...]:
         if left:
             jobs.append(Job(out, seed, split, group, left))
     return tuple(jobs)
+
+
+def spread(jobs: tuple[Job, ...], workers: int) -> tuple[Job, ...]:
+    """Return the jobs cut into single shards where they are too few to keep workers busy."""
+    if len(jobs) >= 2 * workers or workers == 1:
+        return jobs
+    return tuple(replace(job, shards=(shard,)) for job in jobs for shard in job.shards)
 
 
 def _held(path: Path) -> int:
@@ -129,7 +136,7 @@ def _run(jobs: tuple[Job, ...], workers: int, count: int) -> None:
         "rendering", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
     ) as progress:
         bar = progress.add_task("rendering", total=count, completed=count - left)
-        for done in render_all(jobs, workers):
+        for done in render_all(spread(jobs, workers), workers):
             progress.advance(bar, sum(done))
 
 

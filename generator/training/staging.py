@@ -216,7 +216,7 @@ def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed, tone: Tone)
 
 def _level(rng: np.random.Generator, tone: Tone) -> Float[np.ndarray, "3"]:
     """Return nearly white or nearly black."""
-    grey = rng.uniform(0.8, 1) if tone == "white" else rng.uniform(0.02, 0.18)
+    grey = rng.uniform(0.8, 1) if tone == "white" else rng.uniform(0.06, 0.26)
     return grey * rng.uniform(0.92, 1, 3)
 
 
@@ -344,27 +344,41 @@ def _room(
         way = away @ np.array([[np.cos(a := rng.uniform(-1.4, 1.4)), np.sin(a)],
                                [-np.sin(a), np.cos(a)]])  # fmt: skip
         far = 1.6 * reach + float(rng.uniform(0.2, 2.2))
-        things.append(_bystander(rng, supply, way * far))
+        things += _bystander(rng, supply, way * far)
     return things
 
 
-def _bystander(rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "2"]) -> Thing:
-    """Return a box, another table or an enlarged thing standing on the floor."""
+def _bystander(rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "2"]) -> list[Thing]:
+    """Return a box, an enlarged thing, or another tabletop with a few things on it."""
     yaw, kind = float(rng.uniform(-np.pi, np.pi)), rng.random()
     every = (*supply.surfaces, *supply.cloths, *supply.prints)
     if kind < 0.5:
         size = rng.uniform([0.1, 0.1, 0.2], [0.7, 0.5, 1.4])
         place = np.array([*at, size[2] / 2])
-        return _board(int(rng.choice(every)), size, place, int(rng.integers(2)), yaw)
+        return [_board(int(rng.choice(every)), size, place, int(rng.integers(2)), yaw)]
     if kind < 0.65:
-        index = int(rng.integers(len(supply.tables)))
-        mesh, size = supply.table_mesh(index) + 1, supply.tables[index].size * [0.6, 0.6, 1]
-    else:
-        index = int(rng.integers(len(supply.models)))
-        size = supply.models[index].size
-        mesh, size = supply.model_mesh(index), size * float(rng.uniform(0.3, 0.9) / size.max())
-    place = np.array([*at, size[2] / 2])
-    return Thing(mesh, rotation_z(yaw) @ np.diag(size), place, mesh)
+        return _another_table(rng, supply, at, yaw)
+    index = int(rng.integers(len(supply.models)))
+    size = supply.models[index].size
+    size = size * float(rng.uniform(0.3, 0.9) / size.max())
+    mesh, place = supply.model_mesh(index), np.array([*at, size[2] / 2])
+    return [Thing(mesh, rotation_z(yaw) @ np.diag(size), place, mesh)]
+
+
+def _another_table(
+    rng: np.random.Generator, supply: Supply, at: Float[np.ndarray, "2"], yaw: float
+) -> list[Thing]:
+    index = int(rng.integers(len(supply.tables)))
+    size, first = supply.tables[index].size * [0.7, 0.7, 1.0], supply.table_mesh(index)
+    place, turn = np.array([*at, size[2] / 2]), rotation_z(yaw)
+    things = [Thing(first + k, turn @ np.diag(size), place, first) for k in range(2)]
+    for _ in range(int(rng.integers(4))):
+        k = int(rng.integers(len(supply.models)))
+        model, mesh = supply.models[k], supply.model_mesh(k)
+        spot = at + turn[:2, :2] @ (rng.uniform(-0.25, 0.25, 2) * size[:2])
+        rest = np.array([*spot, size[2] + model.size[2] / 2])
+        things.append(Thing(mesh, turn @ np.diag(model.size), rest, mesh))
+    return things
 
 
 def backdrop_board(camera: Camera, texture: int) -> Thing:
