@@ -9,14 +9,14 @@ from .category import Category
 from .collision import box_part, cylinder_part, hull_of, hull_part
 from .colors import RGB, tinted
 from .look import Look
-from .outlines import arc, lifted, rectangle, smooth
+from .outlines import arc, ellipse, lifted, rectangle, smooth
 from .shape import Shape, shape
-from .solids import block, box, cylinder, ellipsoid, lathe, loft, torus, tube
+from .solids import block, box, cylinder, ellipsoid, lathe, loft, prism, tube
 
 
 def alarm_clock(look: Look) -> Shape:
     """A round twin-bell clock, or a digital one; its face to the viewer."""
-    color = look.color("red", "teal", "black", "gold", "white", "pink")
+    color = look.color("red", "teal", "black", "gold", "white", "pink", "mint", "navy", "orange")
     skin = textures.speckled(look.rng, color, 3, 32)
     if look.chance(0.3):
         x, y, z = look.between(0.12, 0.15), 0.055, 0.065
@@ -31,7 +31,9 @@ def alarm_clock(look: Look) -> Shape:
     middle = r + lift
     case = cylinder(r, depth, 32, bevel=0.003).turned(0, np.pi / 2).moved(y=depth / 2, z=middle)
     face = cylinder(0.88 * r, 0.001, 32).turned(0, np.pi / 2).moved(y=-depth / 2 + 0.0002, z=middle)
-    dial = prints.clock_face(look.rng, (250, 246, 234), (40, 40, 44))
+    faces = [((250, 246, 234), (40, 40, 44)), ((30, 32, 38), (240, 238, 230)),
+             (tinted(color, 1.7), (50, 50, 56)), ((206, 226, 230), (30, 50, 80))]  # fmt: skip
+    dial = prints.clock_face(look.rng, *look.pick(faces))
     metal = textures.brushed(look.rng, look.fixed("gold", "silver"))
     pieces = [(case, skin), (face, dial)]
     feet, parts = [], [hull_part(case.vertices)]
@@ -52,8 +54,8 @@ def picture_frame(look: Look) -> Shape:
     x, z = look.between(0.11, 0.16), look.between(0.15, 0.2)
     if look.chance(0.35):
         x, z = z, x
-    color = look.color("wooden", "black", "white", "gold", "silver")
-    rim, t = 0.014, 0.013
+    color = look.color("wooden", "black", "white", "gold", "silver", "teal", "brown", "pink")
+    rim, t = look.between(0.007, 0.02), look.between(0.01, 0.016)
     frame = look.surface(color, "wood" if look.chance(0.5) else "plastic")
     lean = -np.deg2rad(14)
     bars = [
@@ -63,8 +65,9 @@ def picture_frame(look: Look) -> Shape:
     ]  # fmt: skip
     back = box(x - rim, 0.6 * t, z - rim).moved(y=0.15 * t, z=rim / 2)
     mat = box(x - 2 * rim, 0.001, z - 2 * rim).moved(y=-0.18 * t, z=rim)
-    view = box(x - 3.4 * rim, 0.001, z - 3.4 * rim).moved(y=-0.22 * t, z=1.7 * rim)
-    art = prints.landscape(look.rng, round(128 * x / max(x, z)), round(128 * z / max(x, z)))
+    inner = rim + look.pick([0.001, 0.01, 0.018])
+    view = box(x - 2 * inner, 0.001, z - 2 * inner).moved(y=-0.22 * t, z=inner)
+    art = prints.artwork(look.rng, round(128 * x / max(x, z)), round(128 * z / max(x, z)))
     plain, white = textures.plain(tinted(color, 0.6)), textures.plain((246, 244, 238))
     pieces = [(s, frame) for s in bars] + [(back, plain), (mat, white), (view, art)]
     tilted = [(solid.turned(0, lean), tile) for solid, tile in pieces]
@@ -83,12 +86,15 @@ def picture_frame(look: Look) -> Shape:
 def globe(look: Look) -> Shape:
     """A terrestrial globe on a foot, its axis leaning."""
     r = look.between(0.065, 0.08)
-    sea: RGB = look.color("blue", "sky", "teal", "tan")
+    sea: RGB = look.color("blue", "sky", "teal", "tan", "charcoal", "cream", "navy")
     land = textures.noise(look.rng, 96, 192, (4, 7), 3)
     land[:, -24:] += (land[:, :1] - land[:, -1:]) * np.linspace(0, 1, 24)
     image = prints.canvas(192, 96, sea)
-    image[land > 0.12] = (122, 160, 84)
-    image[land > 0.5] = (196, 170, 110)
+    lands = [((122, 160, 84), (196, 170, 110)), ((214, 190, 140), (170, 120, 80)),
+             ((226, 200, 90), (206, 110, 80)), ((236, 232, 220), (190, 186, 176))]  # fmt: skip
+    low, high = look.pick(lands)
+    image[land > 0.12] = low
+    image[land > 0.5] = high
     image[:7] = image[-7:] = (240, 244, 246)
     image[::16] = (image[::16] * 0.9).astype(np.uint8)
     ball = ellipsoid(2 * r, 2 * r, 2 * r, 28, 16).turned(1, 0.41).moved(z=r + 0.06)
@@ -111,27 +117,37 @@ def globe(look: Look) -> Shape:
 
 def eyeglasses(look: Look) -> Shape:
     """Spectacles lying with their arms folded out behind, lenses to the viewer."""
-    color = look.color("black", "brown", "red", "gold", "navy")
+    color = look.color("black", "black", "brown", "red", "gold", "navy", "silver", "teal", "pink")
+    wire = look.chance(0.3)
     skin = textures.speckled(look.rng, color, 3, 16)
+    if look.chance(0.25):
+        skin = textures.spotted(look.rng, (150, 96, 50), (60, 40, 30), 0.35)
     sun = look.chance(0.4)
-    tint = textures.plain((60, 56, 60) if sun else (206, 222, 228))
-    half, tall = 0.027, 0.021
+    dark = look.pick([(60, 56, 60), (70, 50, 36), (50, 70, 60), (90, 110, 170)])
+    tint = textures.plain(dark if sun else (206, 222, 228))
+    half, tall = look.between(0.025, 0.0275), look.between(0.016, 0.023)
+    square = look.pick([1.0, 1.0, 0.55, 0.7])
+    thick = 0.0011 if wire else look.between(0.0018, 0.003)
+    curve = ellipse(2, 2, 28)
+    curve = np.sign(curve) * np.abs(curve) ** square * [half, tall]
+    ring = np.column_stack([curve[:, 0], np.zeros(28), curve[:, 1]])
     pieces = []
     for side in (-1, 1):
-        rim = torus(1.0, 0.09, 28, 6).scaled(half, tall, 0.024).turned(0, np.pi / 2)
-        lens = cylinder(1.0, 0.0015, 28).scaled(half, tall, 1).turned(0, np.pi / 2)
-        at = (side * 0.036, 0, tall * 1.09)
+        rim = tube(ring, thick, 6, loop=True)
+        lens = prism(0.99 * curve, -0.0008, 0.0008).turned(0, np.pi / 2)
+        at = (side * 0.036, 0, tall + thick)
         pieces += [(rim.moved(*at), skin), (lens.moved(*at), tint)]
-        arm = tube([(side * 0.066, 0, 0.03), (side * 0.067, 0.1, 0.028),
-                    (side * 0.064, 0.135, 0.002)], 0.0022, 6)  # fmt: skip
+        hinge = side * (0.036 + half)
+        arm = tube([(hinge, 0, 1.35 * tall), (side * 0.067, 0.1, 1.3 * tall),
+                    (side * 0.064, 0.135, 0.002)], max(thick, 0.0016), 6)  # fmt: skip
         pieces.append((arm.moved(z=0.0002), skin))
     bridge = tube(smooth([(-0.01, 0, 0.03), (0, 0, 0.034), (0.01, 0, 0.03)], 3), 0.002, 6)
     pieces.append((bridge, skin))
     return shape(
         pieces,
         [
-            box_part(0.13, 0.004, 0.045),
-            *[box_part(0.004, 0.134, 0.03, (side * 0.066, 0.067, 0)) for side in (-1, 1)],
+            box_part(0.12, 0.0036, 2 * tall),
+            *[box_part(0.0036, 0.13, 1.3 * tall, (side * 0.0645, 0.066, 0)) for side in (-1, 1)],
         ],
     )
 
