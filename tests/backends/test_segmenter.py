@@ -7,10 +7,8 @@ import pytest
 from painted import iou, paint
 
 from generator.backends.embedded.segmenter import Segmenter
-from generator.backends.embedded.stacking import stack, support_share
 from generator.errors import SceneError
 from generator.geometry import mask_box
-from generator.scene import Instance
 
 THINGS = [("mug", -0.3, 0.1, 0.0), ("bowl", 0.0, -0.12, 0.0), ("apple", 0.3, 0.12, 0.0),
           ("book", -0.28, -0.15, 0.0)]  # fmt: skip
@@ -61,29 +59,3 @@ def test_noise_is_not_a_table():
     noise = np.random.default_rng(0).integers(0, 255, (240, 320, 3)).astype(np.uint8)
     with pytest.raises(SceneError):
         Segmenter().segment(noise, ("table", "object"))
-
-
-def _box_mask(x0: int, y0: int, x1: int, y1: int) -> np.ndarray:
-    mask = np.zeros((100, 100), bool)
-    mask[y0:y1, x0:x1] = True
-    return mask
-
-
-def _instance(name: str, mask: np.ndarray) -> Instance:
-    crop = np.zeros((4, 4, 4), np.uint8)
-    box = mask_box(mask)
-    return Instance(name, name.split("_")[0], box, mask, crop, box)
-
-
-def test_on_something_differs_from_behind_it():
-    book = _box_mask(20, 40, 80, 80)
-    on_top, behind = _box_mask(40, 30, 60, 65), _box_mask(40, 10, 60, 40)
-    assert support_share(on_top, book & ~on_top) > 0.9
-    assert support_share(behind, book) < 0.2
-    instances = (_instance("table", _box_mask(0, 0, 100, 100)),
-                 _instance("cup_1", on_top), _instance("tray_1", book & ~on_top),
-                 _instance("vase_1", behind & ~on_top))  # fmt: skip
-    found = stack(instances, lambda label: label == "tray")
-    assert (found["cup_1"].on, found["cup_1"].inside) == ("tray_1", True)
-    assert found["vase_1"].on == "table" and not found["vase_1"].inside
-    assert found["cup_1"].order > found["tray_1"].order > found["table"].order

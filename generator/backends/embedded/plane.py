@@ -9,30 +9,26 @@ single view leaves open: a rectangle seen head-on does not tell field of view fr
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Literal
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float, UInt8
+from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
-from ...errors import SceneError
 from ...geometry import Camera, view_direction, view_rotation
 from ...scene import OutlineKind, PlannedTable, View
-from .outline import Candidate, candidates, working_copy
+from .outline import Outline
 
 OutlineShape = Literal["rectangle", "ellipse", "triangle"]
 
 TABLE_LENGTH = 1.2
 """Length (x extent) in metres of a table of unknown size."""
 
-_ELEVATION, _ELEVATION_SPREAD = np.deg2rad(50.0), np.deg2rad(13.0)
-_FOV, _FOV_SPREAD = np.deg2rad(36.0), np.deg2rad(4.5)
+_ELEVATION_SPREAD = np.deg2rad(4.0)  # of the expected view's usual error
+_FOV_SPREAD = 0.12  # likewise, of the logarithm
 _EDGE = 1.2  # pixels: how well an edge point is known
 _TRUST = 12.0  # independent edge points that a whole outline counts for
-_SURE, _POOR = 0.3, 1.0  # pixels of error that need no rival, and that need one
-_RIVALS = 8  # candidates tried at most
 _RADIUS = 0.3  # of the shorter side: the largest corner radius
 
 
@@ -223,6 +219,7 @@ def _residuals(
     kind: _Kind,
     aspect: tuple[float, float],
     frame: tuple[int, int],
+    expected: Float[np.ndarray, "3"],
 ) -> Float[np.ndarray, "m"]:
     """Return robust edge distances and the priors' terms; their squares sum to the cost."""
     off = _pixels_off(parameters, points, kind, frame) * np.sqrt(_TRUST / len(points)) / _EDGE
@@ -230,8 +227,8 @@ def _residuals(
     p = parameters
     prior = [
         p[0] / kind.azimuth,
-        (p[1] - _ELEVATION) / _ELEVATION_SPREAD,
-        (p[2] - np.log(_FOV)) / (_FOV_SPREAD / _FOV),
+        (p[1] - expected[1]) / _ELEVATION_SPREAD,
+        (p[2] - expected[2]) / _FOV_SPREAD,
         (p[6] - aspect[0]) / aspect[1],
         (p[7] + 2) / 2,
     ]
@@ -255,22 +252,23 @@ def _bounds(view: View | None) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _fit(
-    candidate: Candidate,
+    outline: Outline,
     kind: _Kind,
     frame: tuple[int, int],
     plan: PlannedTable | None,
+    expected: View,
     view: View | None,
 ) -> _Fit:
-    """Fit camera and outline of unit length to the candidate's edge points."""
+    """Fit camera and outline of unit length to the outline's edge points."""
     aspect = kind.aspect
     if plan is not None:
         aspect = (float(np.log(plan.size[1] / plan.size[0])), 0.05)
-    points = candidate.points[:: max(1, len(candidate.points) // 100)]
-    arguments = (points, kind, aspect, frame)
+    points = outline.points[:: max(1, len(outline.points) // 100)]
+    arguments = (points, kind, aspect, frame, _view_parameters(expected))
     low, high = _bounds(view)
-    starts = _starts(candidate.hull, frame)
+    starts = _starts(outline.hull, frame, expected)
     if kind.shape != "rectangle":  # seen turned, the others look much the same
-        starts = [s for s in starts if s[0] == 0]
+        starts = starts[:1]
     starts = [np.clip(s, low, high) for s in starts]
     costs = [float((_residuals(s, *arguments) ** 2).sum()) for s in starts]
     found = [
@@ -278,7 +276,7 @@ def _fit(
             _residuals, starts[k], bounds=(low, high), args=arguments, x_scale=_STEP,
             max_nfev=40, ftol=1e-5,
         )
-        for k in np.argsort(costs)[: 2 if kind.shape == "rectangle" else 1]
+        for k in np.argsort(costs)[:2]
     ]  # fmt: skip
     best = min(found, key=lambda f: f.cost)
     error = float(np.median(np.abs(_pixels_off(best.x, points, kind, frame))))
@@ -289,93 +287,53 @@ _PINNED = 1e-6  # radians and log: the freedom of a parameter that is given
 _STEP = np.array([0.1, 0.1, 0.1, 0.05, 0.05, 0.1, 0.1, 1.0])  # usual size of a change
 
 
-def _starts(hull: Float[np.ndarray, "k 2"], frame: tuple[int, int]) -> list[np.ndarray]:
-    """Return first guesses from the outline's box: three azimuths at two elevations."""
+def _starts(
+    hull: Float[np.ndarray, "k 2"], frame: tuple[int, int], expected: View
+) -> list[np.ndarray]:
+    """Return first guesses from the outline's box: the expected view, ahead and turned."""
     width, height = frame
     low, high = hull.min(0), hull.max(0)
     span = high[0] - low[0]
-    focal = height / 2 / np.tan(_FOV / 2)
+    elevation = max(expected.elevation, 0.15)
+    focal = height / 2 / np.tan(expected.fov / 2)
     shift = ((low + high) / 2 - np.array([width, height]) / 2) / span
     starts = []
-    for elevation in np.deg2rad([35.0, 55.0]):
-        for azimuth in (0.0, 0.5, -0.5):
-            x, y = -shift[0], shift[1] / np.sin(elevation)
-            c, s = np.cos(azimuth), np.sin(azimuth)
-            aspect = np.clip((high[1] - low[1]) / span / np.sin(elevation), 0.3, 1.2)
-            across = [c * x - s * y, s * x + c * y, np.log(focal / span)]
-            starts.append(
-                np.array([azimuth, elevation, np.log(_FOV), *across, np.log(aspect), -2.0])
-            )
+    for azimuth in (0.0, 0.5, -0.5):
+        x, y = -shift[0], shift[1] / np.sin(elevation)
+        c, s = np.cos(azimuth), np.sin(azimuth)
+        aspect = np.clip((high[1] - low[1]) / span / np.sin(elevation), 0.3, 1.2)
+        across = [c * x - s * y, s * x + c * y, np.log(focal / span)]
+        first = [azimuth, elevation, np.log(expected.fov), *across, np.log(aspect), -2.0]
+        starts.append(np.array(first))
     return starts
 
 
-def _choose(
-    found: tuple[Candidate, ...],
-    frame: tuple[int, int],
-    plan: PlannedTable | None,
-    view: View | None,
-) -> _Fit:
-    """Return the fit of the candidate that stands out and that an outline explains best."""
-    kinds = [k for k in _KINDS if plan is None or plan.outline in k.planned]
-    best, merit = None, -1.0
-    for rank, candidate in enumerate(found[:_RIVALS]):
-        weak = rank >= 4 or candidate.score < 0.7 * found[0].score
-        if weak and best is not None and best.error < _POOR:
-            break
-        fits = (_fit(candidate, kind, frame, plan, view) for kind in kinds)
-        fit = min(fits, key=lambda fit: fit.cost)
-        worth = candidate.score / (1 + fit.error) ** 2
-        if worth > merit:
-            best, merit = fit, worth
-        if fit.error < _SURE:
-            break
-    assert best is not None
-    return best
-
-
-def find_plane(
-    image: UInt8[np.ndarray, "h w 3"],
+def fit_plane(
+    outline: Outline,
+    factor: float,
+    size: tuple[int, int],
+    expected: View,
     plan: PlannedTable | None = None,
     length: float | None = None,
     view: View | None = None,
 ) -> TablePlane:
-    """Find the tabletop in a picture and the camera that sees it.
+    """Find the camera and the tabletop that explain an outline.
 
     Args:
-        image: the picture; the table's whole top should be in it.
+        outline: of the whole top, in working pixels.
+        factor: working pixels per picture pixel.
+        size: width and height of the picture, pixels.
+        expected: elevation and field of view that the picture suggests.
         plan: what a text said of the table; fixes its shape and proportions if given.
         length: the table's length in metres; default: the plan's, else ``TABLE_LENGTH``.
         view: the view to keep to; default: the one that explains the outline best.
-
-    Raises:
-        SceneError: nothing in the picture looks like a tabletop.
     """
-    height, width = image.shape[:2]
-    pixels = image.tobytes()
-    fit, factor = _solved(pixels, height, width, plan, None)
-    if view is not None and not np.allclose(fit.parameters[:3], _view_parameters(view), atol=1e-4):
-        fit, factor = _solved(pixels, height, width, plan, view)
+    frame = round(size[0] * factor), round(size[1] * factor)
+    kinds = [k for k in _KINDS if plan is None or plan.outline in k.planned]
+    fits = (_fit(outline, kind, frame, plan, expected, view) for kind in kinds)
+    best = min(fits, key=lambda fit: fit.cost)
     metres = length or (plan.size[0] if plan else TABLE_LENGTH)
-    return _plane(fit, metres, width, height, factor)
-
-
-@lru_cache(maxsize=4)
-def _solved(
-    pixels: bytes, height: int, width: int, plan: PlannedTable | None, view: View | None
-) -> tuple[_Fit, float]:
-    """Return the best fit and the working copy's scale.
-
-    Several stages ask for the plane of one picture; the last few answers are kept.
-    """
-    image = np.frombuffer(pixels, np.uint8).reshape(height, width, 3)
-    lab, factor = working_copy(image)
-    found = candidates(lab)
-    if not found:
-        raise SceneError(
-            "No table found: no large even surface stands out from a plain background. "
-            "Use a picture that shows the whole table on a light, plain ground."
-        )
-    return _choose(found, (lab.shape[1], lab.shape[0]), plan, view), factor
+    return _plane(best, metres, *size, factor)
 
 
 def _plane(fit: _Fit, length: float, width: int, height: int, factor: float) -> TablePlane:

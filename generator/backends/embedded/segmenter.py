@@ -1,103 +1,143 @@
-"""The embedded segmenter: the table, and everything on it that is not the table's colour."""
+"""The embedded segmenter: the table, and everything on it, as the learned eye sees them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
 from jaxtyping import Bool, UInt8
 
+from ...errors import SceneError
 from ...geometry import mask_box
 from ...scene import TABLE, Detection
-from .naming import name_things, total_unlikeness
-from .outline import working_copy
-from .plane import find_plane
-from .regions import find_regions
-from .splitting import split_things
+from .eye.sight import Sight, Thing, see
+from .eye.weights import load_weights
+from .measure import measured_extent
+from .naming import assigned, free_labels, shape_word, table_scale, weighed
+from .outline import main_part
+from .tabletop import find_tabletop
 
 GENERIC = "object"
 """The label that asks for anything on the table."""
 
+_SURE = 0.4  # certainty from which a thing is told without having been asked for
+_ASKED = 0.2  # and if a word asks for it
+_SMALLEST = 1.5e-4  # of the picture, a thing
+_BAND = 0.012  # of the picture's longer side: how far GrabCut may move a mask's rim
+
 
 @dataclass(frozen=True)
 class Segmenter:
-    """Finds things by geometry and colour alone; needs a plain, light ground."""
+    """Finds things with a small network of the project's own (``eye``)."""
 
     def segment(
         self, image: UInt8[np.ndarray, "h w 3"], labels: tuple[str, ...]
     ) -> tuple[Detection, ...]:
         """Return the table first, then the things, nearest to the viewer last.
 
-        Labels may repeat: each stands for one expected thing, and regions are split until there
-        are enough. With no label beyond "table" and "object" things are named by likeness.
+        Labels may repeat: each stands for one expected thing. With no label beyond "table" and
+        "object", everything the eye is sure of is named as it looks.
 
         Raises:
+            BackendError: the eye's weights are missing or damaged.
             SceneError: no tabletop in the picture.
         """
         image = np.ascontiguousarray(image)
-        plane = find_plane(image)
-        lab, _ = working_copy(image)
-        regions = find_regions(lab, plane)
+        sight = see(image)
         wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
-
-        def unlikeness(parts: list[Bool[np.ndarray, "h w"]]) -> float:
-            big = [_enlarge(part, image.shape[:2]) for part in parts]
-            return total_unlikeness(image, plane, big, wanted)
-
-        small = split_things(lab, regions.strength, regions.things, len(wanted), unlikeness)
-        masks = [refine(image, mask) for mask in small]
-        masks = sorted((m for m in masks if m.any()), key=_foot)
-        names = name_things(image, plane, masks, wanted)
-        things = [
-            Detection(name[0], mask_box(mask), mask, name[1])
-            for name, mask in zip(names, masks, strict=True)
-            if name is not None
+        things = _on_table(sight, _ASKED if wanted else _SURE)
+        named = _named(image, things, wanted)
+        found = [
+            Detection(label, mask_box(mask), mask, thing.score, thing.whole | mask)
+            for thing, label in named
+            if (mask := refine(image, thing.visible)).any()
         ]
-        covered = np.any(masks, axis=0) if masks else np.zeros(image.shape[:2], bool)
-        table = _enlarge(regions.table, image.shape[:2]) & ~covered
-        return (Detection(TABLE, mask_box(table), table), *things)
+        found = sorted(found, key=lambda d: (d.box[3], d.box[0]))
+        table = main_part(np.isin(sight.region.argmax(0), (1, 2)))
+        for thing in found:
+            table &= ~thing.mask
+        if not table.any():
+            raise SceneError("No table found in the picture. Show the table's upper side.")
+        return (Detection(TABLE, mask_box(table), table), *found)
 
 
-def _foot(mask: Bool[np.ndarray, "h w"]) -> tuple[int, int]:
-    box = mask_box(mask)
-    return int(box[3]), int(box[0])
+def _on_table(sight: Sight, least: float) -> list[Thing]:
+    """Return the things that stand on the table or on each other, not beside or under it."""
+    top = main_part(sight.top > 0.5)
+    side = max(top.shape)
+    near = cv2.dilate(top.astype(np.uint8), np.ones((side // 60 + 1, side // 60 + 1))) > 0
+    kept = []
+    for thing in sight.things:
+        area = int(thing.visible.sum())
+        if thing.score < least or area < _SMALLEST * top.size:
+            continue
+        foot = thing.whole & (np.arange(top.shape[0])[:, None] >= _foot_line(thing.whole))
+        if (foot & near).sum() > 0.5 * foot.sum():
+            kept.append(thing)
+    return kept
 
 
-def _enlarge(mask: Bool[np.ndarray, "h w"], shape: tuple[int, ...]) -> Bool[np.ndarray, "a b"]:
-    size = (shape[1], shape[0])
-    return cv2.resize(mask.astype(np.float32), size, interpolation=cv2.INTER_LINEAR) > 0.5
+def _foot_line(mask: Bool[np.ndarray, "h w"]) -> int:
+    """Return the row below which the lowest sixth of a mask lies."""
+    rows = np.flatnonzero(mask.any(1))
+    return int(rows[-1] - (rows[-1] - rows[0]) / 6) if len(rows) else 0
+
+
+def _named(
+    image: UInt8[np.ndarray, "h w 3"], things: Sequence[Thing], wanted: tuple[str, ...]
+) -> list[tuple[Thing, str]]:
+    """Return the things with their labels; of those asked for by name, no more than asked."""
+    if not things:
+        return []
+    keys = load_weights().categories
+    names = np.stack([t.names for t in things]).astype(float)
+    if wanted:
+        scores = np.array([t.score for t in things])
+        return [(things[i], wanted[j]) for i, j in assigned(names, keys, scores, wanted)]
+    plane = find_tabletop(image)
+    extents = [measured_extent(t.whole, plane)[0] for t in things]
+    spans = np.cbrt(np.prod(extents, axis=1))
+    labels = free_labels(weighed(names, keys, spans * table_scale(names, keys, spans)), keys)
+    return [(t, label or _shape(t)) for t, label in zip(things, labels, strict=True)]
+
+
+def _shape(thing: Thing) -> str:
+    x0, y0, x1, y1 = mask_box(thing.visible)
+    share = float(thing.visible.sum() / ((x1 - x0) * (y1 - y0)))
+    return shape_word(x1 - x0, y1 - y0, share)
 
 
 def refine(
-    image: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "a b"]
+    image: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"]
 ) -> Bool[np.ndarray, "h w"]:
-    """Carry a mask from working size to the picture and pull its rim onto the picture's edges.
+    """Pull a mask's rim onto the picture's edges: GrabCut decides a band around it.
 
-    GrabCut decides a band of two working pixels around the mask's outline; the inside and the
-    outside are given.
+    The inside and the outside are given; a cut that would lose or win much is not taken.
     """
-    shape = image.shape[:2]
-    big = _enlarge(mask, shape)
-    factor = shape[1] / mask.shape[1]
-    if not big.any():
-        return big
-    band = max(2, round(2 * factor))
-    x0, y0, x1, y1 = mask_box(big).astype(int)
+    if not mask.any():
+        return mask
+    x0, y0, x1, y1 = mask_box(mask).astype(int)
+    thick = cv2.distanceTransform(mask[y0:y1, x0:x1].astype(np.uint8), cv2.DIST_L2, 3).max()
+    band = int(np.clip(_BAND / 2 * max(mask.shape), 1, max(1.0, thick / 2)))
     pad = 4 * band
     window = np.s_[max(0, y0 - pad) : y1 + pad, max(0, x0 - pad) : x1 + pad]
-    inner = big[window].astype(np.uint8)
+    inner = mask[window].astype(np.uint8)
     kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * band + 1, 2 * band + 1))
     sure, possible = cv2.erode(inner, kernel), cv2.dilate(inner, kernel)
+    if not sure.any() or (possible > 0).all():
+        return mask
     trimap = np.where(possible > 0, cv2.GC_PR_BGD, cv2.GC_BGD).astype(np.uint8)
     trimap[inner > 0] = cv2.GC_PR_FGD
     trimap[sure > 0] = cv2.GC_FGD
-    if not (sure.any() and (possible == 0).any()):
-        return big
     crop = np.ascontiguousarray(image[window][..., ::-1])
     cv2.setRNGSeed(0)
     models = np.zeros((1, 65)), np.zeros((1, 65))
     cv2.grabCut(crop, trimap, (0, 0, 1, 1), *models, 2, cv2.GC_INIT_WITH_MASK)
-    result = np.zeros_like(big)
-    result[window] = (trimap == cv2.GC_FGD) | (trimap == cv2.GC_PR_FGD)
+    cut = (trimap == cv2.GC_FGD) | (trimap == cv2.GC_PR_FGD)
+    if not 0.8 < cut.sum() / inner.sum() < 1.25:
+        return mask
+    result = np.zeros_like(mask)
+    result[window] = cut
     return result

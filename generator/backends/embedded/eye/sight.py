@@ -7,6 +7,7 @@ mask and a better name.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import cv2
 import numpy as np
@@ -24,6 +25,7 @@ SIDE = 544
 _CLOSE = 192  # side of the closer looks
 _ROOM = 1.6  # side of a closer look over the longer side of the thing's box
 _FAINT = 0.12  # certainty below which a cell is not asked
+_LEAST = 0.15  # certainty of a thing that is told at all
 _MOST = 90  # cells asked
 _SAME = 0.5  # overlap at which two masks are one thing
 _INSIDE = 0.8  # share of a mask within a surer one that makes it a part
@@ -79,13 +81,23 @@ def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.3) -> Sight:
     with torch.inference_mode():
         maps = weights.eye(_tensor(_padded(small)))
         finds = _finds(weights.eye, maps, least, small.shape[:2])
-        things = [_closer(weights, image, find, factor) for find in finds]
+        things = _closer(weights, image, finds, factor)
 
     def full(x: Tensor) -> np.ndarray:
         return _enlarged(x, small.shape[:2], (height, width))
 
     region = full(maps.region[0].softmax(0))
     return Sight(tuple(things), region, full(maps.top[0].sigmoid())[0], full(maps.latitude[0])[0])
+
+
+def see(image: UInt8[np.ndarray, "h w 3"]) -> Sight:
+    """Return what :func:`look` sees, also of what is hardly certain; the last sights are kept."""
+    return _seen(image.tobytes(), image.shape[:2])
+
+
+@lru_cache(maxsize=2)
+def _seen(pixels: bytes, size: tuple[int, int]) -> Sight:
+    return look(np.frombuffer(pixels, np.uint8).reshape(*size, 3), least=_LEAST)
 
 
 def _resized(image: UInt8[np.ndarray, "h w 3"], factor: float) -> UInt8[np.ndarray, "a b 3"]:
@@ -153,51 +165,83 @@ def _repeats(mask: Tensor, other: Tensor) -> bool:
 
 
 def _closer(
-    weights: Weights, image: UInt8[np.ndarray, "h w 3"], find: _Find, factor: float
-) -> Thing:
-    """Look at a find again from near; where the closer look disagrees, the first one stands."""
-    height, width = image.shape[:2]
-    rows = np.flatnonzero((find.mask.amax(0) > 0.5).any(1).numpy())
-    columns = np.flatnonzero((find.mask.amax(0) > 0.5).any(0).numpy())
-    low = np.array([columns[0], rows[0]]) * STRIDE / factor
-    high = np.array([columns[-1] + 1, rows[-1] + 1]) * STRIDE / factor
-    side = max(_ROOM * float((high - low).max()), 32 / factor)
-    corner = (low + high) / 2 - side / 2
-    scale = _CLOSE / side
-    warp = np.array([[scale, 0, -corner[0] * scale], [0, scale, -corner[1] * scale]])
-    way = cv2.INTER_AREA if scale < 1 else cv2.INTER_LINEAR
-    near = cv2.warpAffine(image, warp, (_CLOSE, _CLOSE), flags=way, borderMode=cv2.BORDER_REPLICATE)
-    maps = weights.eye(_tensor(near))
-    first = _carried(find.mask, factor, corner, scale)
-    masks, names = _chosen(weights.eye, maps, first)
-    logits = find.names if names is None else (find.names + names) / 2
-    probabilities = (logits / weights.temperature).softmax(0).numpy()
-    back = cv2.invertAffineTransform(warp)
-    fine = functional.interpolate(masks[None], size=(_CLOSE, _CLOSE), mode="bilinear")[0].numpy()
-    visible, whole = (cv2.warpAffine(m, back, (width, height)) > 0.5 for m in fine)
-    return Thing(find.score, visible, visible | whole, probabilities)
+    weights: Weights, image: UInt8[np.ndarray, "h w 3"], finds: list[_Find], factor: float
+) -> list[Thing]:
+    """Look at all finds again from near; where a closer look disagrees, the first one stands."""
+    if not finds:
+        return []
+    frames = [_Frame.around(find.mask, factor) for find in finds]
+    maps = weights.eye(_tensor(*[frame.cut(image) for frame in frames]))
+    things = []
+    for k, (find, frame) in enumerate(zip(finds, frames, strict=True)):
+        masks, names = _chosen(weights.eye, maps, k, frame.carried(find.mask, factor))
+        logits = find.names if names is None else (find.names + names) / 2
+        visible, whole = frame.spread(masks, image.shape[:2])
+        likely = (logits / weights.temperature).softmax(0).numpy()
+        things.append(Thing(find.score, visible, visible | whole, likely))
+    return things
 
 
-def _carried(mask: Tensor, factor: float, corner: np.ndarray, scale: float) -> Tensor:
-    """Carry the first look's masks (2, h, w) into the cells of the closer look."""
-    zoom = scale / factor  # pixels of the closer look for each of the first
-    grid = _CLOSE // STRIDE
-    shift = -corner * scale / STRIDE + 0.5 * zoom - 0.5
-    warp = np.array([[zoom, 0, shift[0]], [0, zoom, shift[1]]])
-    carried = [cv2.warpAffine(m, warp, (grid, grid), flags=cv2.INTER_LINEAR) for m in mask.numpy()]
-    return torch.from_numpy(np.stack(carried))
+@dataclass(frozen=True)
+class _Frame:
+    """The square of the picture that a closer look shows: its corner, and pixels of the look."""
+
+    corner: tuple[float, float]
+    scale: float
+
+    @classmethod
+    def around(cls, mask: Tensor, factor: float) -> _Frame:
+        """Return the frame around a find's masks (2, h, w), in cells of the first look."""
+        covered = (mask.amax(0) > 0.5).numpy()
+        rows, columns = np.flatnonzero(covered.any(1)), np.flatnonzero(covered.any(0))
+        low = np.array([columns[0], rows[0]]) * STRIDE / factor
+        high = np.array([columns[-1] + 1, rows[-1] + 1]) * STRIDE / factor
+        side = max(_ROOM * float((high - low).max()), 32 / factor)
+        x, y = (low + high) / 2 - side / 2
+        return cls((float(x), float(y)), _CLOSE / side)
+
+    @property
+    def _warp(self) -> Float[np.ndarray, "2 3"]:
+        (x, y), scale = self.corner, self.scale
+        shift = np.array([-x, -y]) * scale + 0.5 * scale - 0.5
+        return np.array([[scale, 0, shift[0]], [0, scale, shift[1]]])
+
+    def cut(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
+        """Return what the frame shows; beyond the picture its border repeats."""
+        if self.scale < 0.7:  # averaging first keeps fine detail from flickering
+            small = cv2.resize(
+                image, None, fx=self.scale, fy=self.scale, interpolation=cv2.INTER_AREA
+            )
+            x, y = self.corner
+            return _Frame((x * self.scale, y * self.scale), 1.0).cut(small)
+        size, border = (_CLOSE, _CLOSE), cv2.BORDER_REPLICATE
+        return cv2.warpAffine(image, self._warp, size, flags=cv2.INTER_LINEAR, borderMode=border)
+
+    def carried(self, mask: Tensor, factor: float) -> Tensor:
+        """Carry the first look's masks (2, h, w) into the cells of the closer look."""
+        zoom = self.scale / factor  # pixels of the closer look for each of the first
+        shift = -np.array(self.corner) * self.scale / STRIDE + 0.5 * zoom - 0.5
+        warp = np.array([[zoom, 0, shift[0]], [0, zoom, shift[1]]])
+        size = (_CLOSE // STRIDE, _CLOSE // STRIDE)
+        return torch.from_numpy(np.stack([cv2.warpAffine(m, warp, size) for m in mask.numpy()]))
+
+    def spread(self, masks: Tensor, size: tuple[int, ...]) -> list[Bool[np.ndarray, "h w"]]:
+        """Carry the closer look's masks (2, c, c) to the picture."""
+        fine = functional.interpolate(masks[None], size=(_CLOSE, _CLOSE), mode="bilinear")[0]
+        back = cv2.invertAffineTransform(self._warp)
+        return [cv2.warpAffine(m, back, (size[1], size[0])) > 0.5 for m in fine.numpy()]
 
 
-def _chosen(eye: Eye, maps: Maps, first: Tensor) -> tuple[Tensor, Tensor | None]:
-    """Return the closer look's masks and names of the same thing, or the first look's masks."""
+def _chosen(eye: Eye, maps: Maps, k: int, first: Tensor) -> tuple[Tensor, Tensor | None]:
+    """Return look ``k``'s masks and names of the same thing, or the first look's masks."""
     wanted = first[0] > 0.5
-    heat = maps.heat[0, 0].sigmoid() * wanted
+    heat = maps.heat[k, 0].sigmoid() * wanted
     score, place = heat.flatten().topk(3)
     place = place[score > _FAINT]
     if not len(place):
         return first, None
     cells = torch.stack([place % heat.shape[1], place // heat.shape[1]], 1)
-    masks, names = _answers(eye, maps, torch.zeros(len(cells), dtype=torch.long), cells)
+    masks, names = _answers(eye, maps, torch.full((len(cells),), k), cells)
     drawn = masks[:, 0] > 0.5
     overlap = (drawn & wanted).sum((1, 2)) / (drawn | wanted).sum((1, 2)).clamp(min=1)
     best = int(overlap.argmax())

@@ -1,0 +1,83 @@
+"""The network's parts, and what is done when its weights are not to be had."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import torch
+
+from generator.backends.embedded.eye import weights
+from generator.backends.embedded.eye.horizon import fit_view
+from generator.backends.embedded.eye.lite0 import CHANNELS, Lite0, folded
+from generator.backends.embedded.eye.network import STRIDE, Eye
+from generator.errors import BackendError
+from generator.geometry import Camera, view_rotation
+from generator.scene import View
+
+
+def test_the_encoders_maps_have_their_strides():
+    taps = Lite0()(torch.rand(1, 3, 64, 96))
+    sizes = [(c, 64 // s, 96 // s) for c, s in zip(CHANNELS, (4, 8, 16, 32), strict=True)]
+    assert [tuple(t.shape[1:]) for t in taps] == sizes
+
+
+def test_folding_a_norm_changes_nothing():
+    conv = torch.nn.Conv2d(3, 32, 3, 2, 1, bias=False)
+    norm = torch.nn.BatchNorm2d(32, eps=1e-3).eval()
+    for value in (norm.weight, norm.bias, norm.running_mean):
+        torch.nn.init.normal_(value)
+    published = {f"_bn0.{k}": v for k, v in norm.state_dict().items()}
+    published["_conv_stem.weight"] = conv.weight
+    with pytest.raises(KeyError):
+        folded(published)  # the blocks are missing
+    from generator.backends.embedded.eye.lite0 import _fold
+
+    state = _fold(published, "_conv_stem", "_bn0", "stem")
+    stem = torch.nn.Conv2d(3, 32, 3, 2, 1)
+    stem.load_state_dict({k.removeprefix("stem."): v for k, v in state.items()})
+    x = torch.randn(2, 3, 16, 16)
+    torch.testing.assert_close(stem(x), norm(conv(x)), rtol=1e-4, atol=1e-4)
+
+
+def test_masks_and_names_belong_to_their_cells():
+    torch.manual_seed(0)
+    eye = Eye(4).eval()
+    maps = eye(torch.rand(2, 3, 64, 64))
+    owner, cells = torch.tensor([0, 1, 1]), torch.tensor([[3, 4], [3, 4], [9, 2]])
+    masks = eye.masks(maps, owner, cells, torch.full((3,), 5.0))
+    assert masks.shape == (3, 2, 64 // STRIDE, 64 // STRIDE)
+    assert not torch.allclose(masks[0], masks[1]) and not torch.allclose(masks[1], masks[2])
+    names = eye.names(maps, owner, cells, masks[:, 0].sigmoid())
+    alone = eye.names(maps, owner[2:], cells[2:], masks[2:, 0].sigmoid())
+    torch.testing.assert_close(names[2:], alone)
+
+
+@pytest.mark.parametrize(("elevation", "fov"), [(20, 60), (45, 40), (80, 30)])
+def test_the_view_is_read_from_the_angles(elevation, fov):
+    view = View(0.0, *np.deg2rad([elevation, fov]))
+    camera = Camera(np.zeros(3), view_rotation(view), view.fov, 80, 60)
+    y, x = np.mgrid[0:60, 0:80] + 0.5
+    rays = camera.rays(np.column_stack([x.ravel(), y.ravel()]))
+    noise = np.random.default_rng(0).normal(0, 0.02, (60, 80))
+    found = fit_view(np.arcsin(-rays[:, 2]).reshape(60, 80) + noise)
+    np.testing.assert_allclose(np.rad2deg(found), [elevation, fov], atol=2.0)
+
+
+def test_weights_go_to_disk_and_back(tmp_path):
+    torch.manual_seed(0)
+    eye = Eye(3)
+    path = tmp_path / "eye.safetensors"
+    weights.save_weights(path, eye.state_dict(), ("mug", "bowl"), 1.5)
+    found = weights.load_weights(path)
+    assert found.categories == ("mug", "bowl") and found.temperature == 1.5
+    torch.testing.assert_close(found.eye.box.weight, eye.box.weight, rtol=1e-3, atol=1e-4)
+    assert not (tmp_path / "eye.partial").exists()
+
+
+def test_missing_and_damaged_weights_say_how_to_restore_them(tmp_path):
+    with pytest.raises(BackendError, match=r"generator\.training\.train"):
+        weights.load_weights(tmp_path / "gone.safetensors")
+    damaged = tmp_path / "damaged.safetensors"
+    damaged.write_bytes(b"\x10\0\0\0\0\0\0\0garbage")
+    with pytest.raises(BackendError, match="cannot be used"):
+        weights.load_weights(damaged)
