@@ -12,7 +12,7 @@ from .look import Look
 from .shape import Shape, shape
 from .solids import Solid, block, box, cylinder, ellipsoid, joined, lathe, prism, torus
 
-BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet")
+BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet", "pink", "teal", "lime")
 
 
 def _side(outline: list[tuple[float, float]], width: float, bevel: float = 0.0) -> Solid:
