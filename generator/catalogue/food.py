@@ -126,9 +126,9 @@ def _slice(body: Solid, ring: int) -> np.ndarray:
 
 def tomato(look: Look) -> Shape:
     """A tomato with its green star."""
-    d = look.between(0.062, 0.072)
-    color = look.color("red", "red", "coral")
-    body = grounded(ellipsoid(d, d, 0.82 * d, 24, 14), 0.37 * d)
+    d, tall = look.between(0.058, 0.076), look.between(0.74, 0.98)
+    color = look.color("red", "red", "coral", "orange", "crimson", "yellow", "maroon")
+    body = grounded(ellipsoid(d, d, tall * d, 24, 14), 0.45 * tall * d)
     top = float(body.vertices[:, 2].max())
     green = textures.plain((70, 120, 50))
     leaves = [
