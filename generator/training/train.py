@@ -51,8 +51,8 @@ class Crops(Dataset[Crop]):
     """Random crops of the samples in a folder; number ``k`` is the same for the same seed."""
 
     def __init__(self, folder: Path, size: int, count: int, seed: int, first: int) -> None:
-        self._paths = sorted(folder.glob("*.shard"))
-        if not self._paths:
+        self.paths = sorted(folder.glob("*.shard"))
+        if not self.paths:
             raise InputError(
                 f"No shards in {folder}. Render some: python -m generator.training.renders --help"
             )
@@ -72,7 +72,7 @@ class Crops(Dataset[Crop]):
 
     @cached_property
     def _readers(self) -> list[ShardReader]:  # opened by the process that reads
-        return [ShardReader(path) for path in self._paths]
+        return [ShardReader(path) for path in self.paths]
 
 
 def collate(crops: list[Crop]) -> Batch:
@@ -137,6 +137,7 @@ class Run:
         self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
         self.optimiser = torch.optim.AdamW(_groups(self.eye, rate), weight_decay=0.01)
         self.steps, self.spent = 0, 0.0
+        self.shards: set[str] = set()  # that were learned from
         if (folder / STATE).is_file():
             self._restore()
 
@@ -168,7 +169,7 @@ class Run:
         state = {
             "eye": self.eye.state_dict(), "average": self.average, "steps": self.steps,
             "optimiser": self.optimiser.state_dict(), "spent": self.spent,
-            "categories": list(CATEGORIES),
+            "categories": list(CATEGORIES), "shards": sorted(self.shards),
         }  # fmt: skip
         self.folder.mkdir(parents=True, exist_ok=True)
         partial = self.folder / f"{STATE}.partial"
@@ -186,6 +187,7 @@ class Run:
             self.eye.load_state_dict(renamed(state["average"], old, list(CATEGORIES)))
             self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
         self.steps, self.spent = state["steps"], state["spent"]
+        self.shards = set(state.get("shards", ()))
 
 
 def renamed(
@@ -203,6 +205,7 @@ def batches(args: argparse.Namespace, run: Run) -> Iterator[Batch]:
     while True:
         count = _EPOCH * args.batch  # then look again which shards there are
         crops = Crops(args.data, size, count, args.seed, run.steps * args.batch)
+        run.shards |= {path.name for path in crops.paths}
         yield from DataLoader(
             crops, args.batch, num_workers=args.workers, collate_fn=collate, drop_last=True,
             prefetch_factor=4 if args.workers else None,
@@ -227,18 +230,18 @@ def train(args: argparse.Namespace) -> None:
 
 def _learn(args: argparse.Namespace, run: Run, show: Callable[[str], None]) -> None:
     """Take steps for as long as there is time; log every hundred, save every few minutes."""
-    sums: dict[str, float] = {}
+    recent: list[dict[str, float]] = []
     last = saved = time.monotonic()
     for batch in batches(args, run):
         marks = run.step(batch.to(args.device), run.spent / (60 * args.minutes))
-        sums = {k: sums.get(k, 0.0) + v for k, v in marks.items()}
+        recent.append(marks)
         now = time.monotonic()
         run.spent, last = run.spent + now - last, now
         if run.steps % _EVERY == 0:
-            means = {k: v / _EVERY for k, v in sums.items()}
+            means = {k: float(np.mean([m[k] for m in recent])) for k in marks}
             _log(args.out / LOG, run, means)
             show(f"step {run.steps}  loss {means['total']:.3f}")
-            sums = {}
+            recent.clear()
         if now - saved > _SAVED:
             run.save()
             saved = now
