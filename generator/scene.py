@@ -213,19 +213,23 @@ class Reference:
 
 @dataclass(frozen=True, eq=False)
 class Detection:
-    """One segmented region of an image: label, tight pixel box, mask, score in [0, 1]."""
+    """One segmented region of an image: label, tight pixel box, mask, score in [0, 1].
+
+    ``full`` is the whole object's mask, what other things hide of it included, if the segmenter
+    can tell; None leaves that to the completion.
+    """
 
     label: str
     box: Float[np.ndarray, "4"]
     mask: Bool[np.ndarray, "h w"]
     score: float = 1.0
+    full: Bool[np.ndarray, "h w"] | None = None
 
     def __post_init__(self) -> None:
-        _freeze(
-            self,
-            box=frozen_array(self.box, np.float64, (4,), "Detection.box"),
-            mask=frozen_array(self.mask, np.bool_, (None, None), "Detection.mask"),
-        )
+        mask = frozen_array(self.mask, np.bool_, (None, None), "Detection.mask")
+        _freeze(self, box=frozen_array(self.box, np.float64, (4,), "Detection.box"), mask=mask)
+        if self.full is not None:
+            _freeze(self, full=frozen_array(self.full, np.bool_, mask.shape, "Detection.full"))
 
 
 @dataclass(frozen=True, eq=False)

@@ -69,6 +69,17 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.provenance",
         ),
     ),
+    (
+        "generator.training",
+        (
+            *VALUES,
+            "generator.training",
+            "generator.backends.embedded",
+            "generator.catalogue",
+            "generator.layout",
+            "generator.render",
+        ),
+    ),
     ("generator.provenance", ()),
     ("generator.cli", ("generator", "assets_cache")),
     ("generator", ("generator",)),

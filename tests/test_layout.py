@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from shapely.geometry import MultiPoint, Polygon
@@ -201,3 +203,14 @@ def test_gaps_bound_the_true_distance_from_below() -> None:
         true = polygon(models[first], a).distance(polygon(models[second], b))
         assert bound <= true + 1e-6
         assert true - bound < 0.02 or bound < 0
+
+
+def test_the_plans_style_is_how_its_objects_are_drawn() -> None:
+    plan = plan_scene("a mug and a book on a table", 0)
+    plain = build_models(plan, 0)["mug_1"]
+    drawn = build_models(replace(plan, style="cartoon"), 0)["mug_1"]
+    assert (plain.mesh.texture.shape != drawn.mesh.texture.shape) or (
+        plain.mesh.texture != drawn.mesh.texture
+    ).any()
+    rustic = build_models(replace(plan, style="rustic"), 0)["mug_1"]
+    np.testing.assert_array_equal(rustic.mesh.texture, plain.mesh.texture)

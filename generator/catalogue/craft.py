@@ -13,7 +13,7 @@ from .outlines import ellipse, rectangle
 from .shape import Shape, shape
 from .solids import box, cylinder, ellipsoid, prism, torus, tube
 
-BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet")
+BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet", "pink", "teal", "black")
 
 
 def yarn_ball(look: Look) -> Shape:
@@ -65,12 +65,18 @@ def pencil_case(look: Look) -> Shape:
 
 def paint_palette(look: Look) -> Shape:
     """A painter's palette with dabs of paint, lying flat."""
-    wood = textures.wood(look.rng, (206, 164, 112))
-    board = prism(ellipse(0.26, 0.19, 28), 0, 0.006)
+    wood = textures.wood(look.rng, look.pick([(206, 164, 112), (150, 100, 62), (226, 200, 160)]))
+    if look.chance(0.4):
+        wood = textures.plain(look.color("white", "cream", "black"))
+    board = prism(ellipse(look.between(0.24, 0.28), look.between(0.175, 0.205), 28), 0, 0.006)
     pieces = [(board, wood)]
-    for k, name in enumerate(("red", "blue", "yellow", "green", "white", "orange")):
+    for k, name in enumerate(
+        look.rng.permutation(
+            ["red", "blue", "yellow", "green", "white", "orange", "violet", "pink", "brown", "teal"]
+        )[: look.rng.integers(4, 8)]
+    ):
         a = 0.55 + 0.48 * k
-        dab = ellipsoid(0.032, 0.028, 0.009, 14, 6).moved(
+        dab = ellipsoid(look.between(0.022, 0.038), look.between(0.02, 0.032), 0.009, 14, 6).moved(
             0.095 * np.cos(a), 0.065 * np.sin(a), 0.0065
         )
         pieces.append((dab, textures.plain(look.fixed(name))))
@@ -121,7 +127,8 @@ def button_tin(look: Look) -> Shape:
 def scissors(look: Look) -> Shape:
     """Scissors lying flat and closed, two finger loops to the right."""
     long = look.between(0.17, 0.2)
-    color = look.color("red", "black", "orange", "blue", "teal")
+    color = look.color("red", "black", "orange", "blue", "teal", "pink", "lime", "violet", "gray")
+    fat, wide = look.between(0.2, 0.3), look.between(0.014, 0.019)
     steel = textures.brushed(look.rng, (190, 193, 198))
     grip = textures.speckled(look.rng, color, 4, 32)
     pieces = []
@@ -132,7 +139,7 @@ def scissors(look: Look) -> Shape:
         if side > 0:
             outline = outline[::-1] * [1, -1]
         blade = prism(outline, low, low + 0.0024)
-        loop = torus(1.0, 0.26, 24, 8).scaled(0.024, 0.0165, 0.019)
+        loop = torus(1.0, fat, 24, 8).scaled(look.between(0.021, 0.027), wide, 0.005 / fat)
         loop = loop.turned(2, side * 0.3).moved(0.5 * long - 0.022, side * 0.021, 0.0052)
         pieces += [(blade, steel), (loop, grip)]
     screw = cylinder(0.0045, 0.002, 14).moved(x=0.012, z=0.0046)

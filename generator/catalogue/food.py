@@ -32,13 +32,16 @@ def grounded(solid: Solid, depth: float) -> Solid:
 def apple(look: Look) -> Shape:
     """An apple with a stem."""
     d = look.between(0.07, 0.08)
-    base = look.color("red", "green", "crimson", "yellow")
+    base = look.color("red", "red", "green", "lime", "crimson", "yellow", "maroon")
+    tall = look.between(0.9, 1.08)
     blush = look.fixed("red", "amber", "lime", "crimson")
     a = np.linspace(-np.pi / 2, np.pi / 2, 13)
     r = d / 2 * np.cos(a) * (1 + 0.06 * np.sin(a))
-    z = 0.44 * d * np.sin(a) - 0.09 * d * np.exp(-((r / (0.22 * d)) ** 2)) * np.sign(np.sin(a))
+    z = 0.44 * tall * d * np.sin(a) - 0.09 * d * np.exp(-((r / (0.22 * d)) ** 2)) * np.sign(
+        np.sin(a)
+    )
     r[[0, -1]] = 0
-    body = grounded(lathe(np.column_stack([r, z]), 26), 0.41 * d)
+    body = grounded(lathe(np.column_stack([r, z]), 26), 0.41 * tall * d)
     body = body.moved(z=-float(body.vertices[:, 2].min()))
     top = float(body.vertices[:, 2].max())
     stem = tube([(0, 0, 0.72 * top), (0.002, 0, 0.95 * top), (0.006, 0, 1.12 * top)], 0.0016, 6)
@@ -123,9 +126,9 @@ def _slice(body: Solid, ring: int) -> np.ndarray:
 
 def tomato(look: Look) -> Shape:
     """A tomato with its green star."""
-    d = look.between(0.062, 0.072)
-    color = look.color("red", "red", "coral")
-    body = grounded(ellipsoid(d, d, 0.82 * d, 24, 14), 0.37 * d)
+    d, tall = look.between(0.058, 0.076), look.between(0.74, 0.98)
+    color = look.color("red", "red", "coral", "orange", "crimson", "yellow", "maroon")
+    body = grounded(ellipsoid(d, d, tall * d, 24, 14), 0.45 * tall * d)
     top = float(body.vertices[:, 2].max())
     green = textures.plain((70, 120, 50))
     leaves = [

@@ -265,7 +265,7 @@ def earbuds_case(look: Look) -> Shape:
             (low, shell),
             (lid, shell),
             (light, textures.plain(lamp)),
-            *_mark(look, color, y, z, mark),
+            *_mark(color, y, z, mark),
         ],
         [box_part(x, y, z * 0.62), box_part(x, y, z * 0.37, (0, 0, 0.63 * z))],
     )

@@ -62,7 +62,7 @@ def playing_cards(look: Look) -> Shape:
     red = look.chance(0.5)
     ink: RGB = (190, 30, 40) if red else (28, 28, 32)
     face = prints.canvas(96, 134, (250, 249, 244))
-    rank = look.pick(["A", "K", "Q", "7"])
+    rank = look.pick(["A", "K", "Q", "J", "7", "10", "2", "9"])
     prints.write(face, rank, 0.14, 0.09, 0.11, ink, bold=True)
     face = face[::-1, ::-1].copy()
     prints.write(face, rank, 0.14, 0.09, 0.11, ink, bold=True)
@@ -70,7 +70,7 @@ def playing_cards(look: Look) -> Shape:
     prints.disc(face, 0.5, 0.5, 0.11, (250, 249, 244))
     prints.fill(face, 0.42, 0.4, 0.16, 0.2, ink)
     edge = textures.stripes([(250, 249, 244), (206, 204, 198)], 12)
-    back = look.color("navy", "crimson", "green")
+    back = look.color("navy", "crimson", "green", "black", "violet")
     return shape(
         [
             (block(x, y, h, 0.003), edge),
@@ -83,7 +83,10 @@ def playing_cards(look: Look) -> Shape:
 
 def chess_piece(look: Look) -> Shape:
     """A chess piece: pawn, bishop-like or rook-like."""
-    wood = look.surface(look.color("cream", "black", "brown"), "plastic")
+    wood = look.surface(
+        look.color("cream", "black", "brown", "white", "crimson", "tan"),
+        look.pick(["plastic", "wood"]),
+    )
     kind = int(look.rng.integers(3))
     r, h = 0.016, (0.042, 0.06, 0.048)[kind]
     neck = [(0, 0), (r, 0), (r, 0.006), (0.8 * r, 0.011), (0.42 * r, 0.5 * h), (0.62 * r, 0.62 * h)]

@@ -8,6 +8,7 @@ from . import prints, textures
 from .category import Category
 from .collision import box_part, frame_parts, hull_of
 from .colors import readable_on, tinted
+from .glazes import glazed
 from .look import Look
 from .shape import Shape, shape
 from .solids import block, box, open_box, torus
@@ -17,10 +18,23 @@ INKS = ("red", "navy", "teal", "mustard", "crimson", "green", "blue", "charcoal"
 
 def book(look: Look) -> Shape:
     """A hardback lying flat, title up, spine to the left."""
-    x, y = look.between(0.135, 0.165), look.between(0.2, 0.23)
-    h, board = look.between(0.02, 0.036), 0.0028
+    x, y = look.between(0.12, 0.175), look.between(0.185, 0.24)
+    h, board = look.between(0.016, 0.042), look.pick([0.0008, 0.0028])
     color, accent = look.color(*INKS), look.fixed("cream", "gold", "coral", "sky", "white")
-    title = look.pick(["ATLAS", "POEMS", "GARDEN", "MINDS", "THE SEA", "COOKING", "ORBIT"])
+    title = look.pick(
+        [
+            "ATLAS",
+            "POEMS",
+            "GARDEN",
+            "MINDS",
+            "THE SEA",
+            "COOKING",
+            "ORBIT",
+            "EMMA",
+            "DESIGN",
+            "1984",
+        ]
+    )
     front = prints.cover(look.rng, title, color, accent)
     cloth = textures.speckled(look.rng, color, 4, 32)
     top = box(x, y, board).moved(z=h - board)
@@ -40,6 +54,12 @@ def notebook(look: Look) -> Shape:
     band = look.fixed("red", "black", "gold", "cream")
     rings = look.chance(0.5)
     image = prints.canvas(128, 176, color)
+    kind = int(look.rng.integers(4))
+    if kind == 0:
+        image = glazed(look, color)
+    elif kind == 1:
+        image = prints.artwork(look.rng, 128, 176)
+    image = textures.fitted(image, 176, 128).copy()
     if rings:
         prints.fill(image, 0.25, 0.2, 0.5, 0.2, (246, 244, 236))
         prints.write(image, "NOTES", 0.5, 0.3, 0.08, (60, 60, 66))
@@ -67,7 +87,8 @@ def cardboard_box(look: Look) -> Shape:
     x, y, h = look.between(0.14, 0.2), look.between(0.1, 0.15), look.between(0.08, 0.12)
     asked = look.attributes.get("color", "")
     gift = look.chance(0.34) if not asked else asked not in ("brown", "tan", "beige")
-    color, ribbon = look.color("red", "teal", "navy", "pink"), look.fixed("gold", "white", "cream")
+    color = look.color("red", "teal", "navy", "pink", "white", "lavender", "black", "sage")
+    ribbon = look.fixed("gold", "white", "red", "green", "pink")
     board = textures.cardboard(look.rng)
     if not gift:
         label = prints.canvas(96, 64, (246, 246, 242))
@@ -75,7 +96,7 @@ def cardboard_box(look: Look) -> Shape:
         prints.barcode(label, look.rng, 0.5, 0.6, 0.42)
         note = box(0.07, 0.045, 0.0006).moved(x=0.1 * x, y=-0.18 * y, z=h - 0.0001)
         return shape([(box(x, y, h), board), (note, label)], [box_part(x, y, h)])
-    paper, band = textures.speckled(look.rng, color, 4, 32), textures.plain(ribbon)
+    paper, band = textures.fitted(glazed(look, color), 128, 128), textures.plain(ribbon)
     bow = [torus(0.016, 0.004, 16, 6).scaled(1, 0.55, 1).turned(0, 0.9) for _ in range(2)]
     return shape(
         [
@@ -92,7 +113,7 @@ def cardboard_box(look: Look) -> Shape:
 def sticky_notes(look: Look) -> Shape:
     """A square pad of notes, the top sheet lifting at its front edge."""
     side, h = 0.076, look.between(0.012, 0.022)
-    color = look.color("yellow", "pink", "lime", "sky", "orange", spread=4)
+    color = look.color("yellow", "pink", "lime", "sky", "orange", "lavender", "mint", spread=4)
     image = prints.canvas(96, 96, color)
     if look.chance(0.6):
         prints.lines(image, look.rng, (0.14, 0.2, 0.6, 0.5), 4, (70, 74, 110), 0.18)
@@ -122,10 +143,10 @@ def paper_stack(look: Look) -> Shape:
 
 def stapler(look: Look) -> Shape:
     """A desk stapler, jaws slightly open towards the left."""
-    color = look.color("black", "red", "blue", "teal", "gray")
+    color = look.color("black", "red", "blue", "teal", "gray", "white", "pink", "yellow", "mint")
     shell, dark = textures.speckled(look.rng, color, 4, 32), textures.plain((52, 52, 56))
     steel = textures.brushed(look.rng, (182, 184, 190))
-    length, width = look.between(0.13, 0.145), 0.034
+    length, width = look.between(0.115, 0.155), look.between(0.029, 0.038)
     base = block(length, width, 0.009, 0.012, 0.002)
     rail = block(length * 0.9, width * 0.42, 0.008, 0.004).turned(1, np.deg2rad(3.5))
     arm = block(length * 0.95, width * 0.78, 0.019, 0.012, 0.006).turned(1, np.deg2rad(6))
@@ -153,15 +174,19 @@ def ruler(look: Look) -> Shape:
 def calculator(look: Look) -> Shape:
     """A pocket calculator lying flat, display at the far end."""
     x, y, h = look.between(0.078, 0.09), look.between(0.13, 0.15), 0.013
-    color = look.color("charcoal", "white", "navy", "gray", "pink")
+    color = look.color("charcoal", "white", "navy", "gray", "pink", "teal", "yellow", "black")
+    cap, mark = (
+        look.pick([(232, 232, 230), (60, 62, 68), (250, 236, 200)]),
+        look.fixed("orange", "red", "teal", "blue", "yellow"),
+    )
     face = prints.canvas(96, 160, color)
     prints.fill(face, 0.1, 0.06, 0.8, 0.17, (178, 196, 170))
     prints.write(face, str(int(look.rng.integers(100, 99999))), 0.62, 0.15, 0.1, (40, 46, 40))
     pad = prints.keys(
         [(1,) * 4] * 5,
-        (232, 232, 230),
+        cap,
         tinted(color, 0.9),
-        accent=(224, 132, 60),
+        accent=mark,
         width=80,
         height=100,
     )

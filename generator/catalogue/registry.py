@@ -19,6 +19,7 @@ from . import (
     cups,
     cutlery,
     decor,
+    deskware,
     devices,
     dining,
     electronics,
@@ -32,9 +33,11 @@ from . import (
     keepsakes,
     kitchen,
     lab,
+    leisure,
     lights,
     meals,
     office,
+    ornaments,
     pantry,
     plants,
     portables,
@@ -51,7 +54,8 @@ from .look import Look
 
 _SHELVES = (
     *(cups, dining, cutlery, brewing, kitchen, bottles, pantry, food, bakery),
-    *(fruit, produce, groceries, meals, sweets, hardware, devices, portables),
+    *(fruit, produce, groceries, meals, sweets, hardware),
+    *(devices, portables, deskware, leisure, ornaments),
     *(office, writing, electronics, handhelds, gadgets, decor, plants, keepsakes, lights),
     *(tools, workbench, toys, games, craft, vanity, lab),
 )

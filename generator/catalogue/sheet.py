@@ -1,4 +1,7 @@
-"""Draw the catalogue: ``python -m generator.catalogue.sheet OUT.png [category ...]``."""
+"""Draw the catalogue: ``python -m generator.catalogue.sheet OUT.png [category ...]``.
+
+``docs/images/catalogue.png`` is made with ``--page``.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 from jaxtyping import UInt8
-from PIL import Image
+from PIL import Image, ImageDraw, ImageFont
 
 from ..geometry import Camera
 from ..render.raster import place, render
@@ -36,6 +39,23 @@ def draw(keys: Sequence[str], variants: int = 3, side: int = 160) -> UInt8[np.nd
     return grid(cells, names, columns=4 * variants, cell=side)
 
 
+def draw_page(
+    keys: Sequence[str], looks: int = 4, side: int = 56, columns: int = 5
+) -> UInt8[np.ndarray, "h w 3"]:
+    """Return a page of the catalogue: each category a strip of ``looks`` over its name."""
+    wide, tall = looks * side + 12, side + 18
+    rows = -(-len(keys) // columns)
+    page = Image.new("RGB", (columns * wide, rows * tall), "white")
+    pen, font = ImageDraw.Draw(page), ImageFont.load_default(11)
+    for index, key in enumerate(keys):
+        x, y = index % columns * wide + 6, index // columns * tall
+        for seed in range(looks):
+            page.paste(Image.fromarray(portrait(build(key, seed), side=side)), (x + seed * side, y))
+        middle = x + looks * side / 2
+        pen.text((middle, y + side + 1), CATEGORIES[key].noun, (40, 44, 52), font, anchor="mt")
+    return np.asarray(page, np.uint8)
+
+
 def draw_tables(side: int = 240) -> UInt8[np.ndarray, "h w 3"]:
     """Return a contact sheet of every outline with every leg style, materials in turn."""
     materials = ("oak", "walnut", "pine", "white", "black", "marble", "glass", "metal", "teal")
@@ -51,11 +71,17 @@ def draw_tables(side: int = 240) -> UInt8[np.ndarray, "h w 3"]:
 
 
 def main() -> None:
-    """Write the contact sheet of categories, or of all tables for the word "tables"."""
+    """Write the contact sheet of categories, of all tables, or the page the docs show."""
     parser = argparse.ArgumentParser(description="Draw a contact sheet of the catalogue.")
     parser.add_argument("out", type=Path, help="PNG to write")
     parser.add_argument("keys", nargs="*", help='categories, or "tables"; default: everything')
+    parser.add_argument("--page", action="store_true", help="four small looks each, few colours")
     chosen = parser.parse_args()
+    if chosen.page:
+        page = Image.fromarray(draw_page(chosen.keys or sorted(CATEGORIES)))
+        few = page.quantize(160, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
+        few.save(chosen.out, optimize=True)
+        return
     only_tables = chosen.keys == ["tables"]
     picture = draw_tables() if only_tables else draw(chosen.keys or list(CATEGORIES))
     if not chosen.keys:

@@ -13,7 +13,7 @@ from .outlines import rectangle
 from .shape import Shape, shape
 from .solids import Solid, block, box, cylinder, joined, lathe, prism, sweep, torus, tube
 
-GRIPS = ("red", "yellow", "blue", "orange", "green", "black")
+GRIPS = ("red", "yellow", "blue", "orange", "green", "black", "teal", "gray", "lime", "violet")
 
 
 def steel(look: Look) -> textures.Tile:
@@ -30,7 +30,10 @@ def screwdriver(look: Look) -> Shape:
     """A screwdriver lying: fluted grip, shaft, flat tip."""
     r, grip, shaft = look.between(0.013, 0.016), look.between(0.09, 0.105), look.between(0.09, 0.12)
     color = look.color(*GRIPS)
-    flutes = textures.stripes([color, color, tinted(color, 0.6)], 6, upright=True)
+    flutes = textures.stripes([color, color, look.pick([tinted(color, 0.6), (40, 40, 44)])], 6,
+                              upright=True)  # fmt: skip
+    if look.chance(0.3):
+        flutes = textures.stacked((textures.plain((40, 40, 44)), 1), (flutes, 3), (flutes, 1))
     handle = lathe(
         [(0, 0), (0.7 * r, 0), (r, 0.008), (r, 0.55 * grip), (0.72 * r, 0.75 * grip),
          (0.85 * r, 0.9 * grip), (0.55 * r, grip), (0, grip)],
@@ -51,9 +54,15 @@ def screwdriver(look: Look) -> Shape:
 
 def hammer(look: Look) -> Shape:
     """A claw hammer lying on its side."""
-    wood = look.surface(look.color("wooden", "tan", "red", "blue"), "oak")
+    paint = look.color(
+        "wooden", "wooden", "tan", "red", "blue", "black", "yellow", "orange", "green"
+    )
+    wood = look.surface(paint, look.pick(["oak", "plastic"]))
+    if look.chance(0.4):  # a grip of rubber
+        rubber = textures.plain(look.fixed("black", "charcoal", "yellow", "blue"))
+        wood = np.concatenate([textures.fitted(rubber, 64, 26), textures.fitted(wood, 64, 38)], 1)
     metal = textures.brushed(look.rng, look.fixed("charcoal", "gray", "silver"))
-    length = look.between(0.26, 0.3)
+    length = look.between(0.24, 0.33)
     handle = prism(
         [(-length / 2, -0.014), (-0.02, -0.011), (length / 2, -0.011), (length / 2, 0.011),
          (-0.02, 0.011), (-length / 2, 0.014)],
@@ -79,7 +88,10 @@ def hammer(look: Look) -> Shape:
 
 def wrench(look: Look) -> Shape:
     """A combination wrench lying flat: ring at one end, open jaw at the other."""
-    metal, length = steel(look), look.between(0.16, 0.2)
+    hue = look.color("silver", "gray", "charcoal", "bronze", "red", "blue", spread=10)
+    metal, length = textures.brushed(look.rng, hue), look.between(0.14, 0.22)
+    if look.chance(0.4):
+        metal = textures.spotted(look.rng, hue, (128, 84, 56), look.between(0.03, 0.14))
     shaft = prism(
         [(-length / 2 + 0.02, -0.006), (length / 2 - 0.02, -0.007), (length / 2 - 0.02, 0.007),
          (-length / 2 + 0.02, 0.006)],
@@ -102,33 +114,43 @@ def wrench(look: Look) -> Shape:
 def pliers(look: Look) -> Shape:
     """Pliers lying flat with coloured grips."""
     grip = textures.speckled(look.rng, look.color(*GRIPS), 5)
-    metal = textures.brushed(look.rng, (120, 124, 130))
+    metal = textures.brushed(look.rng, look.pick([(120, 124, 130), (70, 72, 76), (176, 178, 182)]))
+    reach, gape = look.between(0.045, 0.075), look.between(0.85, 1.15)
     handles = [
-        tube([(0.0, s * 0.005, 0.007), (-0.035, s * 0.02, 0.007), (-0.1, s * 0.026, 0.007)],
+        tube([(0.0, s * 0.005, 0.007), (-0.035, s * 0.02 * gape, 0.007),
+              (-0.1, s * 0.026 * gape, 0.007)],
              [0.0055, 0.007, 0.0065], 10)
         for s in (-1, 1)
     ]  # fmt: skip
     jaws = [
-        prism([(0.0, 0.0), (0.06, s * 0.0006), (0.06, s * 0.005), (0.02, s * 0.011),
+        prism([(0.0, 0.0), (reach, s * 0.0006), (reach, s * 0.005), (0.02, s * 0.011),
                (-0.004, s * 0.011)][::s], 0.001, 0.013)
         for s in (-1, 1)
     ]  # fmt: skip
     pivot = cylinder(0.009, 0.0155, 18, bevel=0.001).moved(x=0.006)
     return shape(
         [(joined(handles), grip), (joined(jaws), metal), (pivot, steel(look))],
-        [*[hull_of(h) for h in handles], box_part(0.06, 0.02, 0.014, (0.03, 0, 0))],
+        [*[hull_of(h) for h in handles], box_part(reach, 0.018, 0.013, (reach / 2, 0, 0.0005))],
     )
 
 
 def tape_measure(look: Look) -> Shape:
     """A tape measure standing on its base with a bit of blade out."""
     side = look.between(0.062, 0.072)
-    color = look.color("yellow", "orange", "red", "blue", "black")
+    color = look.color("yellow", "orange", "red", "blue", "black", "silver", "lime", "white")
+    word, ink = (
+        look.pick(["5m", "3m", "8m", "PRO", "25ft"]),
+        look.pick([(40, 40, 44), (236, 236, 232)]),
+    )
     case = textures.speckled(look.rng, color, 4)
     face = prints.canvas(96, 96, color)
-    prints.disc(face, 0.5, 0.5, 0.36, (40, 40, 44))
-    prints.disc(face, 0.5, 0.5, 0.3, tinted(color, 1.15))
-    prints.write(face, "5m", 0.5, 0.5, 0.22, (30, 30, 30), bold=True)
+    if look.chance(0.5):
+        prints.disc(face, 0.5, 0.5, 0.36, ink)
+        prints.disc(face, 0.5, 0.5, 0.3, tinted(color, 1.15))
+        prints.write(face, word, 0.5, 0.5, 0.22, tinted(color, 0.2), bold=True)
+    else:
+        prints.fill(face, 0, 0.3, 1, 0.4, ink)
+        prints.write(face, word, 0.5, 0.5, 0.24, color, bold=True)
     body = (
         prism(rectangle(side, side, 0.02), 0, 0.036, 0.003)
         .turned(0, np.pi / 2)
@@ -140,7 +162,12 @@ def tape_measure(look: Look) -> Shape:
         [
             (body, case),
             (badge, face),
-            (blade, textures.stripes([(244, 214, 70), (40, 40, 40)], 8, upright=True)),
+            (
+                blade,
+                textures.stripes(
+                    [look.pick([(244, 214, 70), (240, 240, 236)]), (40, 40, 40)], 8, upright=True
+                ),
+            ),
         ],
         [box_part(side, 0.036, side), box_part(0.036, 0.02, 0.0014, (side / 2 + 0.018, 0, 0.003))],
     )
@@ -148,7 +175,7 @@ def tape_measure(look: Look) -> Shape:
 
 def utility_knife(look: Look) -> Shape:
     """A box cutter lying flat with its blade out."""
-    color = look.color("yellow", "red", "orange", "blue")
+    color = look.color("yellow", "red", "orange", "blue", "black", "lime", "teal", "silver")
     body = prism(
         [(-0.075, -0.011), (0.045, -0.013), (0.062, -0.006), (0.062, 0.006), (-0.07, 0.013)],
         0, 0.014, 0.003,

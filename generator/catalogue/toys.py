@@ -12,7 +12,7 @@ from .look import Look
 from .shape import Shape, shape
 from .solids import Solid, block, box, cylinder, ellipsoid, joined, lathe, prism, torus
 
-BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet")
+BRIGHT = ("red", "blue", "yellow", "green", "orange", "violet", "pink", "teal", "lime")
 
 
 def _side(outline: list[tuple[float, float]], width: float, bevel: float = 0.0) -> Solid:
@@ -235,9 +235,9 @@ def stacking_rings(look: Look) -> Shape:
     pieces: list[tuple[Solid, textures.Tile]] = [
         (cylinder(0.045, 0.012, 28, bevel=0.003), textures.wood(look.rng, (214, 176, 124)))
     ]
-    start = int(look.rng.integers(6))
+    start, pastel = int(look.rng.integers(len(BRIGHT))), look.pick([1.0, 1.0, 1.4])
     for k in range(5):
-        color = look.fixed(BRIGHT[(start + k) % 6])
+        color = tinted(look.fixed(BRIGHT[(start + k) % len(BRIGHT)]), pastel)
         ring = torus(0.03 - 0.004 * k, 0.0115, 26, 10).moved(z=0.0225 + 0.0205 * k)
         pieces.append((ring, textures.speckled(look.rng, color, 3)))
     pieces.append((ellipsoid(0.026, 0.026, 0.026, 16, 10).moved(z=0.124), pieces[0][1]))

@@ -189,9 +189,11 @@ def toothbrush_cup(look: Look) -> Shape:
 
 def ring_box(look: Look) -> Shape:
     """A small open jewellery box with a ring in it."""
-    velvet = textures.fabric(look.rng, look.color("navy", "crimson", "green", "black", "violet"))
-    cushion = textures.plain((236, 228, 214))
-    gold = textures.plain((214, 176, 88))
+    velvet = textures.fabric(look.rng, look.color(
+        "navy", "crimson", "green", "black", "violet", "teal", "pink", "white", "brown"
+    ))  # fmt: skip
+    cushion = textures.plain(look.pick([(236, 228, 214), (40, 40, 46), (150, 30, 50)]))
+    gold = textures.plain(look.pick([(214, 176, 88), (204, 206, 210), (216, 150, 120)]))
     base = block(0.056, 0.056, 0.028, 0.006, 0.002)
     pad = box(0.044, 0.044, 0.002).moved(z=0.0275)
     lid = block(0.056, 0.02, 0.05, 0.004, 0.002).turned(0, np.deg2rad(-14)).moved(y=0.032, z=0.026)

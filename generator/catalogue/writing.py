@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import textures
+from . import prints, textures
 from .category import Category
 from .collision import box_part, cylinder_part, hull_of, hull_part
 from .colors import tinted
+from .glazes import glazed
 from .look import Look
 from .shape import Shape, shape
 from .solids import Solid, box, lathe, loft
@@ -23,7 +24,10 @@ def _lying(profile: list[tuple[float, float]], sides: int) -> Solid:
 def pen(look: Look) -> Shape:
     """A ball pen lying flat, with tip, barrel, grip and clip."""
     r, length = look.between(0.0048, 0.0056), look.between(0.138, 0.15)
-    color, metal = look.color("blue", "black", "red", "green", "silver"), (188, 190, 196)
+    color = look.color(
+        "blue", "black", "red", "green", "silver", "white", "teal", "pink", "gold", "purple"
+    )
+    metal = look.pick([(188, 190, 196), (188, 190, 196), (200, 164, 84), (50, 50, 54)])
     barrel = _lying(
         [
             (0, 0),
@@ -37,7 +41,17 @@ def pen(look: Look) -> Shape:
         12,
     )
     tile = textures.stripes(
-        [metal, tinted(color, 0.6), color, color, color, color, color, metal], side=64
+        [
+            metal,
+            look.pick([tinted(color, 0.6), (44, 44, 48)]),
+            color,
+            color,
+            look.pick([color, tinted(color, 1.5)]),
+            color,
+            color,
+            metal,
+        ],
+        side=64,
     )
     clip = box(0.045, 0.0028, 0.0016).moved(x=length / 2 - 0.034, z=2 * r + 0.0006)
     knob = box(0.006, 0.0028, 0.0022).moved(x=length / 2 - 0.014, z=2 * r - 0.001)
@@ -53,7 +67,9 @@ def pen(look: Look) -> Shape:
 def pencil(look: Look) -> Shape:
     """A six-sided pencil lying on a facet: lead, wood, paint, ferrule, rubber."""
     r, length = 0.0039, look.between(0.16, 0.185)
-    color = look.color("yellow", "red", "blue", "green", "black", "orange")
+    color = look.color(
+        *("yellow", "yellow", "red", "blue", "green", "black", "orange", "wooden", "pink", "white")
+    )
     rod = _lying(
         [
             (0, 0),
@@ -85,12 +101,15 @@ def pencil(look: Look) -> Shape:
 def marker(look: Look) -> Shape:
     """A thick felt pen lying flat with its cap on."""
     r, length = look.between(0.0085, 0.0095), look.between(0.12, 0.135)
-    color = look.color("red", "blue", "green", "black", "purple", "orange", "pink")
+    color = look.color(
+        "red", "blue", "green", "black", "purple", "orange", "pink", "yellow", "teal"
+    )
+    barrel = look.pick([(240, 240, 236), (240, 240, 236), (44, 44, 48), color])
     body = _lying([(0, 0), (r * 0.92, 0), (r * 0.92, length * 0.66), (0, length * 0.66)], 16)
     cap = _lying(
         [(0, 0), (r, 0), (r, 0.32 * length), (0.72 * r, 0.38 * length), (0, 0.38 * length)], 16
     )
-    shell = textures.stripes([color, (240, 240, 236), (240, 240, 236), color], side=32)
+    shell = textures.stripes([color, barrel, barrel, color, barrel, color], side=48)
     return shape(
         [
             (body.moved(x=-0.17 * length, z=0.08 * r), shell),
@@ -106,8 +125,12 @@ def marker(look: Look) -> Shape:
 def pencil_holder(look: Look) -> Shape:
     """A cup with pens and pencils standing in it."""
     r, h = look.between(0.038, 0.043), look.between(0.09, 0.105)
-    color = look.color("black", "white", "teal", "wooden", "coral", "silver")
+    color = look.color("black", "white", "teal", "wooden", "coral", "silver", "navy", "mustard")
     wall = look.surface(color, look.pick(["plastic", "wood", "metal"]))
+    if look.chance(0.5):
+        wall = glazed(look, color)
+    elif look.chance(0.4):
+        wall = prints.mesh_holes(color, tinted(color, 0.5), 10, 20)
     cup = lathe([(0, 0), (r, 0), (r, h), (r - 0.003, h), (r - 0.003, 0.005), (0, 0.005)], 28)
     pieces = [(cup, wall)]
     parts = [cylinder_part(r, h)]

@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from .. import catalogue
+from ..catalogue.styles import STYLES
 from ..errors import SceneError
 from ..geometry import convex_outline
 from ..scene import ConvexPart, Mesh, Model, PlannedObject, PlannedTable, ScenePlan
@@ -23,6 +24,8 @@ _ROOM = 0.035  # metres of free space counted around each object
 def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     """Build a catalogue model for every planned object, each by its own seed.
 
+    The plan's style decides how they are drawn, if it is one of the catalogue's.
+
     Equal planned things ("two red mugs") look alike, since they share the seed. A long thin thing
     that goes into a vessel stands upright, as a pencil does in a mug.
     """
@@ -31,7 +34,7 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     for planned in plan.objects:
         kind = (planned.category, planned.noun, str(sorted(planned.attributes.items())))
         number = seeds.setdefault(kind, len(seeds))
-        models[planned.name] = _build(planned, seed * 1009 + number)
+        models[planned.name] = _build(planned, plan.style, seed * 1009 + number)
     by_name = {o.name: o for o in plan.objects}
     for planned in plan.objects:
         if any(r.kind == "in" and r.target in by_name for r in planned.relations):
@@ -39,10 +42,11 @@ def build_models(plan: ScenePlan, seed: int) -> dict[str, Model]:
     return models
 
 
-def _build(planned: PlannedObject, seed: int) -> Model:
+def _build(planned: PlannedObject, style: str, seed: int) -> Model:
     if planned.category == "generic":
         return replace(stand_in(planned, seed), label=planned.noun)
-    model = catalogue.build(planned.category, seed, attributes=planned.attributes)
+    drawn = {"style": style} if style in STYLES else {}
+    model = catalogue.build(planned.category, seed, attributes={**drawn, **planned.attributes})
     if planned.size is not None:
         factor = max(planned.size) / float(model.size.max())
         model = replace(model, size=model.size * factor)

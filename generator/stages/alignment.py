@@ -206,7 +206,12 @@ def _scale(
     config: AlignmentConfig,
     warnings: list[str],
 ) -> tuple[str, float]:
-    """Return the anchor and alpha; anchors that make the table absurd are passed over."""
+    """Return the anchor and alpha; anchors that make the table absurd are passed over.
+
+    A top view of measured scale keeps it.
+    """
+    if top.metres_per_pixel is not None:
+        return select_anchor(scores), top.metres_per_pixel
     box = np.asarray(top.table_box)
     length = float(np.sqrt(np.prod(box[2:] - box[:2])))
     usual = float(np.sqrt(np.prod(sizes[TABLE].extent[:2])))
@@ -313,7 +318,7 @@ def complete_boxes(top: TopView, instances: tuple[Instance, ...], segmenter: Seg
     for row, column in zip(*linear_sum_assignment(cost), strict=True):
         boxes[missing[row].name] = things[column].box
     table_box = top.table_box if top.boxes else table.box
-    return TopView(top.image, table_box, boxes, top.repaired)
+    return replace(top, table_box=table_box, boxes=boxes)
 
 
 def _cost(

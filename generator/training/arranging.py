@@ -91,13 +91,23 @@ def arrange(
             break
         thing = _posed(rng, supply, int(rng.choice(choice)), front, grown)
         if placed and rng.random() < stacking:
-            base = int(rng.integers(len(placed)))
-            found = _stacked(rng, supply, thing, placed, base)
+            tried = (_stacked(rng, supply, thing, placed, k) for k in _bases(rng, supply, placed))
+            found = next((f for f in tried if f is not None), None)
         else:
             found = _laid(rng, supply, thing, ground, center, spread)
         if found is not None:
             placed.append(found)
     return placed
+
+
+def _bases(rng: np.random.Generator, supply: Supply, placed: list[Placed]) -> list[int]:
+    """Return some things to put another on or in, what holds or carries things well first."""
+    weights = []
+    for thing in placed:
+        flat = thing.size[2] < 0.35 * min(thing.size[0], thing.size[1])
+        weights.append(4.0 if supply.models[thing.model].container else 2.0 if flat else 0.4)
+    share = np.array(weights) / sum(weights)
+    return rng.choice(len(placed), min(len(placed), 5), replace=False, p=share).tolist()
 
 
 def _candidates(rng: np.random.Generator, supply: Supply) -> list[int]:

@@ -60,6 +60,27 @@ def calibrated(eye: Eye, data: Path, batches: int, seed: int) -> float:
     return float(choices[int(np.argmin(costs))])
 
 
+TEMPLATE = Path(__file__).with_name("card.md")
+"""The model card, with the places for a run's facts."""
+
+
+def card(run: Path, eye: Eye, categories: tuple[str, ...], temperature: float) -> str:
+    """Return the model card of a run."""
+    state = torch.load(run / STATE, map_location="cpu", weights_only=True)
+    names = [Path(name).stem.split("-") for name in state["shards"]]
+    count = sum(p.numel() for p in eye.parameters())
+    return TEMPLATE.read_text().format(
+        size=PATH.stat().st_size / 1e6,
+        parameters=count / 1e6,
+        categories=len(categories),
+        pictures=f"about {100 * len(names):,}",
+        seeds=", ".join(sorted({name[1] for name in names if len(name) > 1})),
+        steps=f"{state['steps']:,}",
+        minutes=state["spent"] / 60,
+        temperature=temperature,
+    )
+
+
 def main() -> None:
     """Read the command line and export."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -71,6 +92,7 @@ def main() -> None:
     eye, categories, steps, seconds = averaged(args.run)
     temperature = calibrated(eye, args.data, args.batches, args.seed)
     save_weights(PATH, eye.state_dict(), categories, temperature)
+    PATH.with_name("CARD.md").write_text(card(args.run, eye, categories, temperature))
     print(f"{PATH.name}: {steps} steps, {seconds / 60:.0f} min, temperature {temperature:.2f}")
 
 

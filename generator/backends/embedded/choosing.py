@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 from scipy import spatial
@@ -14,12 +15,20 @@ from .framing import proportion_gap
 from .pixels import mask_iou
 from .projection import Projection
 from .rounds import fit_revolution
+from .slices import fit_slices
 from .solids import Posed
 
 Mask = Bool[np.ndarray, "h w"]
 
 _STRICT = 0.94  # a real box is met at least that well
-_PRIOR = 0.05  # weight of the size prior's proportions
+_PRIOR = 0.03  # weight of the size prior's proportions
+_STRAIGHT = float(np.cos(np.deg2rad(20)))
+_DRAWN_OUT = ([1.05, 1.5, 2.5, 4.0, 6.0], [0.0, 0.1, 0.15, 0.1, 0.02])
+"""How much longer than wide a lying outline is, towards the camera, and what that costs."""
+
+_TOPPLING = ([3.5, 6.0, 10.0], [0.0, 0.12, 0.3])
+"""How much taller than wide a standing thing is, and what that costs."""
+
 _ACCIDENT = 0.08  # price of an elongated thing pointing straight away from the camera
 
 
@@ -36,7 +45,8 @@ _PRICES = {
     "revolution": Price(-0.02, -0.02),
     "prism": Price(0.14, 0.05),
     "upright": Price(0.08, 0.05),
-    "carved": Price(0.035, 0.035),
+    "slices": Price(0.03, 0.03),
+    "carved": Price(0.045, 0.045),
 }
 
 
@@ -52,15 +62,29 @@ def candidates(
     bounding = fit_box(mask, small, expected)
     facing = float(np.arctan2(small.right[1], small.right[0]))
     yaws = [facing] + [y for y in [base_line(mask, small)] if y is not None]
-    depth = float(np.clip(short / max(long, tall), 0.1, 0.22))
+    stroke = 0.6 * stroke_share(mask)
+    depth = float(np.clip(short / max(long, tall), min(0.1, stroke), min(0.22, stroke)))
+    thick = float(np.clip(tall / long, min(0.02, stroke), min(0.3, stroke)))
     found = (
         bounding,
         fit_revolution(mask, small),
-        fit_prism(mask, small, float(np.clip(tall / long, 0.02, 0.3))),
+        fit_slices(mask, small),
+        fit_prism(mask, small, thick),
         *(fit_upright(mask, small, yaw, depth) for yaw in yaws),
         fit_carved(mask, small, bounding),
     )
     return tuple(p for p in found if p is not None)
+
+
+def stroke_share(mask: Mask) -> float:
+    """Return how wide a silhouette's strokes are over its longer side.
+
+    Thin things stay thin: nothing is made thicker than it is wide.
+    """
+    inside = cv2.distanceTransform(np.pad(mask, 1).astype(np.uint8), cv2.DIST_L2, 5)
+    ridge = inside >= cv2.dilate(inside, np.ones((5, 5)))
+    width = 2 * float(np.median(inside[ridge & (inside > 0)]))
+    return width / max(np.ptp(np.nonzero(mask), axis=1).max(), 1)
 
 
 def best_solid(mask: Mask, small: Projection, expected: Float[np.ndarray, "3"]) -> Posed:
@@ -85,13 +109,52 @@ def score(posed: Posed, mask: Mask, small: Projection, expected: Float[np.ndarra
 
 
 def accident(posed: Posed, small: Projection) -> float:
-    """Return the price of a low, long solid whose long side points away from the camera."""
+    """Return the price of a low solid that happens to point at the camera, or of a tall, thin one.
+
+    What stands looks drawn out in that direction if it is taken to lie, so the price of a lying
+    outline begins early and grows steeply; rectangles are often set straight and pay as boxes do.
+    """
     long, wide, tall = np.ptp(posed.solid.vertices, axis=0)
+    if posed.kind in ("revolution", "upright", "slices"):
+        return float(np.interp(tall / long, *_TOPPLING))
     ratio = min(long / max(wide, tall), 3.0)
     along = abs(np.cos(posed.yaw) * small.away[0] + np.sin(posed.yaw) * small.away[1])
-    if posed.kind in ("revolution", "upright") or ratio < 1.3 or along < np.cos(np.deg2rad(20)):
-        return 0.0
-    return _ACCIDENT * (ratio - 1.0) / 2.0
+    price = _ACCIDENT * (ratio - 1.0) / 2.0 if ratio >= 1.3 and along > _STRAIGHT else 0.0
+    if posed.kind == "prism" and not _rectangular(posed):
+        spread, way = _drawn_out(posed)
+        towards = abs(way @ small.away[:2])
+        if towards > _STRAIGHT:
+            doubt = np.interp(spread, *_DRAWN_OUT)
+            price = max(price, float(doubt))
+    return float(price)
+
+
+def _drawn_out(posed: Posed) -> tuple[float, Float[np.ndarray, "2"]]:
+    """Return how much longer than wide a lying solid's top is, and its long direction."""
+    triangles = posed.world[posed.solid.faces]
+    normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
+    weight = np.maximum(normal[:, 2], 0.0)
+    points = triangles[:, :, :2].mean(1)
+    middle = weight @ points / weight.sum()
+    # The second moment of a triangle about its own middle is a twelfth of its corners'.
+    corners = triangles[:, :, :2] - middle
+    moment = np.einsum("t,tki,tkj->ij", weight, corners, corners)
+    moment += 9 * np.einsum("t,ti,tj->ij", weight, points - middle, points - middle)
+    values, ways = np.linalg.eigh(moment)
+    return float(np.sqrt(values[1] / max(values[0], 1e-12))), ways[:, 1]
+
+
+def _rectangular(posed: Posed) -> bool:
+    """Tell whether a lying outline nearly fills the rectangle around it."""
+    sides = np.ptp(posed.solid.vertices, axis=0)
+    return _area(posed, 2) > 0.9 * sides[0] * sides[1]
+
+
+def _area(posed: Posed, sweep: int) -> float:
+    """Return the area of an extruded outline: the solid's volume over its depth."""
+    points = posed.solid.vertices
+    a, b, c = (points[posed.solid.faces[:, k]] for k in range(3))
+    return float((np.cross(a, b) * c).sum() / 6 / np.ptp(points[:, sweep]))
 
 
 def is_regular(posed: Posed) -> bool:
@@ -105,8 +168,7 @@ def is_regular(posed: Posed) -> bool:
     sweep = 2 if posed.kind == "prism" else 1
     points = posed.solid.vertices
     sides = np.ptp(points, axis=0)
-    a, b, c = (points[posed.solid.faces[:, k]] for k in range(3))
-    area = float((np.cross(a, b) * c).sum() / 6 / sides[sweep])
+    area = _area(posed, sweep)
     hull = spatial.ConvexHull(points[:, keep]).volume
     filled, solid = area / np.prod(sides[keep]), area / hull
     longest = max(sides[keep]) / min(sides[keep])

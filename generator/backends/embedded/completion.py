@@ -15,6 +15,8 @@ _LONG = 288  # least long side of a crop, pixels
 _MOST = 640
 _MARGIN = 0.04
 _MIRRORED = 0.15  # least share of a symmetric outline that must be seen on both sides
+_SYMMETRIC = 0.93  # share of a symmetric outline that its mirror image covers
+_ALIKE = 20.0  # grey levels by which mirrored places of a symmetric object usually differ
 
 Mask = Bool[np.ndarray, "h w"]
 
@@ -22,16 +24,27 @@ Mask = Bool[np.ndarray, "h w"]
 def complete(reference: Reference, detection: Detection, others: tuple[Detection, ...]) -> Instance:
     """Return the instance of a detection, drawn whole on a transparent ground (Sec. 3.1).
 
-    Where another detection lies within the object's outline, or touches it and the outline is
-    dented or cut there, the outline is completed and the colours are carried on.
+    The whole outline is the detection's full mask where another detection hides the object, if it
+    has one. Else, where another detection lies within the object's outline, or touches it and the
+    outline is dented or cut there, the outline is completed. Hidden places take the colours of
+    their mirror images if the object looks symmetric, else the colours around are carried on.
     """
     hider = _union(detection.mask.shape, [o.mask for o in others if o.label != TABLE])
     seen = detection.mask & ~hider if (detection.mask & ~hider).any() else detection.mask
-    near = ndimage.binary_fill_holes(detection.mask) if (hider & ~seen).any() else detection.mask
-    whole = complete_mask(detection.mask | (near & hider), hider & ~seen)
+    if detection.full is not None:
+        brush = np.ones((5, 5), np.uint8)
+        behind = cv2.dilate(hider.astype(np.uint8), brush) > 0
+        whole = largest_piece(detection.mask | (detection.full & behind)) | detection.mask
+    else:
+        inner = (hider & ~seen).any()
+        near = ndimage.binary_fill_holes(detection.mask) if inner else detection.mask
+        whole = complete_mask(detection.mask | (near & hider), hider & ~seen)
     hidden = whole & ~seen
     occluded = bool(hidden.sum() > 0.02 * seen.sum())
-    colors = carry_colors(reference.image, seen, whole) if hidden.any() else reference.image
+    colors = reference.image
+    if hidden.any():
+        colors, drawn = mirror_colors(colors, seen, whole)
+        colors = carry_colors(colors, drawn, whole) if (whole & ~drawn).any() else colors
     box = crop_box(mask_box(whole))
     return Instance(
         detection.label,
@@ -108,6 +121,38 @@ def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
     return reflected
 
 
+def mirror_colors(
+    image: UInt8[np.ndarray, "h w 3"], seen: Mask, whole: Mask
+) -> tuple[UInt8[np.ndarray, "h w 3"], Mask]:
+    """Colour hidden places like their mirror images about the upright axis of a whole outline.
+
+    Returns the picture and what of it is known now: no more than ``seen`` if the outline has no
+    such axis, or if places seen on both sides of it differ.
+    """
+    x0, _, x1, _ = mask_box(whole).astype(int)
+    ys, xs = np.nonzero(whole)
+    middle, slack = x0 + x1 - 1, max(1, (x1 - x0) // 12)
+    overlaps = {}
+    for twice in range(middle - slack, middle + slack + 1):
+        other = twice - xs
+        on = (other >= 0) & (other < whole.shape[1])
+        overlaps[twice] = float(whole[ys[on], other[on]].sum() / len(xs))
+    twice = max(overlaps, key=lambda t: (overlaps[t], -abs(t - middle)))
+    core = cv2.erode(seen.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    other = np.clip(twice - xs, 0, whole.shape[1] - 1)
+    both = core[ys, xs] & core[ys, other] & (np.abs(other - xs) > slack)
+    if overlaps[twice] < _SYMMETRIC or both.sum() < 0.1 * len(xs):
+        return image, seen
+    gap = image[ys[both], xs[both]].astype(int) - image[ys[both], other[both]]
+    if np.median(np.abs(gap).mean(1)) > _ALIKE:
+        return image, seen
+    lost = ~seen[ys, xs] & core[ys, other]
+    drawn, known = image.copy(), seen.copy()
+    drawn[ys[lost], xs[lost]] = image[ys[lost], other[lost]]
+    known[ys[lost], xs[lost]] = True
+    return drawn, known
+
+
 def carry_colors(
     image: UInt8[np.ndarray, "h w 3"], mask: Mask, whole: Mask
 ) -> UInt8[np.ndarray, "h w 3"]:
@@ -122,7 +167,7 @@ def carry_colors(
     carried = image[cut][nearest_inside(core, (3.0, 1.0))]
     missing = (whole & ~mask)[cut]
     soft = cv2.GaussianBlur(carried, (0, 0), 2.0)
-    patch = np.where(missing[..., None], soft, image[cut])
+    patch = np.where(mask[cut][..., None], image[cut], soft)
     brush = np.ones((5, 5), np.uint8)
     seam = cv2.dilate(missing.astype(np.uint8), brush) > 0
     seam &= cv2.erode(missing.astype(np.uint8), brush) == 0

@@ -17,7 +17,7 @@ from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
 from ...errors import SceneError
-from ...geometry import Camera, rotation_z, view_rotation, wrap
+from ...geometry import Camera, convex_outline, rotation_z, view_rotation, wrap
 from ...scene import View
 from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance, outline_points
 
@@ -35,6 +35,8 @@ _FRAME, _BESIDE = 3, 5  # pixels of a 640-pixel picture: at the frame, beside so
 _BRIDGE = 0.25  # weight of a hull point with no rim of the region near it
 _SHRINK = 0.6  # how strongly a side without evidence is drawn in
 _ROUND = 0.3  # of the shorter side: the largest corner radius
+_ARC = 0.45  # of the rim must be true to tell a curve from corners
+_OVERHANG = 0.015  # camera heights that things may stick out over the edge
 _RIVAL = 0.7  # an ellipse or triangle must beat the rectangle's error by this factor
 
 
@@ -104,22 +106,26 @@ def plane_of_region(
     mask: Bool[np.ndarray, "h w"],
     camera: Camera,
     hidden: Bool[np.ndarray, "h w"] | None = None,
+    carried: Float[np.ndarray, "n 2"] | None = None,
 ) -> TablePlane:
     """Return the tabletop whose visible part is ``mask``, seen by a camera over the plane z = 0.
 
     ``camera`` looks along +y of its own frame (metres, or any unit); the result's frame has its
-    origin at the top's centre, and its axes along the top's sides.
+    origin at the top's centre, and its axes along the top's sides. ``carried`` are places (x, y in
+    the camera's frame) of what is known to stand on it; the outline holds them too.
 
     Raises:
         SceneError: the mask is too small, or lies at or above the horizon.
     """
     rim = _rim(mask, camera, hidden)
     whole = float(rim.true.mean()) > 1 - CUT_SHARE
+    arc = float(rim.true.mean()) > _ARC
+    if carried is not None and len(carried) >= 3:
+        rim = _holding(rim, carried)
     fits = [_fit(rim, "rectangle", False), _fit(rim, "ellipse", False)]
     if whole:
         fits += [_fit(rim, "triangle", flipped) for flipped in (False, True)]
     best = min(fits[1:], key=lambda f: f.error)
-    arc = float(rim.true.mean()) > 0.45  # enough of the rim to tell a curve from corners
     fit = best if arc and best.error < _RIVAL * fits[0].error else fits[0]
     return _as_plane(fit, camera)
 
@@ -181,6 +187,21 @@ def _rim(
     sine = np.clip(camera.position[2] / np.linalg.norm(on_plane - camera.position, axis=1), 0.05, 1)
     pixel = depth / camera.focal / np.sqrt(sine)
     return _Rim(on_plane[:, :2], pixel, true, np.where(bridged, _BRIDGE, 1.0))
+
+
+def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
+    """Return the rim with the outline of ``carried`` added as places that the top holds."""
+    outline = _sampled(convex_outline(carried), _POINTS // 4)
+    middle = carried.mean(0)
+    away = np.linalg.norm(outline - middle, axis=1, keepdims=True)
+    outline = middle + (outline - middle) * np.maximum(1 - _OVERHANG / np.maximum(away, 1e-9), 0)
+    count = len(outline)
+    return _Rim(
+        np.concatenate([rim.places, outline]),
+        np.concatenate([rim.pixel, np.full(count, np.median(rim.pixel))]),
+        np.concatenate([rim.true, np.zeros(count, bool)]),
+        np.concatenate([rim.weights, np.full(count, _BRIDGE)]),
+    )
 
 
 def _distance(

@@ -7,15 +7,15 @@ picture, carries things, and is what lies above a floor.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from ...errors import SceneError
-from ...geometry import Camera
+from ...geometry import Camera, convex_outline, inside_margin
 from ...scene import Intrinsics
 from .cut_plane import plane_of_region
 from .plane import TablePlane
@@ -28,6 +28,8 @@ _SAMPLES = 14_000  # points that hypotheses are judged on
 _TRIES = 500  # hypotheses per plane
 _PLANES = 5  # planes drawn one after the other
 _NEAR = 0.12  # of the longer side: how far apart the points of a triple are
+_WARP = 0.01  # metres: how far a depth map may bend where it still shows the tabletop
+_FINEST = 0.003  # metres: no depth map is trusted further
 _LOWEST, _TILT = np.deg2rad(6.0), np.deg2rad(40.0)  # least elevation, largest roll
 _SHARE, _AREA = 0.05, 0.04  # of the known points, and m²: the least of a tabletop
 _FLOOR_GAP, _FLOOR_AREA = 0.25, 0.1  # metres, m²: a tabletop this far above a plane makes it floor
@@ -38,15 +40,21 @@ _PARALLEL = np.deg2rad(15.0)
 class Level:
     """A plane in camera axes (x right, y down, z forward): unit ``normal`` towards the camera.
 
-    ``height`` is the camera's distance from the plane, metres.
+    ``height`` is the camera's distance from the plane, metres. ``grain`` is the standard deviation
+    of its points over ``noise``: how coarse this depth map is.
     """
 
     normal: tuple[float, float, float]
     height: float
+    grain: float = 0.6
 
     def above(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n"]:
         """Return how far points (camera axes) lie above the plane, metres."""
         return points @ np.array(self.normal) + self.height
+
+    def spread(self, distance: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
+        """Return how far from the plane a point of the plane may be measured, metres."""
+        return np.maximum(2.5 * self.grain * noise(distance), _FINEST)
 
 
 def camera_points(
@@ -97,12 +105,13 @@ def _solved(
         bits = np.unpackbits(np.frombuffer(hint, np.uint8), count=height * width)
         table = bits.reshape(height, width) > 0
     level = _choose(points, table)
-    region = top_region(points, level)
-    level = _refined(level, points[region])
-    region = top_region(points, level)
+    for _ in range(2):  # the region settles which points count, and they how coarse the map is
+        level = _refined(level, points[top_region(points, level)[0]])
+    region, carried = top_region(points, level)
     camera = level_camera(level, intrinsics, width, height)
-    hidden = np.isnan(points[..., 2]) | (level.above(points) > noise(points[..., 2]))
-    return plane_of_region(region, camera, hidden)
+    hidden = np.isnan(points[..., 2]) | (level.above(points) > 2 * level.spread(points[..., 2]))
+    places = (points[carried] @ camera.rotation + camera.position)[:, :2]
+    return plane_of_region(region, camera, _opened(hidden, 3), places)
 
 
 def level_camera(level: Level, intrinsics: Intrinsics, width: int, height: int) -> Camera:
@@ -123,45 +132,52 @@ def level_camera(level: Level, intrinsics: Intrinsics, width: int, height: int) 
 
 
 def smooth(points: Float[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]:
-    """Return the known pixels that are not at a jump of depth."""
+    """Return the known pixels that are not on the far side of a jump of depth."""
     z = points[..., 2]
     known = np.isfinite(z)
-    kernel = np.ones((3, 3), np.uint8)
-    low = cv2.erode(np.where(known, z, np.inf).astype(np.float32), kernel)
-    high = cv2.dilate(np.where(known, z, 0).astype(np.float32), kernel)
-    return known & (high - low < 0.03 + 0.02 * np.where(known, z, 1.0))
+    low = cv2.erode(np.where(known, z, np.inf).astype(np.float32), np.ones((3, 3), np.uint8))
+    z = np.where(known, z, 0.0)
+    return known & (z - np.where(known, low, 0.0) < 0.012 + 0.01 * z)
 
 
-def top_region(points: Float[np.ndarray, "h w 3"], level: Level) -> Bool[np.ndarray, "h w"]:
-    """Return the pixels of one tabletop: what lies on the plane, joined through what stands on it.
+def top_region(
+    points: Float[np.ndarray, "h w 3"], level: Level
+) -> tuple[Bool[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
+    """Return the pixels of one tabletop, and of what stands on it.
+
+    The top is what lies on the plane and hangs together, on its own or through those things.
 
     A second table at the same height, apart in depth, is another region and left out.
     """
     above = level.above(points)
-    spread = noise(points[..., 2])
-    on = np.abs(above) < 1.5 * spread
-    linked = smooth(points) & (above > -1.5 * spread) & (above < TALLEST)
+    spread = level.spread(points[..., 2])
+    on = np.abs(above) < np.maximum(spread, np.minimum(2 * spread, _WARP))
+    linked = smooth(points) & (above > -spread) & (above < TALLEST)
     count, numbers = cv2.connectedComponents(linked.astype(np.uint8), connectivity=4)
     sizes = np.bincount(numbers[on & linked], minlength=count)
     sizes[0] = 0
     region = on & (numbers == sizes.argmax())
-    kernel = np.ones((3, 3), np.uint8)
-    opened = cv2.morphologyEx(region.astype(np.uint8), cv2.MORPH_OPEN, kernel)
-    return cv2.dilate(opened, kernel) * on > 0
+    return _opened(region, 3), _opened(linked & ~on & (numbers == sizes.argmax()) & (above > 0), 5)
+
+
+def _opened(mask: Bool[np.ndarray, "h w"], side: int) -> Bool[np.ndarray, "h w"]:
+    kernel = np.ones((side, side), np.uint8)
+    return cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, kernel) > 0
 
 
 def _refined(level: Level, points: Float[np.ndarray, "n 3"]) -> Level:
     """Return the plane of least squares through its inliers, three times over."""
     for _ in range(3):
-        spread = noise(points[:, 2])
-        near = np.abs(level.above(points)) < spread
+        near = np.abs(level.above(points)) < level.spread(points[:, 2])
         if near.sum() < 50:
             return level
-        inliers, weight = points[near], 1 / spread[near] ** 2
+        inliers, weight = points[near], 1 / noise(points[near, 2]) ** 2
         middle = np.average(inliers, axis=0, weights=weight)
         off = (inliers - middle) * np.sqrt(weight)[:, None]
         normal = np.linalg.eigh(off.T @ off)[1][:, 0]
         level = _plane_through(middle, normal)
+        off = np.abs(level.above(inliers)) / noise(inliers[:, 2])
+        level = replace(level, grain=float(np.clip(1.4826 * np.median(off), 0.05, 0.6)))
     return level
 
 
@@ -225,7 +241,7 @@ def _stands_over(top: _Candidate, low: _Candidate, cloud: Float[np.ndarray, "n 3
 
 def _candidates(
     cloud: Float[np.ndarray, "n 3"],
-    pixels: Float[np.ndarray, "n 2"],
+    pixels: Int[np.ndarray, "n 2"],
     side: int,
     hint: Bool[np.ndarray, "n"] | None,
 ) -> list[_Candidate]:
@@ -239,18 +255,17 @@ def _candidates(
         level = _drawn(cloud[left], pixels[left], side, rng)
         if level is None:
             break
-        inliers = np.abs(level.above(cloud)) < 1.5 * noise(cloud[:, 2])
-        level = _refined(level, cloud[inliers])
+        level = _refined(level, cloud[left])
         inliers = np.abs(level.above(cloud)) < 1.5 * noise(cloud[:, 2])
         left &= ~inliers
         if _faces_up(np.array(level.normal)[None])[0] and inliers.any():
-            found.append(_judged(level, inliers, cloud, pixels, side))
+            found.append(_judged(level, _one_piece(inliers, pixels), cloud, pixels, side))
     return found
 
 
 def _drawn(
     cloud: Float[np.ndarray, "n 3"],
-    pixels: Float[np.ndarray, "n 2"],
+    pixels: Int[np.ndarray, "n 2"],
     side: int,
     rng: np.random.Generator,
 ) -> Level | None:
@@ -277,7 +292,7 @@ def _drawn(
 
 
 def _neighbours(
-    pixels: Float[np.ndarray, "n 2"],
+    pixels: Int[np.ndarray, "n 2"],
     first: np.ndarray,
     reach: float,
     rng: np.random.Generator,
@@ -299,11 +314,25 @@ def _faces_up(normals: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
     return (elevation > _LOWEST) & ((roll < _TILT) | steep) & (normals[:, 1] < 0.1)
 
 
+def _one_piece(
+    inliers: Bool[np.ndarray, "n"], pixels: Int[np.ndarray, "n 2"]
+) -> Bool[np.ndarray, "n"]:
+    """Return the inliers that hang together in the picture, small gaps aside: the most of them."""
+    columns, rows = pixels.T
+    image = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)
+    image[rows[inliers], columns[inliers]] = 1
+    closed = cv2.morphologyEx(image, cv2.MORPH_CLOSE, np.ones((5, 5), np.uint8))
+    numbers = cv2.connectedComponents(closed, connectivity=4)[1][rows, columns]
+    sizes = np.bincount(numbers[inliers])
+    sizes[0] = 0
+    return inliers & (numbers == sizes.argmax())
+
+
 def _judged(
     level: Level,
     inliers: Bool[np.ndarray, "n"],
     cloud: Float[np.ndarray, "n 3"],
-    pixels: Float[np.ndarray, "n 2"],
+    pixels: Int[np.ndarray, "n 2"],
     side: int,
 ) -> _Candidate:
     """Score a plane: large in the picture, low in it, with things on it and nothing towering."""
@@ -311,12 +340,10 @@ def _judged(
     flat = cloud - level.above(cloud)[:, None] * normal  # dropped onto the plane
     east = np.cross(normal, [0.0, 0.0, 1.0]) if abs(normal[2]) < 0.9 else np.array([1.0, 0, 0])
     east = east / np.linalg.norm(east)
-    place = (flat @ np.column_stack([east, np.cross(normal, east)])).astype(np.float32)
+    place = flat @ np.column_stack([east, np.cross(normal, east)])
     inner = place[inliers]
-    hull = cv2.convexHull(inner)[:, 0]
-    within = np.array([cv2.pointPolygonTest(hull, (float(x), float(y)), False) for x, y in place])
     above = level.above(cloud)
-    over = (within > 0) & (above > 2 * noise(cloud[:, 2]))
+    over = (inside_margin(place, convex_outline(inner)) > 0) & (above > 2 * noise(cloud[:, 2]))
     carried = float((over & (above < TALLEST)).sum() / inliers.sum())
     towering = float((over & (above >= TALLEST)).sum() / inliers.sum())
     cell = np.round(inner / 0.02).astype(int)

@@ -20,7 +20,7 @@ def plane_outline(
     origin: np.ndarray,
     axes: np.ndarray,
     sweep: Float[np.ndarray, "k 3"],
-    cells: int = 200,
+    cells: int = 280,
 ) -> shapely.Polygon | None:
     """Return the largest outline in a plane whose swept picture stays inside the mask.
 
@@ -46,7 +46,7 @@ def plane_outline(
 
 def _traced(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
     """Return the largest region of a grid as a simple polygon (cell units), large holes kept."""
-    smooth = cv2.GaussianBlur(free.astype(np.float32), (0, 0), 0.8) > 0.45
+    smooth = cv2.GaussianBlur(free.astype(np.float32), (0, 0), 0.7) > 0.42
     rings, tree = cv2.findContours(smooth.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
     areas = [cv2.contourArea(ring) for ring in rings]
     outer = [k for k in range(len(rings)) if tree[0, k, 3] < 0 and areas[k] > 20]
@@ -55,7 +55,7 @@ def _traced(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
     largest = max(outer, key=lambda k: areas[k])
     inside = [k for k in range(len(rings)) if tree[0, k, 3] == largest]
     holes = [k for k in inside if areas[k] > 0.02 * areas[largest]]
-    slack = 0.008 * max(free.shape)
+    slack = 0.005 * max(free.shape)
     edge, *inner = (cv2.approxPolyDP(rings[k], slack, True)[:, 0] for k in (largest, *holes))
     if len(edge) < 3:
         return None

@@ -1,32 +1,64 @@
-"""Fit a catalogue shape to one crop: variant, yaw and proportions by silhouette, then colours."""
+"""Fit a catalogue shape to one crop: variant, yaw, proportions and profile, by outline and colour.
+
+Candidates of several variants are searched over yaw by silhouette; those that stand out are
+judged by how well their coloured regions explain the crop's colours as well, and the best few are
+refined in yaw and proportions. A thing that stands may at last be narrowed or widened along its
+height (``Profile``). How the winner is painted is told in ``painting``.
+"""
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float, Int, UInt8
+from jaxtyping import Bool, Float, UInt8
 from scipy import optimize, spatial
 
 from ...catalogue import Category, build
-from ...geometry import rotation_z
-from ...render.shading import sample_texture
-from ...scene import Mesh, Model
+from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
+from ...scene import ConvexPart, Mesh, Model
 from . import baking
 from .framing import frame_to_mask, simplex
+from .painting import explained_colors
 from .pixels import mask_iou
 from .projection import Projection
-from .unwrap import Atlas, unwrap
 
-VARIANTS = 3
+VARIANTS = 6
 """How many seeds of a category are tried."""
 
-PROJECT = 0.85
-"""Silhouette overlap from which pixels are projected; below, only colours are carried over."""
+_STRETCH = float(np.log(1.6))  # how far proportions may leave the variant's own
+_COLOR = 0.2  # weight of explained colours against silhouette overlap
+_YAWS = 24
+_STANDS_OUT = 0.12  # overlap by which a yaw may be worse than the variant's best and be judged
+_FINALISTS = 3
+_BENT = 0.3  # largest bend of a profile
+_WORTH = 0.01  # overlap that bending a profile must gain
+_STANDING = 0.7  # height over width from which a thing has a profile
 
-_STRETCH = float(np.log(1.5))  # how far proportions may leave the variant's own
-_COLOR = 0.15  # weight of explained colours against silhouette overlap
+
+@dataclass(frozen=True)
+class Profile:
+    """A change of width along the height: ``taper`` widens the top, ``belly`` the middle."""
+
+    taper: float = 0.0
+    belly: float = 0.0
+
+    def bent(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+        """Return points of the unit box with x and y scaled by height."""
+        z = 2 * points[:, 2:]
+        factor = np.exp(self.taper * z + self.belly * (0.5 - z * z))
+        return np.concatenate([points[:, :2] * factor, points[:, 2:]], 1)
+
+    def applied(self, model: Model) -> Model:
+        """Return a canonical model with its width changed along its height."""
+        mesh = model.mesh
+        bent = Mesh(self.bent(mesh.vertices), mesh.faces, mesh.uv, mesh.texture, mesh.opacity)
+        unit, center, extent = to_unit_box(bent)
+        hulls = tuple(ConvexPart(self.bent(p.vertices)) for p in model.parts)
+        parts = parts_to_unit_box(hulls, center, extent)
+        return dataclasses.replace(model, mesh=unit, parts=parts, size=model.size * extent)
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,6 +107,16 @@ class _Search:
         iou = mask_iou(self.small.silhouette(world, self.model.mesh.faces), self.mask)
         return Likeness(self.model, shape * scale, float(yaw), shift, iou)
 
+    def standing_out(self) -> list[Likeness]:
+        """Return the poses whose overlap is the best among their neighbours in yaw."""
+        if self.round:
+            return [self.pose(np.zeros(3))]
+        poses = [self.pose(np.array([k * 2 * np.pi / _YAWS, 0.0, 0.0])) for k in range(_YAWS)]
+        iou = np.array([p.iou for p in poses])
+        peak = (iou >= np.roll(iou, 1)) & (iou >= np.roll(iou, -1))
+        kept = np.flatnonzero(peak & (iou > iou.max() - _STANDS_OUT))
+        return [poses[k] for k in kept[np.argsort(-iou[kept], kind="stable")][:6]]
+
     def loss(self, parameters: np.ndarray) -> float:
         """Return what the search minimises."""
         stretch = np.abs(parameters[1:])
@@ -86,7 +128,8 @@ class _Search:
         """Return the best likeness near ``yaw``; a ``rigid`` one keeps its proportions."""
         start = np.array([yaw, 0.0, 0.0])
         if rigid:
-            return self.pose(start)
+            near = yaw + np.deg2rad([-5.0, 0.0, 5.0])
+            return max((self.pose(np.array([y, 0.0, 0.0])) for y in near), key=lambda c: c.iou)
         found = optimize.minimize(
             self.loss, start, method="Nelder-Mead",
             options={"maxfev": 45, "initial_simplex": simplex(start, (0.12, 0.12, 0.12))},
@@ -111,63 +154,47 @@ def fit_likeness(
         baking.opaque_colors(crop)[0], (small.width, small.height), interpolation=cv2.INTER_AREA
     )
     round_ = "round" in category.roles
-    yaws = np.zeros(1) if round_ else np.arange(24) * np.pi / 12
-    best: list[Likeness] = []
+    drafts: list[tuple[float, _Search, float]] = []
     for variant in range(VARIANTS):
         search = _Search(build(category.key, seed + variant), mask, small, round_)
-        coarse = [search.pose(np.array([yaw, 0.0, 0.0])) for yaw in yaws]
-        kept = sorted(coarse, key=lambda c: -c.iou)[:5]
-        judged = [_judge(c, image, small) for c in kept]
-        leaders = sorted(judged, key=lambda c: -c.score)[:2]
-        best += [_judge(search.refined(c.yaw, occluded), image, small) for c in leaders]
-    return max(best, key=lambda c: c.score)
+        drafts += [
+            (_judged(p, image, mask, small).score, search, p.yaw) for p in search.standing_out()
+        ]
+    drafts.sort(key=lambda d: -d[0])
+    refined = [search.refined(yaw, occluded) for _, search, yaw in drafts[:_FINALISTS]]
+    best = max((_judged(c, image, mask, small) for c in refined), key=lambda c: c.score)
+    return best if occluded else _with_profile(best, mask, small, round_)
 
 
-def _judge(candidate: Likeness, image: UInt8[np.ndarray, "h w 3"], small: Projection) -> Likeness:
+def _judged(
+    candidate: Likeness, image: UInt8[np.ndarray, "h w 3"], mask: np.ndarray, small: Projection
+) -> Likeness:
     """Return the candidate with its share of explained colours."""
-    atlas, surface, sight = _look(candidate, small, 96)
-    seen = sight.sees(surface)
-    if seen.sum() < 30:
-        return candidate
-    colors = baking.sample(image, small.project(surface.point))
-    _, explained = baking.recolor(base_colors(candidate.model.mesh, atlas), seen, colors)
-    c = candidate
-    return Likeness(c.model, c.extent, c.yaw, c.position, c.iou, explained)
+    explained = explained_colors(candidate.model.mesh, candidate.world, image, mask, small)
+    return dataclasses.replace(candidate, explained=explained)
 
 
-def _look(
-    likeness: Likeness, projection: Projection, size: int
-) -> tuple[Atlas, baking.Surface, baking.Sight]:
-    mesh = likeness.model.mesh
-    atlas = unwrap(mesh.vertices * likeness.extent, mesh.faces, size)
-    surface = baking.surface_of(atlas, likeness.world)
-    return atlas, surface, baking.Sight.of(likeness.world, mesh.faces, projection)
+def _with_profile(found: Likeness, mask: np.ndarray, small: Projection, round_: bool) -> Likeness:
+    """Return the likeness with the profile that fits the outline better, if one does."""
+    if found.extent[2] < _STANDING * found.extent[:2].min() or found.iou > 0.975:
+        return found
+    plain = dataclasses.replace(found.model, size=found.extent)
 
+    def bent(profile: np.ndarray) -> Likeness:
+        model = Profile(*profile).applied(plain) if np.abs(profile).max() > 1e-6 else plain
+        return _Search(model, mask, small, round_).pose(np.array([found.yaw, 0.0, 0.0]))
 
-def base_colors(mesh: Mesh, atlas: Atlas) -> Float[np.ndarray, "t 3"]:
-    """Return the colours that a mesh's own texture gives the texels of its new atlas."""
-    corners: Int[np.ndarray, "t 3"] = mesh.faces[atlas.face]
-    uv = (mesh.uv[corners] * atlas.weights[:, :, None]).sum(1)
-    return sample_texture(mesh.texture, uv) * 255.0
+    def loss(profile: np.ndarray) -> float:
+        if np.abs(profile).max() > _BENT:
+            return 2.0
+        return 1 - bent(profile).iou + 0.02 * float(np.abs(profile).sum())
 
-
-def painted(
-    likeness: Likeness, crop: UInt8[np.ndarray, "h w 4"], projection: Projection, size: int
-) -> Mesh:
-    """Return the likeness' canonical mesh with a texture made from the crop.
-
-    Every region of the catalogue's texture takes the crop's colour for it; where the silhouettes
-    agree well (``PROJECT``), what the camera sees is painted with the crop's own pixels.
-    """
-    mesh = likeness.model.mesh
-    atlas, surface, sight = _look(likeness, projection, size)
-    image, mask = baking.opaque_colors(crop)
-    seen = sight.sees(surface)
-    pixels = projection.project(surface.point)
-    colors = baking.sample(image, pixels)
-    inside = baking.sample(mask[..., None].astype(np.uint8), pixels)[:, 0] > 0.5
-    texels, _ = baking.recolor(base_colors(mesh, atlas), seen & inside, colors)
-    if likeness.iou >= PROJECT and mesh.opacity >= 1:
-        texels[seen & inside] = colors[seen & inside]
-    texture = baking.lay_out(atlas, texels)
-    return baking.textured(atlas, mesh.vertices, texture, mesh.opacity)
+    start = np.zeros(2)
+    tried = optimize.minimize(
+        loss, start, method="Nelder-Mead",
+        options={"maxfev": 24, "initial_simplex": simplex(start, (0.1, 0.1))},
+    )  # fmt: skip
+    better = bent(tried.x)
+    if better.iou < found.iou + _WORTH:
+        return found
+    return dataclasses.replace(better, explained=found.explained)

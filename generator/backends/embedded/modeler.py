@@ -14,8 +14,9 @@ from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
 from . import baking
 from .choosing import best_solid
-from .likeness import Likeness, fit_likeness, painted
+from .likeness import Likeness, fit_likeness
 from .naming import known
+from .painting import PROJECT, painted
 from .projection import Projection
 from .solids import Posed
 from .table_likeness import model_table
@@ -65,7 +66,16 @@ def likeness_model(
         found.model,
         name=instance.label,
         label=instance.label,
-        mesh=painted(found, instance.crop, projection, texture),
+        mesh=painted(
+            found.model.mesh,
+            found.extent,
+            found.yaw,
+            found.position,
+            instance.crop,
+            projection,
+            texture,
+            found.iou >= PROJECT,
+        ),
         size=metric(found.extent, size),
     )
 

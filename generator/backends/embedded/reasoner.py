@@ -19,10 +19,10 @@ from ...scene import (
 )
 from .measure import measured_extent
 from .naming import known
-from .plane import TablePlane, find_plane
+from .plane import TablePlane
 from .planner import plan_scene
 from .segmenter import GENERIC
-from .stacking import stack
+from .survey import solid_size, stacking_of, survey
 
 
 @dataclass(frozen=True)
@@ -40,8 +40,8 @@ class Reasoner:
         return (TABLE, *(thing.noun for thing in reference.plan.objects))
 
     def estimate_view(self, reference: Reference, table: Instance) -> View:
-        """Return the camera that explains the tabletop's outline (``plane``)."""
-        return _plane(reference).view
+        """Return the camera that depth shows, or that explains the tabletop's outline."""
+        return survey(reference, (table,)).plane.view
 
     def estimate_sizes(
         self, reference: Reference, instances: tuple[Instance, ...], view: View
@@ -49,23 +49,32 @@ class Reasoner:
         """Return catalogue sizes for words it knows, and measured sizes for the rest.
 
         The table's length is what makes known things their usual size, within what tables are.
+        Where depth shows a thing, its size is measured.
         """
-        plane = _plane(reference)
+        seen = survey(reference, instances)
+        plane, solids = seen.plane, seen.solids
+        stacking = stacking_of(instances, solids, _holds)
         usual: dict[str, SizePrior] = {}
         measured: dict[str, np.ndarray] = {}
         for instance in instances:
             if instance.name == TABLE:
                 continue
-            measured[instance.name], _ = measured_extent(np.asarray(instance.mask), plane)
             prior = _usual_size(reference, instance)
+            if instance.name in solids:
+                prior = solid_size(instance, solids, stacking, prior)
+            else:
+                measured[instance.name], _ = measured_extent(np.asarray(instance.mask), plane)
             if prior is not None:
                 usual[instance.name] = prior
-        factor = 1.0 if reference.plan else _table_factor(usual, measured)
+        metric = reference.plan is not None or reference.depth is not None
+        factor = 1.0 if metric else _table_factor(usual, measured)
         sizes = {TABLE: SizePrior(TABLE, _table_extent(reference, plane, factor))}
         for instance in instances:
             if instance.name != TABLE:
-                generic = SizePrior(instance.name, measured[instance.name] * factor)
-                sizes[instance.name] = usual.get(instance.name, generic)
+                prior = usual.get(instance.name)
+                sizes[instance.name] = prior or SizePrior(
+                    instance.name, measured[instance.name] * factor
+                )
         return sizes
 
     def review_orientation(
@@ -77,13 +86,9 @@ class Reasoner:
     def stacking_order(
         self, reference: Reference, instances: tuple[Instance, ...], view: View
     ) -> Mapping[str, Stacking]:
-        """Return what each thing stands on or in (``stacking``)."""
-        return stack(instances, _holds)
-
-
-def _plane(reference: Reference) -> TablePlane:
-    plan = reference.plan.table if reference.plan else None
-    return find_plane(np.asarray(reference.image), plan)
+        """Return what each thing stands on or in: by depth, or by the masks (``stacking``)."""
+        solids = survey(reference, instances).solids if reference.depth is not None else {}
+        return stacking_of(instances, solids, _holds)
 
 
 def _holds(label: str) -> bool:

@@ -58,16 +58,27 @@ def revolution(
     heights: Float[np.ndarray, "k"], radii: Float[np.ndarray, "k"], segments: int = 40
 ) -> Solid:
     """Return the solid of revolution about z of a profile, heights rising from 0, radii > 0."""
+    return stack_of_ellipses(heights, radii, np.zeros_like(radii), 1.0, segments)
+
+
+def stack_of_ellipses(
+    heights: Float[np.ndarray, "k"],
+    radii: Float[np.ndarray, "k"],
+    shifts: Float[np.ndarray, "k"],
+    depth: float,
+    segments: int = 40,
+) -> Solid:
+    """Return the solid through level ellipses at ``heights`` rising from 0.
+
+    Each has the half width ``radii`` > 0 along x, ``depth`` times that along y, and its middle at
+    x = ``shifts``.
+    """
     angle = np.arange(segments) * 2 * np.pi / segments
-    ring = np.column_stack([np.cos(angle), np.sin(angle)])
+    ring = np.column_stack([np.cos(angle), depth * np.sin(angle), np.zeros(segments)])
     k = len(heights)
-    rings = np.concatenate(
-        [
-            np.column_stack([r * ring, np.full(segments, z)])
-            for z, r in zip(heights, radii, strict=True)
-        ]
-    )
-    vertices = np.concatenate([rings, [[0, 0, heights[0]], [0, 0, heights[-1]]]])
+    middles = np.column_stack([shifts, np.zeros(k), heights])
+    rings = (ring * radii[:, None, None] + middles[:, None]).reshape(-1, 3)
+    vertices = np.concatenate([rings, middles[[0, -1]]])
     here, after = np.arange(segments), np.roll(np.arange(segments), -1)
     faces = []
     for level in range(k - 1):
@@ -77,40 +88,61 @@ def revolution(
     top = (k - 1) * segments
     faces.append(np.column_stack([after, here, np.full(segments, k * segments)]))
     faces.append(np.column_stack([top + here, top + after, np.full(segments, k * segments + 1)]))
-    return Solid(vertices, np.concatenate(faces), _frusta(heights, radii))
+    return Solid(vertices, np.concatenate(faces), _frusta(heights, radii, shifts, depth))
 
 
 def _frusta(
-    heights: Float[np.ndarray, "k"], radii: Float[np.ndarray, "k"], most: int = 8
+    heights: Float[np.ndarray, "k"],
+    radii: Float[np.ndarray, "k"],
+    shifts: Float[np.ndarray, "k"],
+    depth: float,
+    most: int = 8,
 ) -> tuple[ConvexPart, ...]:
-    """Cut a profile into at most ``most`` stacked pieces; straight ones are cylinders."""
-    keep = simplify_profile(heights, radii, most + 1)
-    angle = np.arange(20) * 2 * np.pi / 20
-    ring = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(20)])
+    """Cut a stack into at most ``most`` pieces; straight round ones are cylinders."""
+    keep = simplify_profile(heights, np.column_stack([radii, shifts]), most + 1)
+    angle = np.arange(16) * 2 * np.pi / 16
+    ring = np.column_stack([np.cos(angle), depth * np.sin(angle), np.zeros(16)])
     parts = []
     for a, b in pairwise(keep):
-        ends = [radii[i] * ring + [0, 0, heights[i]] for i in (a, b)]
+        ends = [radii[i] * ring + [shifts[i], 0, heights[i]] for i in (a, b)]
         straight = abs(radii[a] - radii[b]) < 0.04 * max(radii[a], radii[b])
+        straight &= abs(shifts[a] - shifts[b]) < 0.02 * radii[a]
         parts.append(ConvexPart(np.concatenate(ends), "cylinder" if straight else "hull"))
     return tuple(parts)
 
 
 def simplify_profile(
-    heights: Float[np.ndarray, "k"], radii: Float[np.ndarray, "k"], most: int, slack: float = 0.01
+    heights: Float[np.ndarray, "k"],
+    profile: Float[np.ndarray, "k c"],
+    most: int,
+    slack: float = 0.01,
 ) -> list[int]:
-    """Return the indices of at most ``most`` profile points that keep its shape.
+    """Return the indices of at most ``most`` levels that keep a profile's shape.
 
-    Points are added where the polyline is farthest from the profile, until the largest error is
-    below ``slack`` of the largest radius.
+    ``profile`` gives several lengths per level. Levels are added where a polyline is farthest from
+    one of them, until the largest error is below ``slack`` of the largest length.
     """
     keep = [0, len(heights) - 1]
+    columns = profile.T
     while len(keep) < most:
-        error = np.abs(np.interp(heights, heights[keep], radii[keep]) - radii)
+        error = np.max(
+            [np.abs(np.interp(heights, heights[keep], c[keep]) - c) for c in columns], axis=0
+        )
         worst = int(error.argmax())
-        if error[worst] < slack * radii.max() or worst in keep:
+        if error[worst] < slack * np.abs(profile).max() or worst in keep:
             break
         keep = sorted([*keep, worst])
     return keep
+
+
+def joined(solids: list[Solid]) -> Solid:
+    """Return solids of one frame as one; each stays closed."""
+    counts = np.cumsum([0, *(len(s.vertices) for s in solids)])
+    return Solid(
+        np.concatenate([s.vertices for s in solids]),
+        np.concatenate([s.faces + n for s, n in zip(solids, counts, strict=False)]),
+        tuple(part for s in solids for part in s.parts),
+    )
 
 
 def prism(outline: Polygon, height: float) -> Solid:

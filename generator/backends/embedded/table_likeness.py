@@ -14,22 +14,45 @@ from ...catalogue.tables import LEGS
 from ...scene import Instance, Mesh, Model, OutlineKind, PlannedTable, SizePrior, View
 from . import baking
 from .framing import frame_to_mask
-from .likeness import base_colors
+from .painting import base_colors
 from .pixels import mask_iou
 from .projection import Projection
+from .tabletops import top_faces, turned_about, with_corners, with_thickness
+from .unshading import estimate_shading
 from .unwrap import unwrap
 
 _MATERIALS = ("oak", "walnut", "pine", "marble", "steel", "white")
 _WORKING = 140
 _SKETCH = 160  # texture side at which materials are compared
+_FINE = 300  # longer side of the silhouettes that tell thickness and corners
+_THICKNESSES = (0.012, 0.02, 0.05, 0.07, 0.1)  # metres
+_RADII = (0.06, 0.12, 0.2, 0.3, 0.42)  # of the narrower side
+_GAIN = 0.002  # overlap that a change of thickness or corners must gain
 _LEGLESS = 0.03  # by how much silhouettes must agree better before legs count as unseen
+
+
+@dataclass(frozen=True)
+class _Form:
+    """What a table looks like: its plan, and how it leaves the catalogue's (metres; None: not)."""
+
+    plan: PlannedTable
+    about: bool = False
+    thickness: float | None = None
+    radius: float | None = None
+
+    def built(self, seed: int) -> Model:
+        """Return the canonical model."""
+        model = build_table(self.plan, seed)
+        model = model if self.thickness is None else with_thickness(model, self.thickness)
+        model = model if self.radius is None else with_corners(model, self.radius)
+        return turned_about(model) if self.about else model
 
 
 @dataclass(frozen=True, eq=False)
 class _Seen:
     """A table model placed under the picture: vertices in the object frame, overlap, legs seen."""
 
-    plan: PlannedTable
+    form: _Form
     model: Model
     world: Float[np.ndarray, "n 3"]
     iou: float
@@ -39,25 +62,74 @@ class _Seen:
 def model_table(instance: Instance, size: SizePrior, view: View, seed: int, texture: int) -> Model:
     """Return a table of the prior's size that looks like the picture's, yaw zero.
 
-    The outline (and, if the silhouette shows them, the legs) are those whose silhouette agrees
-    best; top and legs then take their colours from the picture, each for itself.
+    Outline and legs are those whose silhouette agrees best together, the usual straight legs if
+    it shows none; then the thickness of the top and the rounding of its corners. Top and legs
+    take their colours from the picture, each for itself. Of a table that the frame cuts, only the
+    material is taken: its silhouette does not show its shape.
     """
     projection = Projection.of_instance(instance, view)
-    small = projection.resized(_WORKING)
-    mask = baking.opaque_colors(_shrunk(instance, small))[1]
     length, width, height = (float(np.clip(s, 0.2, 4.0)) for s in size.extent)
-    plans = [
-        PlannedTable(outline=o, size=(length, width, height)) for o in _outlines(length, width)
+    even = _outlines(length, width)
+    plan = PlannedTable(outline=even[0], size=(length, width, height))
+    small = projection.resized(_WORKING)
+    best = _place(_Form(plan), seed, _mask(instance, small), small)
+    if not is_cut(np.asarray(instance.mask)):
+        best = _fitted(best, even, seed, instance, projection)
+    models = [
+        dataclasses.replace(best.form, plan=dataclasses.replace(best.form.plan, material=m)).built(
+            seed
+        )
+        for m in _MATERIALS
     ]
-    best = max((_place(p, seed, mask, small) for p in plans), key=lambda s: s.iou)
-    if best.legs:
-        plans = [dataclasses.replace(best.plan, legs=legs) for legs in LEGS]
-        best = max((_place(p, seed, mask, small) for p in plans), key=lambda s: s.iou)
-    options = [build_table(dataclasses.replace(best.plan, material=m), seed) for m in _MATERIALS]
-    gaps = [_paint(best, m, instance, projection, _SKETCH)[1] for m in options]
-    model = options[int(np.argmin(gaps))]
+    gaps = [_paint(best, m, instance, projection, _SKETCH)[1] for m in models]
+    model = models[int(np.argmin(gaps))]
     mesh, _ = _paint(best, model, instance, projection, texture)
     return dataclasses.replace(model, mesh=mesh, size=np.array(size.extent))
+
+
+def is_cut(mask: Bool[np.ndarray, "h w"]) -> bool:
+    """Tell whether the picture's frame cuts a mask."""
+    rim = np.concatenate([mask[0], mask[-1], mask[:, 0], mask[:, -1]])
+    return bool(rim.sum() > 0.02 * sum(mask.shape))
+
+
+def _fitted(
+    best: _Seen,
+    outlines: tuple[OutlineKind, ...],
+    seed: int,
+    instance: Instance,
+    projection: Projection,
+) -> _Seen:
+    """Return the table whose silhouette agrees best, tried feature by feature."""
+    small = projection.resized(_WORKING)
+    mask = _mask(instance, small)
+
+    def best_of(forms: list[_Form]) -> _Seen:
+        return max((_place(f, seed, mask, small) for f in forms), key=lambda s: s.iou)
+
+    plan = best.form.plan
+    forms = [
+        _Form(dataclasses.replace(plan, outline=outline, legs=legs), about)
+        for outline in outlines
+        for legs in LEGS
+        for about in ((False, True) if outline == "triangle" else (False,))
+    ]
+    best = max(best, best_of(forms), key=lambda s: s.iou)
+    small = projection.resized(_FINE)
+    mask = _mask(instance, small)
+    best = _place(best.form, seed, mask, small)
+    finer = best_of([dataclasses.replace(best.form, thickness=t) for t in _THICKNESSES])
+    best = finer if finer.iou > best.iou + _GAIN else best
+    if best.form.plan.outline in ("rectangle", "square"):
+        side = min(plan.size[:2])
+        finer = best_of([dataclasses.replace(best.form, radius=r * side) for r in _RADII])
+        best = finer if finer.iou > best.iou + _GAIN else best
+    return best
+
+
+def _mask(instance: Instance, small: Projection) -> Bool[np.ndarray, "h w"]:
+    """Return the crop's silhouette at the size of ``small``."""
+    return baking.opaque_colors(_shrunk(instance, small))[1]
 
 
 def _shrunk(instance: Instance, small: Projection) -> UInt8[np.ndarray, "h w 4"]:
@@ -70,22 +142,10 @@ def _outlines(length: float, width: float) -> tuple[OutlineKind, ...]:
     return ("square", "round", "triangle") if even else ("rectangle", "oval", "triangle")
 
 
-def _top_faces(mesh: Mesh) -> Bool[np.ndarray, "m"]:
-    """Tell which faces belong to the top: the slab down from the highest horizontal faces."""
-    heights = np.sort(np.unique(np.round(mesh.vertices[:, 2], 4)))[::-1]
-    wide = [
-        z for z in heights[1:]
-        if np.ptp(mesh.vertices[np.abs(mesh.vertices[:, 2] - z) < 1e-3, 0]) > 0.9
-    ]  # fmt: skip
-    bottom = wide[0] if wide else heights[0]
-    bottom = max(bottom, 0.5 - 0.12)
-    return (mesh.vertices[mesh.faces, 2] > bottom - 1e-3).all(1)
-
-
-def _place(plan: PlannedTable, seed: int, mask: np.ndarray, small: Projection) -> _Seen:
-    """Put a planned table under the silhouette, by all of it or by its top alone."""
-    model = build_table(plan, seed)
-    top = _top_faces(model.mesh)
+def _place(form: _Form, seed: int, mask: np.ndarray, small: Projection) -> _Seen:
+    """Put a table under the silhouette, by all of it or by its top alone."""
+    model = form.built(seed)
+    top = top_faces(model.mesh)
     shape = model.mesh.vertices * model.size
     found = []
     for legs, faces in ((True, model.mesh.faces), (False, model.mesh.faces[top])):
@@ -93,7 +153,7 @@ def _place(plan: PlannedTable, seed: int, mask: np.ndarray, small: Projection) -
         scale, shift = frame_to_mask(shape[used], small, mask)
         world = shape * scale + shift
         iou = mask_iou(small.silhouette(world, faces), mask)
-        found.append(_Seen(plan, model, world, iou, legs))
+        found.append(_Seen(form, model, world, iou, legs))
     whole, bare = found
     return bare if bare.iou > whole.iou + _LEGLESS else whole
 
@@ -111,7 +171,8 @@ def _paint(
     inside = baking.sample(mask[..., None].astype(np.uint8), pixels)[:, 0] > 0.5
     visible = sight.sees(surface) & inside
     colors, base = baking.sample(image, pixels), base_colors(mesh, atlas)
-    on_top = _top_faces(mesh)[atlas.face]
+    colors = estimate_shading(colors, surface.normal, visible).removed(colors, surface.normal)
+    on_top = top_faces(mesh)[atlas.face]
     cell = _cells(surface.point)
     upper = visible & on_top & (surface.normal[:, 2] > 0.9)
     gap = _material_gap(base[upper], colors[upper], cell[upper]) if upper.sum() > 40 else 0.0

@@ -15,13 +15,16 @@ from ...render.contact import Body
 from ...render.picture import TOP_DOWN
 from ...render.raster import Item, place, render
 from ...scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
+from .depth_measure import Solid
+from .depth_seating import seated
 from .measure import measured_extent
-from .plane import TablePlane, find_plane, outline_points
-from .stacking import stack
+from .plane import TablePlane, outline_points
+from .survey import floor_of, stacking_of, survey
 
 _PIXELS = 640  # along the table's longer side
 _MARGIN = 0.12  # of the longer side, around the table
 _GROUND = (226, 226, 224)
+_KNOWN = 0.01  # metres: how well depth knows the middle of a thing's footprint
 
 
 def top_view(
@@ -34,24 +37,30 @@ def top_view(
     """Place every model so that it projects onto its instance's box, and look from above.
 
     Instances without a model get the box that their mask measures on the plane. All boxes come
-    from geometry, so ``repaired`` is empty; the picture is drawn from the same placements.
+    from geometry, so ``repaired`` is empty; the picture is drawn from the same placements. Where
+    depth shows a thing, its model is moved until what is seen of it lies where depth has it.
 
     Raises:
         SceneError: no tabletop in the picture.
     """
-    plan = reference.plan.table if reference.plan else None
     length = float(models[TABLE].size[0]) if TABLE in models else None
-    plane = find_plane(np.asarray(reference.image), plan, length, view)
+    known = survey(reference, instances, length, view)
+    plane, solids = known.plane, known.solids
     things = [i for i in instances if i.name != TABLE]
-    order = stack(instances, lambda label: False)
+    order = stacking_of(instances, solids, lambda label: False)
     fitted: dict[str, Body] = {}
     footprints: dict[str, np.ndarray] = {}
     for thing in sorted(things, key=lambda i: order[i.name].order):
         on = order[thing.name].on
-        floor = _upper_side(fitted[on], models[on].container) if on in fitted else 0.0
+        solid = solids.get(thing.name)
+        if solid is not None:
+            floor = floor_of(thing.name, solids, order)
+        else:
+            floor = _upper_side(fitted[on], models[on].container) if on in fitted else 0.0
         if thing.name in models:
             yaw = rotations[thing.name].yaw if thing.name in rotations else 0.0
-            fitted[thing.name] = fit_model(thing, models[thing.name], yaw, plane, floor)
+            body = fit_model(thing, models[thing.name], yaw, plane, floor, solid)
+            fitted[thing.name] = body if solid is None else seated(body, thing, solid, plane)
             footprints[thing.name] = fitted[thing.name].footprint
         else:
             extent, middle = measured_extent(np.asarray(thing.mask), plane)
@@ -61,7 +70,9 @@ def top_view(
     boxes = {name: _pixel_box(f, half, scale) for name, f in footprints.items()}
     table = np.asarray(plane.size) / 2
     image = _draw(np.asarray(reference.image), things, plane, fitted, half, scale)
-    return TopView(image, _pixel_box(np.stack([-table, table]), half, scale), boxes)
+    table_box = _pixel_box(np.stack([-table, table]), half, scale)
+    metric = None if reference.depth is None else 1 / scale
+    return TopView(image, table_box, boxes, metres_per_pixel=metric)
 
 
 def _pixel_box(
@@ -90,12 +101,18 @@ def target_box(instance: Instance) -> Float[np.ndarray, "4"]:
 
 
 def fit_model(
-    instance: Instance, model: Model, yaw: float, plane: TablePlane, floor: float
+    instance: Instance,
+    model: Model,
+    yaw: float,
+    plane: TablePlane,
+    floor: float,
+    known: Solid | None = None,
 ) -> Body:
     """Solve x, y and size so that the model's projection fills the instance's box.
 
     ``floor`` is the height above the tabletop on which the model stands. Size may change by a
-    factor; a weak prior keeps it near the model's own.
+    factor; a weak prior keeps it near the model's own. ``known`` is what depth saw of the thing;
+    the model then stays where that is.
     """
     box = target_box(instance)
     solid = _hull_points(np.asarray(model.mesh.vertices, float)) + np.array([0, 0, 0.5])
@@ -106,9 +123,12 @@ def fit_model(
     def residuals(p: np.ndarray) -> np.ndarray:
         pixels = plane.camera.project(turned * np.exp(p[2]) + [p[0], p[1], floor])
         off = np.concatenate([pixels.min(0), pixels.max(0)]) - box
-        return np.append(off / span * 40.0, p[2] / 0.5)
+        away = [] if known is None else (p[:2] - known.center) / _KNOWN
+        return np.concatenate([off / span * 40.0, [p[2] / 0.5], away])
 
     start = np.array([foot[0], foot[1] + model.size[1] / 2, 0.0])
+    if known is not None:
+        start[:2] = known.center
     found = least_squares(residuals, start, loss="soft_l1", max_nfev=60).x
     factor = float(np.exp(np.clip(found[2], -1.5, 1.5)))
     scale = np.asarray(model.size) * factor
