@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from painted import paint
 
-from generator.backends.embedded.plane import find_plane, outline_distance, outline_points
+from generator.backends.embedded.plane import outline_distance, outline_points
+from generator.backends.embedded.tabletop import find_tabletop
 from generator.errors import SceneError
 from generator.scene import View
 
@@ -26,7 +27,7 @@ THINGS = [("mug", -0.2, 0.1, 0.0), ("bowl", 0.15, 0.2, 0.0), ("apple", 0.1, -0.1
 )
 def test_elevation_and_azimuth_within_three_degrees(outline, material, azimuth, elevation):
     picture = paint(outline, material, THINGS, azimuth=azimuth, elevation=elevation)
-    plane = find_plane(picture.image)
+    plane = find_tabletop(picture.image)
     assert np.rad2deg(plane.view.elevation) == pytest.approx(elevation, abs=3)
     assert np.rad2deg(plane.view.azimuth) == pytest.approx(azimuth, abs=3)
     kind = {"round": "ellipse", "triangle": "triangle"}.get(outline, "rectangle")
@@ -35,7 +36,7 @@ def test_elevation_and_azimuth_within_three_degrees(outline, material, azimuth, 
 
 def test_points_on_the_table_are_found_again():
     picture = paint("rectangle", "oak", THINGS)
-    plane = find_plane(picture.image, picture.plan)
+    plane = find_tabletop(picture.image, picture.plan)
     grid = np.array([[x, y] for x in (-0.5, 0.0, 0.5) for y in (-0.3, 0.0, 0.3)])
     top = np.column_stack([grid, np.full(len(grid), picture.plan.size[2])])
     assert np.abs(plane.to_table(picture.camera.project(top)) - grid).max() < 0.02
@@ -52,16 +53,16 @@ def test_a_white_table_on_a_shaded_white_ground_is_found():
     cv2.fillPoly(image, [front], (200, 180, 150))
     cv2.fillPoly(image, [np.array([[80, 312], [110, 312], [110, 460], [80, 460]])], (90, 70, 60))
     image = cv2.GaussianBlur(image, (3, 3), 0.8)
-    plane = find_plane(image)
+    plane = find_tabletop(image)
     near = [np.linalg.norm(plane.outline - c, axis=1).min() for c in corners]
     assert plane.shape == "rectangle" and max(near) < 8
 
 
 def test_a_given_view_is_kept_and_the_rest_is_fitted_to_it():
     picture = paint("rectangle", "oak", THINGS)
-    free = find_plane(picture.image)
+    free = find_tabletop(picture.image)
     view = View(free.view.azimuth, free.view.elevation - 0.05, free.view.fov)
-    kept = find_plane(picture.image, view=view)
+    kept = find_tabletop(picture.image, view=view)
     np.testing.assert_allclose(
         [kept.view.azimuth, kept.view.elevation, kept.view.fov],
         [view.azimuth, view.elevation, view.fov], atol=1e-5,
@@ -72,7 +73,7 @@ def test_a_given_view_is_kept_and_the_rest_is_fitted_to_it():
 
 def test_a_picture_without_a_table_is_refused():
     with pytest.raises(SceneError, match="No table found"):
-        find_plane(np.full((200, 300, 3), 250, np.uint8))
+        find_tabletop(np.full((200, 300, 3), 250, np.uint8))
 
 
 @pytest.mark.parametrize("shape", ["rectangle", "ellipse", "triangle"])
@@ -86,5 +87,5 @@ def test_outlines_fill_their_size_exactly(shape, flipped):
 
 def test_same_picture_same_plane():
     picture = paint("round", "walnut", THINGS)
-    first, second = find_plane(picture.image), find_plane(picture.image)
+    first, second = find_tabletop(picture.image), find_tabletop(picture.image)
     np.testing.assert_array_equal(first.outline, second.outline)

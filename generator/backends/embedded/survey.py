@@ -14,8 +14,9 @@ from jaxtyping import Float
 from ...scene import TABLE, Instance, Reference, SizePrior, Stacking, View
 from .depth_measure import Solid, measure_solid, stack_solids
 from .depth_plane import find_depth_plane
-from .plane import TablePlane, find_plane
+from .plane import TablePlane
 from .stacking import stack
+from .tabletop import find_tabletop
 
 _THIN = 0.004  # metres: the least extent of anything
 
@@ -36,7 +37,7 @@ def survey(
 ) -> Survey:
     """Return the tabletop's plane and the things' solids.
 
-    ``length`` and ``view`` are for references without depth, as in ``plane.find_plane``;
+    ``length`` and ``view`` are for references without depth, as in ``tabletop.find_tabletop``;
     ``instances`` may hold the table alone.
 
     Raises:
@@ -44,7 +45,7 @@ def survey(
     """
     if reference.depth is None or reference.intrinsics is None:
         plan = reference.plan.table if reference.plan else None
-        return Survey(find_plane(np.asarray(reference.image), plan, length, view), {})
+        return Survey(find_tabletop(np.asarray(reference.image), plan, length, view), {})
     table = next((np.asarray(i.mask) for i in instances if i.name == TABLE), None)
     plane = find_depth_plane(reference.depth, reference.intrinsics, table)
     found = {
