@@ -15,7 +15,7 @@ from generator.backends.embedded.reasoner import Reasoner
 from generator.catalogue import build
 from generator.errors import SceneError
 from generator.geometry import Camera, mask_box, view_rotation
-from generator.scene import TABLE, Instance, Intrinsics, Reference, Rotation
+from generator.scene import TABLE, Instance, Intrinsics, OutlineKind, Reference, Rotation
 
 FRAME = (320, 240)
 THINGS = [("bowl", 0.2, 0.15, 0.0), ("mug", -0.25, 0.05, 0.0), ("apple", 0.1, -0.15, 0.0)]
@@ -30,7 +30,9 @@ class Shot:
     intrinsics: Intrinsics
 
 
-def shoot(outline="rectangle", things=THINGS, *, offset=(0.0, 0.0), noise=0.001, **view) -> Shot:
+def shoot(
+    outline: OutlineKind = "rectangle", things=THINGS, *, offset=(0.0, 0.0), noise=0.001, **view
+) -> Shot:
     picture = paint(outline, "oak", things, size=FRAME, **view)
     camera = picture.camera
     depth = np.where(np.isfinite(picture.depth), picture.depth, room(camera))
