@@ -136,7 +136,8 @@ class Run:
 
     def __init__(self, folder: Path, rate: float, device: str) -> None:
         self.folder, self.rate, self.device = folder, rate, device
-        self.eye = new_eye().to(device=device, memory_format=torch.channels_last)
+        self.eye = new_eye().to(device)
+        self.eye.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
         self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
         self.optimiser = torch.optim.AdamW(_groups(self.eye, rate), weight_decay=0.01)
         self.steps, self.spent = 0, 0.0

@@ -13,7 +13,7 @@ from generator.backends.embedded.cut_plane import (
     plane_from_view,
     scaled_plane,
 )
-from generator.backends.embedded.plane import outline_distance, outline_points
+from generator.backends.embedded.plane import OutlineShape, outline_distance, outline_points
 from generator.errors import SceneError
 from generator.geometry import Camera
 from generator.scene import View
@@ -21,7 +21,9 @@ from generator.scene import View
 VIEW = View(np.deg2rad(20), np.deg2rad(40), np.deg2rad(45))
 
 
-def region(size=(1.2, 0.7), shape="rectangle", aim=(0.0, 0.0), distance=1.9, view=VIEW):
+def region(
+    size=(1.2, 0.7), shape: OutlineShape = "rectangle", aim=(0.0, 0.0), distance=1.9, view=VIEW
+):
     """Return the mask of a tabletop around the origin, and the camera that sees it."""
     camera = Camera.looking_at(np.array([*aim, 0.0]), view, distance, 320, 240)
     outline = outline_points(shape, False, size, 0.0)

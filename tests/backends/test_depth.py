@@ -30,17 +30,13 @@ class Shot:
     intrinsics: Intrinsics
 
 
-def shoot(
-    outline: OutlineKind = "rectangle", things=THINGS, *, offset=(0.0, 0.0), noise=0.001, **view
-) -> Shot:
+def shoot(outline: OutlineKind = "rectangle", things=THINGS, *, noise=0.001, **view) -> Shot:
     picture = paint(outline, "oak", things, size=FRAME, **view)
     camera = picture.camera
     depth = np.where(np.isfinite(picture.depth), picture.depth, room(camera))
     depth = depth + np.random.default_rng(0).normal(size=depth.shape) * noise * depth**2
-    width, height = FRAME
     center = camera.center - 0.5
     intrinsics = Intrinsics(camera.focal, camera.focal, center[0], center[1])
-    assert (width, height) == (camera.width, camera.height)
     return Shot(picture, depth.astype(np.float32), intrinsics)
 
 
