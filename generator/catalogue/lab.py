@@ -11,7 +11,7 @@ from .colors import RGB, tinted
 from .look import Look
 from .outlines import rectangle
 from .shape import Shape, shape
-from .solids import block, box, cylinder, ellipsoid, lathe, prism, sweep, torus
+from .solids import block, box, cylinder, ellipsoid, joined, lathe, prism, sweep, torus
 
 LIQUIDS = ("blue", "teal", "amber", "pink", "green", "violet", "coral")
 
@@ -125,7 +125,8 @@ def petri_dish(look: Look) -> Shape:
 
 def microscope(look: Look) -> Shape:
     """A microscope: foot, stage, curved arm, slanted eyepiece towards the viewer."""
-    body = look.color("white", "gray", "navy", "cream")
+    body = look.color("white", "gray", "navy", "cream", "black", "teal", "red")
+    tall, pair = look.between(0.9, 1.12), look.pick([0.0, 0.0, 0.017])
     shell, dark = textures.speckled(look.rng, body, 4), textures.plain((44, 46, 50))
     metal = textures.brushed(look.rng, (176, 180, 186))
     foot = block(0.13, 0.17, 0.028, 0.03, 0.006)
@@ -134,7 +135,8 @@ def microscope(look: Look) -> Shape:
         rectangle(0.045, 0.035, 0.01, 2),
     )
     head = block(0.06, 0.07, 0.05, 0.012, 0.004).moved(y=-0.01, z=0.225)
-    eye = cylinder(0.016, 0.1, 16, bevel=0.003).turned(0, np.deg2rad(40)).moved(y=-0.02, z=0.26)
+    tube = cylinder(0.016, 0.1, 16, bevel=0.003).turned(0, np.deg2rad(40)).moved(y=-0.02, z=0.26)
+    eye = joined([tube.moved(x=-pair), tube.moved(x=pair)]) if pair else tube
     lens = cylinder(0.011, 0.075, 16, top=0.018).moved(y=-0.012, z=0.15)
     stage = block(0.12, 0.1, 0.012, 0.008).moved(y=-0.015, z=0.11)
     knob = cylinder(0.022, 0.1, 18, bevel=0.004).turned(1, np.pi / 2).moved(-0.05, 0.055, 0.085)
@@ -157,7 +159,7 @@ def microscope(look: Look) -> Shape:
             hull_of(eye),
             hull_of(knob),
         ],
-    )
+    ).scaled(tall)
 
 
 def reagent_bottle(look: Look) -> Shape:

@@ -30,6 +30,7 @@ from . import (
     groceries,
     handhelds,
     hardware,
+    household,
     keepsakes,
     kitchen,
     lab,
@@ -55,7 +56,7 @@ from .look import Look
 _SHELVES = (
     *(cups, dining, cutlery, brewing, kitchen, bottles, pantry, food, bakery),
     *(fruit, produce, groceries, meals, sweets, hardware),
-    *(devices, portables, deskware, leisure, ornaments),
+    *(devices, portables, deskware, leisure, ornaments, household),
     *(office, writing, electronics, handhelds, gadgets, decor, plants, keepsakes, lights),
     *(tools, workbench, toys, games, craft, vanity, lab),
 )

@@ -79,15 +79,20 @@ def hairbrush(look: Look) -> Shape:
 
 
 def hand_mirror(look: Look) -> Shape:
-    """A round hand mirror lying face up."""
-    frame = look.surface(look.color("gold", "silver", "pink", "white", "black"), "plastic")
+    """A round or oval hand mirror lying face up."""
+    frame = look.surface(
+        look.color("gold", "silver", "pink", "white", "black", "teal", "brown"), "plastic"
+    )
     sky = textures.gradient((176, 196, 208), (226, 236, 242), look.rng)
-    back = cylinder(0.058, 0.011, 32, bevel=0.003).moved(x=-0.055)
-    glass = cylinder(0.049, 0.002, 32).moved(x=-0.055, z=0.0105)
-    grip = prism(rectangle(0.12, 0.02, 0.009), 0, 0.011, 0.003).moved(x=0.055)
+    r, long, oval = look.between(0.046, 0.062), look.between(0.09, 0.13), look.between(1.0, 1.3)
+    wide, at = look.between(0.015, 0.024), -0.055
+    back = cylinder(r, 0.011, 32, bevel=0.003).scaled(oval, 1, 1).moved(x=at)
+    glass = cylinder(0.84 * r, 0.002, 32).scaled(oval, 1, 1).moved(x=at, z=0.0105)
+    middle = at + oval * r + 0.46 * long
+    grip = prism(rectangle(long, wide, 0.45 * wide), 0, 0.011, 0.003).moved(x=middle)
     return shape(
         [(back, frame), (glass, sky), (grip, frame)],
-        [cylinder_part(0.058, 0.0125, (-0.055, 0, 0)), box_part(0.12, 0.02, 0.011, (0.055, 0, 0))],
+        [hull_of(back), hull_of(glass), box_part(long, wide, 0.011, (middle, 0, 0))],
     )
 
 

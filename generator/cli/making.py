@@ -6,6 +6,8 @@ from pathlib import Path
 
 from tyro.conf import Positional
 
+from ..errors import InputError
+from ..scene import Intrinsics
 from .printing import print_scene, progress
 from .store import store
 
@@ -14,6 +16,8 @@ def generate(
     source: Positional[str],
     /,
     *,
+    depth: Path | None = None,
+    intrinsics: str | None = None,
     out: Path | None = None,
     name: str | None = None,
     seed: int = 0,
@@ -26,6 +30,9 @@ def generate(
 
     Args:
         source: A description ("a desk with a laptop and two mugs") or the path of a picture.
+        depth: Depth map of the picture, of the same size: a 16-bit PNG in millimetres, 0 where
+            unknown. Sizes and places are then measured.
+        intrinsics: With --depth: fx,fy,cx,cy of the picture's camera, in its pixels.
         out: Folder the bundle goes into; the user cache if left out.
         name: Name of the scene; made from the text if left out.
         seed: The same source and seed give the same scene.
@@ -40,8 +47,12 @@ def generate(
 
     if name is not None:
         check_name(name)
+    camera = None if intrinsics is None else _intrinsics(intrinsics)
     with progress(quiet=json) as shown:
-        generation = run(source, Backends.select(backend), seed=seed, name=name, progress=shown)
+        generation = run(
+            source, Backends.select(backend), seed=seed, name=name, progress=shown,
+            depth=depth, intrinsics=camera,
+        )  # fmt: skip
         if figures is not None:
             generation.save_figures(figures)
         path = generation.save(store(out), allow_failed=allow_failed)
@@ -75,3 +86,18 @@ def compose(
     scene = run(text, seed, name=name)
     path = save(scene, store(out), images={"preview": preview(scene)})
     return print_scene(path, scene, json)
+
+
+def _intrinsics(text: str) -> Intrinsics:
+    """Read ``fx,fy,cx,cy``.
+
+    Raises:
+        InputError: not four numbers.
+    """
+    try:
+        fx, fy, cx, cy = (float(part) for part in text.split(","))
+    except ValueError as error:
+        raise InputError(
+            f"--intrinsics needs four numbers, fx,fy,cx,cy in pixels, got {text!r}."
+        ) from error
+    return Intrinsics(fx, fy, cx, cy)

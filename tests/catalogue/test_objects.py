@@ -16,7 +16,7 @@ KEYS = sorted(CATEGORIES)
 
 
 def test_there_are_enough_categories():
-    assert len(KEYS) >= 64
+    assert len(KEYS) >= 165
 
 
 def test_closedness_is_told_apart():
@@ -108,11 +108,14 @@ def test_mass_is_plausible(key: str):
 
 @pytest.mark.parametrize(
     ("key", "low", "high"),
-    [("mug", 1500, 3200), ("plate", 1500, 3200), ("bowl", 1200, 3200), ("fork", 4500, 9000),
+    [("mug", 1500, 3200), ("plate", 1500, 3200), ("bowl", 1200, 3200), ("fork", 2500, 9000),
      ("glass", 1800, 3200), ("apple", 600, 1050), ("banana", 600, 1100), ("book", 400, 1000)],
 )  # fmt: skip
 def test_density_is_the_materials_own(key: str, low: float, high: float):
-    """Mass was stated and volume modelled; their quotient must be the material's density."""
+    """Mass was stated and volume modelled; their quotient must be the material's density.
+
+    Some forks have a plastic handle, others are steel all through.
+    """
     for seed in range(3):
         assert low <= build(key, seed).physics.density <= high
 

@@ -23,6 +23,7 @@ from .unshading import Shading, estimate_shading
 from .unwrap import Atlas, unwrap
 
 _GRAZING = 0.18  # cosine below which a surface shows too few pixels to be painted from them
+_MIRRORED = 0.35  # the same for places that hidden ones are painted from
 _PALETTE = 8
 _LIKE = 22.0  # grey levels by which mirrored places of a symmetric object differ at most
 
@@ -87,8 +88,11 @@ class Sight:
         near = cv2.dilate(near, np.ones((3, 3)), borderType=cv2.BORDER_REPLICATE)
         return cls(projection, near, float(np.linalg.norm(np.ptp(vertices, axis=0))))
 
-    def sees(self, surface: Surface) -> Bool[np.ndarray, "t"]:
-        """Tell which points are seen well: on the nearest surface, and not at a grazing angle."""
+    def sees(self, surface: Surface, least: float = _GRAZING) -> Bool[np.ndarray, "t"]:
+        """Tell which points are seen well: on the nearest surface, and not at a grazing angle.
+
+        ``least`` is the cosine between normal and line of sight that is needed.
+        """
         view, pixel = self.projection, np.floor(self.projection.project(surface.point)).astype(int)
         line = view.position - surface.point
         cosine = (surface.normal * line).sum(1) / np.linalg.norm(line, axis=1)
@@ -96,7 +100,7 @@ class Sight:
         front = 1.0 / np.maximum(self.near[y, x], 1e-9)
         depth = view.to_camera(surface.point)[:, 2]
         slack = np.minimum(0.012 / np.maximum(cosine, 0.15), 0.06) * self.size
-        return (cosine > _GRAZING) & (np.abs(depth - front) < slack)
+        return (cosine > least) & (np.abs(depth - front) < slack)
 
 
 def sample(
@@ -218,7 +222,7 @@ def seen_colors(
         moved = surface.at(todo)
         for plane in turn:
             moved = moved.mirrored(plane)
-        hit = sight.sees(moved)
+        hit = sight.sees(moved, _MIRRORED if turn else _GRAZING)
         found = sample(image, sight.projection.project(moved.point[hit]))
         colors[todo[hit]] = shading.removed(found, moved.normal[hit])
         known[todo[hit]] = True

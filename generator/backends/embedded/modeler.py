@@ -17,13 +17,16 @@ from .choosing import best_solid
 from .likeness import Likeness, fit_likeness
 from .naming import known
 from .painting import PROJECT, painted
+from .pixels import mask_iou
 from .projection import Projection
 from .solids import Posed
 from .table_likeness import model_table
 
 _COARSE = 100  # of those that catalogue shapes are searched with
 _WORKING = 200  # longer side of the silhouettes that are compared, pixels
-_ALIKE = 0.6  # silhouette overlap below which a catalogue shape is not what the picture shows
+_SURE = 0.82  # silhouette overlap from which a label is believed at once
+_ALIKE = 0.6  # and below which a catalogue shape is not what the picture shows
+_TRUST = 0.18  # in between, a label is believed unless a solid overlaps that much better
 
 
 @dataclass(frozen=True)
@@ -39,17 +42,22 @@ class Modeler:
             return model_table(instance, size, view, self.seed, 2 * self.texture)
         projection = Projection.of_instance(instance, view)
         category = known_category(instance, size)
+        found = None
         if category is not None:
             coarse = projection.resized(_COARSE)
             found = fit_likeness(
                 category, self.seed, instance.crop, small_mask(instance, coarse), coarse,
                 instance.occluded,
             )  # fmt: skip
-            if found.iou >= _ALIKE:
+            if found.iou >= _SURE:
                 return likeness_model(found, instance, projection, size, self.texture)
         small = projection.resized(_WORKING)
         mask = small_mask(instance, small)
         posed = best_solid(mask, small, size.extent)
+        if found is not None and found.iou >= _ALIKE:
+            overlap = mask_iou(small.silhouette(posed.world, posed.solid.faces), mask)
+            if found.iou > overlap - _TRUST:
+                return likeness_model(found, instance, projection, size, self.texture)
         return solid_model(posed, instance, projection, size, self.texture)
 
 

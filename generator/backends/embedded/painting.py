@@ -47,9 +47,9 @@ def explained_colors(
     every = np.ones(len(hit), bool)
     plain = estimate_shading(colors, normal, every).removed(colors, normal)
     painted, _ = baking.recolor(base, every, plain)
-    rest = ((plain - painted) ** 2).sum() + 3 * _NOISE**2 * len(hit)
+    rest = ((plain - painted) ** 2).sum()
     total = ((plain - plain.mean(0)) ** 2).sum() + 3 * _NOISE**2 * len(hit)
-    return float(np.clip(1 - (rest - 3 * _NOISE**2 * len(hit)) / total, 0, 1))
+    return float(np.clip(1 - rest / total, 0, 1))
 
 
 def base_colors(mesh: Mesh, atlas: Atlas) -> Float[np.ndarray, "t 3"]:

@@ -6,7 +6,6 @@ sideways and be shallower than wide, a stack is the inflated silhouette of anyth
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -163,7 +162,7 @@ def refined(stack: Stack, mask: Mask, projection: Projection, free: bool) -> Sta
             moves.append(np.interp(middle - 0.5, rows, gap) * unit * 0.8)
         left, right = (_smooth(m) for m in moves)
         wider = np.maximum(stack.r + (right - left) / 2, 0.3 * stack.r)
-        aside = stack.x + (right + left) / 2 if free else stack.x + 0 * stack.x
+        aside = stack.x + (right + left) / 2 if free else stack.x
         stack = replace(stack, r=wider, x=aside)
         score = mask_iou(stack.silhouette(projection), mask)
         if score > reached:
@@ -187,8 +186,8 @@ def best_stack(stacks: list[Stack], mask: Mask, projection: Projection, free: bo
     """Trim and refine the most promising of some stacks; None if there is none."""
     if not stacks:
         return None
-    overlap: Callable[[Stack], float] = lambda s: mask_iou(s.silhouette(projection), mask)  # noqa: E731
-    best = trimmed(max(stacks, key=overlap), mask, projection)
+    overlaps = [mask_iou(s.silhouette(projection), mask) for s in stacks]
+    best = trimmed(stacks[int(np.argmax(overlaps))], mask, projection)
     smooth = replace(best, r=_smooth(best.r), x=_smooth(best.x))
     return refined(smooth, mask, projection, free)
 

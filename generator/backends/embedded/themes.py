@@ -58,7 +58,8 @@ THEMES: Mapping[str, Theme] = MappingProxyType(
             _list(
                 "keyboard center table, monitor behind keyboard, mouse right_of keyboard, "
                 "headphones left_of keyboard, controller left_of keyboard, can right_of mouse, "
-                "speaker left_of monitor, phone right_of mouse, toy robot right_of monitor"
+                "speaker left_of monitor, phone right_of mouse, toy robot right_of monitor, "
+                "microphone left_of speaker"
             ),
             3,
             ("metal", "trestle"),
@@ -118,7 +119,7 @@ THEMES: Mapping[str, Theme] = MappingProxyType(
                 "tomato on cutting board, "
                 "bowl left_of cutting board, apple in bowl, kettle behind cutting board, "
                 "bottle behind bowl, salt shaker right_of kettle, mug right_of knife, "
-                "pan behind knife, lemon left_of bowl"
+                "pan behind knife, lemon left_of bowl, bell pepper right_of kettle"
             ),
             3,
             ("straight", "tapered", "trestle"),
@@ -134,7 +135,8 @@ THEMES: Mapping[str, Theme] = MappingProxyType(
             _list(
                 "mug in_front_of table, book left_of mug, remote right_of mug, vase behind book, "
                 "glasses on book, candle right_of vase, phone right_of remote, "
-                "bowl behind remote, orange in bowl, playing cards left_of book"
+                "bowl behind remote, orange in bowl, "
+                "playing cards left_of book, tissue box left_of vase"
             ),
             3,
             ("hairpin", "splayed", "tapered"),
@@ -220,7 +222,8 @@ THEMES: Mapping[str, Theme] = MappingProxyType(
                 "hairbrush left_of hand mirror, lipstick right_of perfume bottle, "
                 "cream jar behind hairbrush, nail polish right_of lipstick, "
                 "makeup compact behind hand mirror, ring box behind perfume bottle, "
-                "candle behind cream jar, vase behind makeup compact"
+                "candle behind cream jar, vase behind makeup compact, "
+                "hair dryer right_of nail polish"
             ),
             3,
             ("tapered", "hairpin", "splayed"),

@@ -196,7 +196,9 @@ def _bare_top(
     polygon = np.round((outline * [1, -1] + half) * scale - 0.5).astype(np.int32)
     inside = np.zeros((size[1], size[0]), np.uint8)
     cv2.fillPoly(inside, [polygon], 1)
-    usual = np.median(flat[(inside > 0) & (holes == 0)], axis=0) if (inside > holes).any() else 200
-    flat[(inside > 0) & (holes > 0)] = usual
+    shown = cv2.warpPerspective(np.ones_like(covered), warp, size, flags=cv2.INTER_NEAREST) > 0
+    bare = (inside > 0) & (holes == 0) & shown
+    usual = np.median(flat[bare], axis=0) if bare.any() else 200
+    flat[(inside > 0) & ~bare] = usual
     filled = cv2.inpaint(flat, (holes * inside) * 255, 5, cv2.INPAINT_TELEA)
     return np.where(inside[..., None] > 0, filled, np.array(_GROUND)).astype(np.uint8)

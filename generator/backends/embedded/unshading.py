@@ -79,10 +79,10 @@ def estimate_shading(
 
 
 def _hues(colors: Float[np.ndarray, "t 3"], steps: int = 12) -> Int[np.ndarray, "t"]:
-    """Number colours by their shares of red and green; brightness counts in three broad steps."""
+    """Number colours by their shares of red and green; what is nearly black is apart."""
     total = np.maximum(colors.sum(1), 30.0)
     share = np.minimum((colors[:, :2] / total[:, None] * 2 * steps).astype(int), 2 * steps - 1)
-    dark = np.digitize(total / 3, [60.0])
+    dark = np.digitize(total / 3, [25.0])
     return (share[:, 0] * 2 * steps + share[:, 1]) * 2 + dark
 
 

@@ -55,7 +55,8 @@ def load_weights(path: Path = PATH) -> Weights:
     except (SafetensorError, KeyError, ValueError, RuntimeError, OSError) as error:
         message = f"The eye's weights {path.name!r} cannot be used ({error}). {_RESTORE}"
         raise BackendError(message) from error
-    eye = eye.eval().to(memory_format=torch.channels_last).requires_grad_(False)
+    eye.eval().requires_grad_(False)
+    eye.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
     return Weights(eye, categories, float(notes["temperature"]))
 
 
