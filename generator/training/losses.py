@@ -15,6 +15,7 @@ WEIGHTS: Mapping[str, float] = {
     "heat": 1.0, "box": 0.5, "mask": 2.0, "whole": 1.0, "name": 0.6, "region": 1.0, "top": 1.0,
     "latitude": 4.0,
 }  # fmt: skip
+_READABLE = 28.0  # side in mask cells from which a thing's name counts in full
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +83,11 @@ def terms(eye: Eye, batch: Batch) -> dict[str, Tensor]:
     visible = functional.interpolate(wished[:, :1], size=drawn.shape[2:], mode="area")[:, 0]
     names = eye.names(maps, batch.owner, batch.cells, visible)
     category = torch.where(batch.category < 0, names.shape[1] - 1, batch.category)
-    found["name"] = functional.cross_entropy(names.float(), category, label_smoothing=0.05)
+    large = (wished[:, 0].sum((1, 2)).sqrt() / _READABLE).clamp(max=1.0)
+    cross = functional.cross_entropy(
+        names.float(), category, reduction="none", label_smoothing=0.05
+    )
+    found["name"] = (cross * large).sum() / large.sum().clamp(min=1e-3)
     return found
 
 

@@ -49,9 +49,9 @@ def window(sample: Sample, rng: np.random.Generator) -> tuple[int, int, int]:
     most, draw = min(height, width), rng.random()
     ids = np.unique(sample.visible)
     ids = ids[ids > 0]
-    if draw < 0.35 or (draw > 0.7 and not len(ids)):
+    if draw < 0.3 or (draw > 0.55 and not len(ids)):
         side = int(most * rng.uniform(0.85, 1.0))
-    elif draw < 0.7:
+    elif draw < 0.55:
         side = int(most * rng.uniform(0.4, 0.85))
     else:
         own = np.argwhere(sample.visible == rng.choice(ids))

@@ -182,13 +182,19 @@ class Run:
 
     def _restore(self) -> None:
         state = torch.load(self.folder / STATE, map_location=self.device, weights_only=True)
-        old = state["categories"]
-        if old == list(CATEGORIES):
-            self.eye.load_state_dict(state["eye"])
+        eye = renamed(state["eye"], state["categories"], list(CATEGORIES))
+        own = self.eye.state_dict()
+        if (
+            all(k in own and own[k].shape == v.shape for k, v in eye.items())
+            and eye is state["eye"]
+        ):
+            self.eye.load_state_dict(eye)
             self.optimiser.load_state_dict(state["optimiser"])
             self.average = state["average"]
-        else:
-            self.eye.load_state_dict(renamed(state["average"], old, list(CATEGORIES)))
+        else:  # another list of names, or another network: what fits is kept
+            kept = renamed(state["average"], state["categories"], list(CATEGORIES))
+            fits = {k: v for k, v in kept.items() if k in own and own[k].shape == v.shape}
+            self.eye.load_state_dict(fits, strict=False)
             self.average = {k: v.detach().clone() for k, v in self.eye.state_dict().items()}
         self.steps, self.spent = state["steps"], state["spent"]
         self.shards = set(state.get("shards", ()))
@@ -198,6 +204,8 @@ def renamed(
     state: dict[str, torch.Tensor], old: list[str], new: list[str]
 ) -> dict[str, torch.Tensor]:
     """Carry weights over to another list of categories; new ones start as "unknown" does."""
+    if old == new:
+        return state
     rows = [old.index(key) if key in old else len(old) for key in new] + [len(old)]
     changed = {f"namer.2.{part}": state[f"namer.2.{part}"][rows] for part in ("weight", "bias")}
     return {**state, **changed}

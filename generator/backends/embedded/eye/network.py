@@ -36,8 +36,8 @@ class Maps:
     ``heat`` (b, 1, h, w), ``box`` (b, 8, h, w): log distances in cells from the cell's centre to
     left, top, right, bottom of the visible box, then of the whole box. ``region`` (b, 4, h, w);
     ``top`` (b, 1, h, w): the whole upper side of the table, things on it included; ``latitude``
-    (b, 1, h/2, w/2): radians below the horizon. ``mask`` and ``thing`` are features for ``masks``
-    and ``names``. h and w are the picture's over ``STRIDE``.
+    (b, 1, h/2, w/2): radians below the horizon. ``mask``, ``thing`` and ``deep`` are features for
+    ``masks`` and ``names``. h and w are the picture's over ``STRIDE``.
     """
 
     heat: Tensor
@@ -47,6 +47,7 @@ class Maps:
     latitude: Tensor
     mask: Tensor
     thing: Tensor
+    deep: tuple[Tensor, ...]
 
 
 class _Separable(nn.Module):
@@ -88,7 +89,9 @@ class Eye(nn.Module):
         self.latitude = nn.Conv2d(_WIDTH, 1, 1)
         self.controller = nn.Linear(_WIDTH, _WEIGHTS)
         self.namer = nn.Sequential(
-            nn.Linear(2 * _WIDTH + 3, 192), nn.ReLU(), nn.Linear(192, categories)
+            nn.Linear(2 * _WIDTH + sum(CHANNELS[2:]) + 3, 256),
+            nn.ReLU(),
+            nn.Linear(256, categories),
         )
         for head in (self.heat, self.box, self.region, self.mask, self.latitude, self.controller):
             nn.init.normal_(head.weight, std=0.01)
@@ -118,6 +121,7 @@ class Eye(nn.Module):
             self.latitude(self.level(maps[2])),
             self.mask(surface),
             thing,
+            features[2:],
         )
 
     def masks(self, maps: Maps, image: Tensor, cells: Tensor, sizes: Tensor) -> Tensor:
@@ -151,15 +155,25 @@ class Eye(nn.Module):
 
     def names(self, maps: Maps, image: Tensor, cells: Tensor, visible: Tensor) -> Tensor:
         """Return (n, categories) logits of what the ``visible`` (n, h, w) masks in [0, 1] show."""
-        area = visible.sum((1, 2)).clamp(min=1e-3)
-        flat, weight = maps.thing.flatten(2), visible.flatten(1).to(maps.thing.dtype)
-        pooled = visible.new_zeros(len(image), flat.shape[1], dtype=flat.dtype)
-        for picture in image.unique().tolist():
-            own = image == picture
-            pooled = pooled.index_put((own,), weight[own] @ flat[picture].T)
-        pooled = pooled / area[:, None]
+        pooled = [_pooled(features, image, visible) for features in (maps.thing, *maps.deep)]
         point = maps.thing[image, :, cells[:, 1], cells[:, 0]]
+        area = visible.sum((1, 2)).clamp(min=1e-3)
         tall = (visible.amax(2) > 0.5).sum(1).clamp(min=1).log()
         wide = (visible.amax(1) > 0.5).sum(1).clamp(min=1).log()
         form = torch.stack([tall - wide, area.log() - tall - wide, (tall + wide) / 2 - 2], 1)
-        return self.namer(torch.cat([pooled, point, form.to(pooled.dtype)], 1))
+        return self.namer(torch.cat([*pooled, point, form.to(point.dtype)], 1))
+
+
+def _pooled(features: Tensor, image: Tensor, visible: Tensor) -> Tensor:
+    """Return the mean (n, c) of the features (b, c, h, w) under masks (n, h', w') in [0, 1]."""
+    size = features.shape[2:]
+    weight = visible[:, None].to(features.dtype)
+    if weight.shape[2:] != size:
+        weight = nn.functional.interpolate(weight, size=size, mode="area")
+    flat, weight = features.flatten(2), weight.flatten(1)
+    weight = weight / weight.sum(1, keepdim=True).clamp(min=1e-4)
+    pooled = features.new_zeros(len(image), flat.shape[1])
+    for picture in image.unique().tolist():
+        own = image == picture
+        pooled = pooled.index_put((own,), weight[own] @ flat[picture].T)
+    return pooled
