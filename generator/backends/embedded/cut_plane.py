@@ -61,7 +61,7 @@ def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
 
 
 def is_cut(mask: Bool[np.ndarray, "h w"]) -> bool:
-    """Tell whether the frame cuts a tabletop, so that the outline alone does not tell the camera."""
+    """Tell whether the frame cuts a tabletop, so that its outline does not tell the camera."""
     return frame_share(mask) > CUT_SHARE
 
 
