@@ -1,0 +1,108 @@
+"""Crops with their targets, the terms of the loss, and a run that stops and goes on."""
+
+from __future__ import annotations
+
+import argparse
+
+import numpy as np
+import pytest
+import torch
+
+from generator.backends.embedded.eye.network import REGIONS, STRIDE, Eye
+from generator.catalogue import CATEGORIES
+from generator.errors import InputError
+from generator.scene import View
+from generator.training import losses, train
+from generator.training.sample import OBJECT, TOP, Sample
+from generator.training.shards import ShardWriter
+from generator.training.targets import cut
+
+
+def sample() -> Sample:
+    """Return a picture with a red square, half hidden by a blue one, on a tabletop."""
+    visible = np.zeros((128, 128), np.uint8)
+    visible[40:80, 30:70] = 1
+    visible[60:100, 50:90] = 2
+    full = np.zeros((2, 128, 128), bool)
+    full[0, 40:80, 30:70], full[1, 60:100, 50:90] = True, True
+    image = np.full((128, 128, 3), 200, np.uint8)
+    image[visible == 1], image[visible == 2] = (200, 30, 30), (30, 30, 200)
+    region = np.where(visible > 0, OBJECT, TOP).astype(np.uint8)
+    corners = np.array([[0, 0], [128, 0], [128, 128], [0, 128]], np.float32)
+    return Sample(
+        image, visible, full, np.array([0, -1], np.int16), region, np.ones((128, 128), bool),
+        corners, View(0.0, 0.9, 0.6), 200.0, np.zeros(2, np.float32), np.ones(2, bool),
+        np.ones((2, 3), np.float32), np.zeros((2, 3), np.float32), np.zeros(2, np.int16),
+        np.ones((128, 128), np.float16),
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_targets_belong_together(seed):
+    crop = cut(sample(), 96, np.random.default_rng(seed))
+    assert crop.image.shape == (96, 96, 3) and crop.heat.shape == (24, 24)
+    for (x, y), masks, sides in zip(crop.cells, crop.masks, crop.boxes, strict=True):
+        block = masks[0][y * 2 : y * 2 + 2, x * 2 : x * 2 + 2]
+        assert block.any(), "a cell answers for a thing that it shows"
+        assert (masks[1] | ~masks[0]).all(), "what shows is part of the whole"
+        rows = np.flatnonzero(masks[0].any(1)) * 2
+        low = (y + 0.5) * STRIDE - sides[1] * STRIDE
+        assert low == pytest.approx(rows[0], abs=3)
+    assert crop.heat.max() <= 1 and (crop.heat[crop.region != REGIONS.index("thing")] < 0.9).all()
+
+
+def test_the_same_seed_cuts_the_same_crop():
+    first, again = (cut(sample(), 64, np.random.default_rng(3)) for _ in range(2))
+    np.testing.assert_array_equal(first.image, again.image)
+    np.testing.assert_array_equal(first.masks, again.masks)
+
+
+def test_the_right_answer_costs_least():
+    wished = torch.zeros(2, 16, 16)
+    wished[:, 4:9, 3:12] = 1
+    right, wrong = 12 * (2 * wished - 1), 12 * (1 - 2 * wished)
+    assert losses.overlap_loss(right, wished) < 0.05 < 0.9 < losses.overlap_loss(wrong, wished)
+    weight = torch.ones_like(wished)
+    assert losses.heat_loss(right, wished, weight) < 1e-3 < losses.heat_loss(wrong, wished, weight)
+    assert losses.heat_loss(wrong, wished, 0 * weight) == 0
+
+
+def test_every_term_reaches_the_network():
+    torch.manual_seed(0)
+    eye = Eye(len(CATEGORIES) + 1)
+    rng = np.random.default_rng(0)
+    batch = train.collate([cut(sample(), 64, rng) for _ in range(4)])
+    found = losses.terms(eye, batch)
+    assert set(found) == set(losses.WEIGHTS)
+    losses.total(found).backward()
+    still = [n for n, p in eye.named_parameters() if p.grad is None or not p.grad.abs().sum()]
+    assert not still
+
+
+def _args(data, out, minutes: float) -> argparse.Namespace:
+    return argparse.Namespace(
+        data=data, out=out, minutes=minutes, batch=2, size=64, rate=1e-3, seed=0, workers=0,
+        device="cpu",
+    )  # fmt: skip
+
+
+def test_a_run_goes_on_where_it_stopped(tmp_path, monkeypatch):
+    monkeypatch.setattr(train, "new_eye", lambda: Eye(len(CATEGORIES) + 1))
+    with ShardWriter(tmp_path / "a.shard", list(CATEGORIES)) as shard:
+        shard.add(sample())
+    train.train(_args(tmp_path, tmp_path / "run", 1e-4))
+    first = train.Run(tmp_path / "run", 1e-3, "cpu")
+    assert first.steps >= 1 and first.spent > 0
+    train.train(_args(tmp_path, tmp_path / "run", 2e-4 + first.spent / 60))
+    assert train.Run(tmp_path / "run", 1e-3, "cpu").steps > first.steps
+
+
+def test_an_empty_folder_is_refused(tmp_path):
+    with pytest.raises(InputError, match="No shards"):
+        train.Crops(tmp_path, 64, 1, 0, 0)
+
+
+def test_new_categories_start_as_unknown_does():
+    state = {f"namer.2.{part}": torch.arange(3.0) for part in ("weight", "bias")}
+    changed = train.renamed(state, ["a", "b"], ["b", "c"])
+    assert changed["namer.2.bias"].tolist() == [1.0, 2.0, 2.0]
