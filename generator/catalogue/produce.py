@@ -39,7 +39,8 @@ def avocado(look: Look) -> Shape:
     top = float(lower.vertices[:, 2].max())
     rim = np.concatenate([np.column_stack([-profile[:, 1], -profile[:, 0]])[::-1],
                           np.column_stack([-profile[:, 1], profile[:, 0]])[1:-1]])  # fmt: skip
-    rim = rim if np.cross(rim[1] - rim[0], rim[2] - rim[1]) > 0 else rim[::-1]
+    (ax, ay), (bx, by) = rim[1] - rim[0], rim[2] - rim[1]
+    rim = rim if ax * by > ay * bx else rim[::-1]
     pale = textures.speckled(look.rng, (214, 214, 128), 8)
     edge = prism(0.985 * rim, top - 0.001, top + 0.0008)
     flesh = prism(0.87 * rim, top, top + 0.0014)
