@@ -21,7 +21,8 @@ WORKING_SIZE = 640
 
 _POINTS = 240  # along the outline
 _SMALLEST = 0.015  # of the picture: a smaller top is none
-_REACH = 3.5  # pixels that a point may be moved to find an edge
+_REACH = 3.0  # pixels that a point may be moved to find an edge
+_NEAR = 1.5  # pixels: how soon a farther edge counts for less
 _AWAY = 4.0  # pixels within which the patch itself must end
 _LEAST = 0.35  # of the points: with fewer in plain sight, the hidden ones count as well
 
@@ -123,7 +124,7 @@ def snap(
     """Move points along their normals onto the strongest near edge; nearer ones count for more."""
     offsets = np.arange(-_REACH, _REACH + 0.25, 0.5)
     along = points[:, None] + offsets[None, :, None] * normals[:, None]
-    near = np.exp(-((offsets / _REACH) ** 2))
+    near = np.exp(-((offsets / _NEAR) ** 2))
     best = (_sampled(strength, along) * near).argmax(1)
     return along[np.arange(len(points)), best]
 
