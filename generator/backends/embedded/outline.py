@@ -21,6 +21,7 @@ WORKING_SIZE = 640
 
 _POINTS = 240  # along the outline
 _SMALLEST = 0.015  # of the picture: a smaller top is none
+_SURE, _FILLED = 0.75, 0.7  # a top's mean probability, and the share of its hull that it fills
 _REACH = 3.0  # pixels that a point may be moved to find an edge
 _NEAR = 1.5  # pixels: how soon a farther edge counts for less
 _AWAY = 4.0  # pixels within which the patch itself must end
@@ -55,12 +56,7 @@ def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> tuple[Outli
     """
     lab, factor = working_copy(image)
     height, width = lab.shape[:2]
-    top = main_part(cv2.resize(np.asarray(sight.top, np.float32), (width, height)) > 0.5)
-    if top.sum() < _SMALLEST * top.size:
-        raise SceneError(
-            "No table found in the picture. Show the table's upper side, lit well enough to tell "
-            "it from what is around it."
-        )
+    top = cv2.resize(top_of(sight).astype(np.float32), (width, height)) > 0.5
     region = cv2.resize(sight.region.argmax(0).astype(np.uint8), (width, height), interpolation=0)
     points, normals = walk(hull_of(top), _POINTS)
     ends = _distance(~top, points) < _AWAY
@@ -71,6 +67,24 @@ def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> tuple[Outli
     hull = cv2.convexHull(points.astype(np.float32))[:, 0].astype(float)
     kept = plain if plain.mean() > _LEAST else ends | plain
     return Outline(hull, points[kept] if kept.sum() > 20 else points), factor
+
+
+def top_of(sight: Sight) -> Bool[np.ndarray, "h w"]:
+    """Return the pixels of the whole tabletop, things on it included.
+
+    Raises:
+        SceneError: the eye sees none: too small, ragged or doubtful a patch is no tabletop.
+    """
+    top = main_part(sight.top > 0.5)
+    if top.sum() >= _SMALLEST * top.size and sight.top[top].mean() > _SURE:
+        hull = np.zeros(top.shape, np.uint8)
+        cv2.fillConvexPoly(hull, np.round(hull_of(top)).astype(np.int32), 1)
+        if top.sum() > _FILLED * hull.sum():
+            return top
+    raise SceneError(
+        "No table found in the picture. Show the table's upper side, lit well enough to tell it "
+        "from what is around it."
+    )
 
 
 def main_part(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:

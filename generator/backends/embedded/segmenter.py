@@ -9,14 +9,13 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, UInt8
 
-from ...errors import SceneError
 from ...geometry import mask_box
 from ...scene import TABLE, Detection
 from .eye.sight import Sight, Thing, see
 from .eye.weights import load_weights
 from .measure import measured_extent
 from .naming import assigned, free_labels, shape_word, table_scale, weighed
-from .outline import main_part
+from .outline import main_part, top_of
 from .tabletop import find_tabletop
 
 GENERIC = "object"
@@ -58,14 +57,12 @@ class Segmenter:
         table = main_part(np.isin(sight.region.argmax(0), (1, 2)))
         for thing in found:
             table &= ~thing.mask
-        if not table.any():
-            raise SceneError("No table found in the picture. Show the table's upper side.")
         return (Detection(TABLE, mask_box(table), table), *found)
 
 
 def _on_table(sight: Sight, least: float) -> list[Thing]:
     """Return the things that stand on the table or on each other, not beside or under it."""
-    top = main_part(sight.top > 0.5)
+    top = top_of(sight)
     side = max(top.shape)
     near = cv2.dilate(top.astype(np.uint8), np.ones((side // 60 + 1, side // 60 + 1))) > 0
     kept = []

@@ -11,7 +11,7 @@ from ...scene import PlannedTable, View
 from .cut_plane import is_cut, plane_from_view
 from .eye.horizon import fit_view
 from .eye.sight import Sight, see
-from .outline import find_outline, main_part
+from .outline import find_outline, top_of
 from .plane import TablePlane, fit_plane
 
 
@@ -56,8 +56,8 @@ def _found(
     sight = see(image)
     elevation, fov = fit_view(sight.latitude)
     expected = View(0.0, elevation, fov)
-    top = main_part(sight.top > 0.5)
-    if plan is None and top.any() and is_cut(top):
+    top = top_of(sight)
+    if plan is None and is_cut(top):
         return plane_from_view(top, view or expected, hidden=_things(sight), length=length)
     outline, factor = find_outline(image, sight)
     return fit_plane(outline, factor, (size[1], size[0]), expected, plan, length, view)

@@ -73,4 +73,5 @@ def save_weights(
     notes = {"categories": json.dumps(list(categories)), "temperature": f"{temperature:.4f}"}
     partial = path.with_suffix(".partial")
     save_file(small, partial, metadata=notes)
+    partial.chmod(0o644)
     partial.replace(path)
