@@ -58,7 +58,7 @@ def free_labels(names: Float[np.ndarray, "n k"], keys: Sequence[str]) -> list[st
     """Return each thing's noun, or None where no category is likely enough."""
     best = names[:, :-1].argmax(1)
     return [
-        CATEGORIES[keys[k]].noun if p[k] > _SURE and p[k] > p[-1] else None
+        CATEGORIES[keys[int(k)]].noun if p[k] > _SURE and p[k] > p[-1] else None
         for p, k in zip(names, best, strict=True)
     ]
 
