@@ -84,7 +84,7 @@ def arrange(
     center = outline.mean(0) + rng.uniform(-0.25, 0.25, 2) * np.ptp(outline, axis=0)
     spread = float(rng.uniform(0.08, 0.2)) if tight else 0.0
     grown = float(rng.uniform(0.9, 1.6))
-    stacking = float(rng.choice([0.0, 0.25, 0.6]))
+    stacking = float(rng.choice([0.0, 0.25, 0.5, 0.8]))
     placed: list[Placed] = []
     for _ in range(count * 2):
         if len(placed) >= count:

@@ -46,12 +46,9 @@ def calibrated(eye: Eye, data: Path, batches: int, seed: int) -> float:
     with torch.inference_mode():
         for k in track(range(batches), "calibrating"):
             batch = collate([crops[8 * k + j] for j in range(8)])
-            if not len(batch.cells):
+            if not len(batch.looks):
                 continue
-            maps = eye(batch.image)
-            shape = maps.mask.shape[2:]
-            seen = functional.interpolate(batch.masks[:, :1].float(), size=shape, mode="area")[:, 0]
-            named = eye.names(maps, batch.owner, batch.cells, seen)
+            named = eye.names(batch.looks, batch.shown, batch.hints)
             logits.append(named)
             wished.append(torch.where(batch.category < 0, named.shape[1] - 1, batch.category))
     found, right = torch.cat(logits), torch.cat(wished)

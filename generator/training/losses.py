@@ -15,7 +15,6 @@ WEIGHTS: Mapping[str, float] = {
     "heat": 1.0, "box": 0.5, "mask": 2.0, "whole": 1.0, "name": 0.6, "region": 1.0, "top": 1.0,
     "latitude": 4.0,
 }  # fmt: skip
-_READABLE = 28.0  # side in mask cells from which a thing's name counts in full
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,6 +31,9 @@ class Batch:
     cells: Tensor
     boxes: Tensor
     masks: Tensor
+    looks: Tensor
+    shown: Tensor
+    hints: Tensor
     category: Tensor
 
     def to(self, device: str) -> Batch:
@@ -68,9 +70,10 @@ def terms(eye: Eye, batch: Batch) -> dict[str, Tensor]:
         "top": overlap_loss(maps.top[:, 0].float(), wished_top[:, 0]),
         "latitude": (maps.latitude[:, 0].float() - batch.latitude).abs().mean(),
     }
+    found["name"] = _name_loss(eye, batch) if len(batch.looks) else maps.box.sum() * 0
     if not len(batch.cells):
         zero = maps.box.sum() * 0
-        return found | {"box": zero, "mask": zero, "whole": zero, "name": zero}
+        return found | {"box": zero, "mask": zero, "whole": zero}
     column, row = batch.cells[:, 0], batch.cells[:, 1]
     box = maps.box[batch.owner, :, row, column].float()
     found["box"] = functional.smooth_l1_loss(box, batch.boxes.log(), beta=0.2)
@@ -80,15 +83,14 @@ def terms(eye: Eye, batch: Batch) -> dict[str, Tensor]:
     fine = functional.interpolate(drawn.float(), size=wished.shape[2:], mode="bilinear")
     found["mask"] = overlap_loss(fine[:, 0], wished[:, 0])
     found["whole"] = overlap_loss(fine[:, 1], wished[:, 1])
-    visible = functional.interpolate(wished[:, :1], size=drawn.shape[2:], mode="area")[:, 0]
-    names = eye.names(maps, batch.owner, batch.cells, visible)
-    category = torch.where(batch.category < 0, names.shape[1] - 1, batch.category)
-    large = (wished[:, 0].sum((1, 2)).sqrt() / _READABLE).clamp(max=1.0)
-    cross = functional.cross_entropy(
-        names.float(), category, reduction="none", label_smoothing=0.05
-    )
-    found["name"] = (cross * large).sum() / large.sum().clamp(min=1e-3)
     return found
+
+
+def _name_loss(eye: Eye, batch: Batch) -> Tensor:
+    looks = batch.looks.contiguous(memory_format=torch.channels_last)
+    names = eye.names(looks, batch.shown, batch.hints)
+    category = torch.where(batch.category < 0, names.shape[1] - 1, batch.category)
+    return functional.cross_entropy(names.float(), category, label_smoothing=0.05)
 
 
 def total(found: Mapping[str, Tensor]) -> Tensor:

@@ -40,9 +40,17 @@ def surface(rng: np.random.Generator) -> Picture:
     if kind == 2:
         return carpet(rng)
     if kind == 3:
-        return textures.marble(rng, (225, 222, 216), (150, 145, 140), 128)
+        return stone(rng)
     color = tinted(muted(rng), 1.5) if kind == 4 else muted(rng)
     return textures.speckled(rng, color, float(rng.uniform(2, 14)), 128)
+
+
+def stone(rng: np.random.Generator) -> Picture:
+    """Return veined stone, from faint grey veins in white to bold ones of any colour."""
+    if rng.random() < 0.4:
+        return textures.marble(rng, (225, 222, 216), (150, 145, 140), 128)
+    ground = muted(rng) if rng.random() < 0.5 else tinted(muted(rng), 1.6)
+    return textures.marble(rng, ground, muted(rng), 128)
 
 
 def carpet(rng: np.random.Generator) -> Picture:

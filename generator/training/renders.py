@@ -6,7 +6,7 @@ import argparse
 import multiprocessing
 import os
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import get_args
 
@@ -22,19 +22,18 @@ SIDE = 512
 """Pixels a side of every picture."""
 
 PER_SHARD = 100
-PER_SUPPLY = 4
-"""Samples a shard, and shards that share one supply of models."""
+"""Samples a shard; each shard has a supply of its own."""
 
 
 @dataclass(frozen=True)
 class Job:
-    """Shards to make: their numbers are ``PER_SUPPLY * group + k``; all must be of one group."""
+    """A shard to make."""
 
     out: Path
     seed: int
     split: Split
-    group: int
-    shards: tuple[tuple[int, int], ...]  # number, samples
+    number: int
+    samples: int
 
 
 def shard_path(out: Path, split: Split, seed: int, number: int) -> Path:
@@ -44,25 +43,11 @@ def shard_path(out: Path, split: Split, seed: int, number: int) -> Path:
 
 def plan(out: Path, count: int, seed: int, split: Split) -> tuple[Job, ...]:
     """Return what is left to render of ``count`` samples; finished shards are skipped."""
-    jobs = []
-    total = -(-count // PER_SHARD)
-    for group in range(-(-total // PER_SUPPLY)):
-        numbers = range(PER_SUPPLY * group, min(PER_SUPPLY * (group + 1), total))
-        left = tuple(
-            (k, min(PER_SHARD, count - k * PER_SHARD))
-            for k in numbers
-            if _held(shard_path(out, split, seed, k)) < min(PER_SHARD, count - k * PER_SHARD)
-        )
-        if left:
-            jobs.append(Job(out, seed, split, group, left))
-    return tuple(jobs)
-
-
-def spread(jobs: tuple[Job, ...], workers: int) -> tuple[Job, ...]:
-    """Return the jobs cut into single shards where they are too few to keep workers busy."""
-    if len(jobs) >= 2 * workers or workers == 1:
-        return jobs
-    return tuple(replace(job, shards=(shard,)) for job in jobs for shard in job.shards)
+    jobs = (
+        Job(out, seed, split, k, min(PER_SHARD, count - k * PER_SHARD))
+        for k in range(-(-count // PER_SHARD))
+    )
+    return tuple(j for j in jobs if _held(shard_path(out, split, seed, j.number)) < j.samples)
 
 
 def _held(path: Path) -> int:
@@ -74,8 +59,8 @@ def _held(path: Path) -> int:
     return len(reader)
 
 
-def render(job: Job) -> list[int]:
-    """Render a job's shards and return how many samples each got.
+def render(job: Job) -> int:
+    """Render a shard and return how many samples it got.
 
     Every sample depends on seed, split, its shard and its place alone.
     """
@@ -83,21 +68,20 @@ def render(job: Job) -> list[int]:
     from .rendering import render_sample
 
     origin = SEEDS[job.split][0]
-    kept = supply(job.seed * 100_003 + job.group, job.split)
+    kept = supply(job.seed * 100_003 + job.number, job.split)
     painter = Painter(kept.stock, SIDE)
+    path = shard_path(job.out, job.split, job.seed, job.number)
     try:
-        for number, count in job.shards:
-            path = shard_path(job.out, job.split, job.seed, number)
-            with ShardWriter(path, KEYS) as writer:
-                for k in range(count):
-                    rng = np.random.default_rng([origin, job.seed, number, k])
-                    writer.add(render_sample(rng, kept, painter))
+        with ShardWriter(path, KEYS) as writer:
+            for k in range(job.samples):
+                rng = np.random.default_rng([origin, job.seed, job.number, k])
+                writer.add(render_sample(rng, kept, painter))
     finally:
         painter.close()
-    return [count for _, count in job.shards]
+    return job.samples
 
 
-def render_all(jobs: tuple[Job, ...], workers: int) -> Iterator[list[int]]:
+def render_all(jobs: tuple[Job, ...], workers: int) -> Iterator[int]:
     """Run jobs in ``workers`` processes (1: in this one); yields as they finish."""
     os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software GL: one thread each
     if workers <= 1:
@@ -131,13 +115,13 @@ def main() -> None:
 def _run(jobs: tuple[Job, ...], workers: int, count: int) -> None:
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
-    left = sum(samples for job in jobs for _, samples in job.shards)
+    left = sum(job.samples for job in jobs)
     with Progress(
         "rendering", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
     ) as progress:
         bar = progress.add_task("rendering", total=count, completed=count - left)
-        for done in render_all(spread(jobs, workers), workers):
-            progress.advance(bar, sum(done))
+        for done in render_all(jobs, workers):
+            progress.advance(bar, done)
 
 
 if __name__ == "__main__":

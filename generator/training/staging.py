@@ -68,6 +68,7 @@ def stage(rng: np.random.Generator, supply: Supply, side: int) -> Staging:
     cartoon = bool(rng.random() < 0.12)
     lamps = _lamps(rng, view, cartoon)
     tone = TONES[int(rng.choice(len(TONES), p=[share for _, share in TONES]))][0]
+    tone = tone if supply.borrows else "any"
     tabletop = [*_furniture(rng, supply, index, tone), *_covers(rng, supply, outline, height)]
     backdrop, surroundings = _surroundings(rng, supply, setting, camera, view, outline, lamps)
     return Staging(
@@ -184,7 +185,7 @@ def _drawn(rng: np.random.Generator, supply: Supply, placed: Placed, tone: Tone)
     mesh = supply.model_mesh(placed.model)
     texture = mesh
     color = np.ones(4)
-    chance = rng.random()
+    chance = rng.random() if supply.borrows else 1.0
     if chance < 0.06:
         texture = int(rng.choice([*supply.cloths, *supply.prints, *supply.surfaces]))
     elif chance < 0.16:  # one colour

@@ -22,9 +22,17 @@ from .pool import Stock, stock
 from .sample import UNKNOWN
 from .strangers import stranger
 
-Split = Literal["train", "eval"]
-SEEDS: dict[str, tuple[int, int]] = {"train": (0, 1_000), "eval": (10_000, 20_000)}
-"""Catalogue seeds of each split: what is evaluated on was never trained on."""
+Split = Literal["train", "eval", "hard"]
+SEEDS: dict[str, tuple[int, int]] = {
+    "train": (0, 1_000),
+    "eval": (10_000, 20_000),
+    "hard": (20_000, 30_000),
+}
+"""Catalogue seeds of each split: what is evaluated on was never trained on.
+
+In "eval" things look as the catalogue makes them; in the others many wear borrowed colours and
+textures, and some scenes are white or dark all over.
+"""
 
 KEYS = tuple(sorted(CATEGORIES))
 """Category keys that a sample's ``category`` indexes."""
@@ -41,7 +49,8 @@ class Supply:
 
     The first meshes are unit boxes, one for each of ``REPEATS``; then come the tables, three meshes
     each (what is under the top, the top, the top with one picture laid flat over it), then the
-    models. ``surfaces``, ``cloths`` and ``prints`` number textures.
+    models. ``surfaces``, ``cloths`` and ``prints`` number textures. With ``borrows``, things may
+    wear other colours and textures than their own.
     """
 
     stock: Stock
@@ -52,6 +61,7 @@ class Supply:
     surfaces: tuple[int, ...]
     cloths: tuple[int, ...]
     prints: tuple[int, ...]
+    borrows: bool = True
 
     def table_mesh(self, index: int) -> int:
         """Return the number of a table's first mesh."""
@@ -89,6 +99,7 @@ def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supp
         tuple(numbers[:14]),
         tuple(numbers[14:22]),
         tuple(numbers[22:]),
+        split != "eval",
     )
 
 

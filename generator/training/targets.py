@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
 
-from ..backends.embedded.eye.network import STRIDE
+from ..backends.embedded.eye.closeups import CELL, Closeup, closeup
+from ..backends.embedded.eye.network import CLOSEUP, HINTS, STRIDE
 from ..geometry import Camera, view_rotation
 from .nothing import nothing
 from .sample import Sample
@@ -19,6 +20,8 @@ _FALL = 0.3  # how fast the wished-for certainty falls off towards the outline
 _MOST = 7  # things of one crop whose masks are learned
 _CELLS = 2  # cells that answer for each of them
 _USUAL = 0.8  # radians below the horizon, where there is nothing to tell it from
+_NAMED = 4  # things of one sample that are named
+_READABLE = 100  # visible pixels that a name can be read from
 _FINE = 2  # picture pixels a cell of the mask targets
 
 
@@ -26,9 +29,10 @@ _FINE = 2  # picture pixels a cell of the mask targets
 class Crop:
     """A picture cut out of a sample, with targets; "cells" are ``STRIDE`` pixels wide.
 
-    ``weight`` is 0 where things too small to be asked for hide. ``cells``, ``boxes``, ``masks``
-    and ``category`` belong to the answering cells: column and row, the distances in cells of the
-    visible and the whole box, both masks at half size, the name's index (-1 unknown).
+    ``weight`` is 0 where things too small to be asked for hide. ``cells``, ``boxes`` and ``masks``
+    belong to the answering cells: column and row, the distances in cells of the visible and the
+    whole box, both masks at half size. ``looks``, ``shown``, ``hints`` and ``category`` belong to
+    things of the sample looked at close up; a category of -1 is unknown.
     """
 
     image: UInt8[np.ndarray, "s s 3"]
@@ -40,7 +44,10 @@ class Crop:
     cells: Int[np.ndarray, "k 2"]
     boxes: Float[np.ndarray, "k 8"]
     masks: Bool[np.ndarray, "k 2 f f"]
-    category: Int[np.ndarray, "k"]
+    looks: UInt8[np.ndarray, "n l l 3"]
+    shown: Float[np.ndarray, "n m m"]
+    hints: Float[np.ndarray, "n 3"]
+    category: Int[np.ndarray, "n"]
 
 
 def window(sample: Sample, rng: np.random.Generator) -> tuple[int, int, int]:
@@ -79,7 +86,7 @@ def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
     image = scaled(sample.image, size, way)
     heat, weight, chosen = _hearts(visible, rng)
     grid = size // STRIDE
-    cells, boxes, masks, category = [], [], [], []
+    cells, boxes, masks = [], [], []
     fine = size // _FINE
     for index, spots in chosen:
         whole = scaled(sample.full[index - 1].astype(np.uint8), size, cv2.INTER_NEAREST) > 0
@@ -89,7 +96,6 @@ def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
             cells.append(spot)
             boxes.append(np.concatenate([_reach(seen, spot), _reach(whole | seen, spot)]))
             masks.append(both)
-            category.append(int(sample.category[index - 1]))
     half = size // (2 * STRIDE)
     return Crop(
         _jittered(image, rng),
@@ -101,7 +107,7 @@ def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
         np.array(cells, np.int64).reshape(-1, 2),
         np.array(boxes, np.float32).reshape(-1, 8),
         np.array(masks, bool).reshape(-1, 2, fine, fine),
-        np.array(category, np.int64),
+        *closeups(sample, rng),
     )
 
 
@@ -118,7 +124,49 @@ def blank(size: int, rng: np.random.Generator) -> Crop:
         np.zeros((0, 2), np.int64),
         np.zeros((0, 8), np.float32),
         np.zeros((0, 2, fine, fine), bool),
-        np.zeros(0, np.int64),
+        *_side_by_side([], []),
+    )
+
+
+def closeups(
+    sample: Sample, rng: np.random.Generator, most: int = _NAMED
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Look closely at some things of a sample: the last four fields of a :class:`Crop`."""
+    area = np.bincount(sample.visible.ravel(), minlength=len(sample.full) + 1)[1:]
+    share = area / np.maximum(sample.full.sum((1, 2)), 1)
+    readable = np.flatnonzero((area >= _READABLE) & (share >= 0.15))
+    looks: list[Closeup] = []
+    chosen = rng.permutation(readable)[:most]
+    for k in chosen:
+        mask = _roughened(sample.visible == k + 1, rng)
+        slip = rng.normal(0.0, 0.05, 4)
+        look = closeup(sample.image, mask, float(sample.top.sum()), slip)
+        if rng.random() < 0.5:
+            image, visible = look.image[:, ::-1], look.visible[:, ::-1]
+            look = replace(look, image=np.ascontiguousarray(image), visible=visible)
+        looks.append(replace(look, image=_jittered(look.image, rng)))
+    return _side_by_side(looks, [int(c) for c in sample.category[chosen]])
+
+
+def _roughened(mask: Bool[np.ndarray, "h w"], rng: np.random.Generator) -> np.ndarray:
+    """Return a mask as the eye might draw it: a little too wide or too narrow."""
+    grow = int(rng.integers(-1, 3))
+    if grow == 0:
+        return mask
+    way = cv2.dilate if grow > 0 else cv2.erode
+    changed = way(mask.astype(np.uint8), np.ones((3, 3), np.uint8), iterations=abs(grow)) > 0
+    return changed if changed.any() else mask
+
+
+def _side_by_side(
+    looks: list[Closeup], category: list[int]
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    count, cells = len(looks), CLOSEUP // CELL
+    return (
+        np.array([x.image for x in looks], np.uint8).reshape(count, CLOSEUP, CLOSEUP, 3),
+        np.array([x.visible for x in looks], np.float32).reshape(count, cells, cells),
+        np.array([x.hints for x in looks], np.float32).reshape(count, HINTS),
+        np.array(category, np.int64),
     )
 
 

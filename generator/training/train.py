@@ -99,6 +99,9 @@ def collate(crops: list[Crop]) -> Batch:
         joined("cells"),
         joined("boxes"),
         joined("masks"),
+        joined("looks").permute(0, 3, 1, 2).float() / 255,
+        joined("shown"),
+        joined("hints"),
         joined("category"),
     )
 
@@ -207,7 +210,7 @@ def renamed(
     if old == new:
         return state
     rows = [old.index(key) if key in old else len(old) for key in new] + [len(old)]
-    changed = {f"namer.2.{part}": state[f"namer.2.{part}"][rows] for part in ("weight", "bias")}
+    changed = {f"namer.1.{part}": state[f"namer.1.{part}"][rows] for part in ("weight", "bias")}
     return {**state, **changed}
 
 

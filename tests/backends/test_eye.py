@@ -7,9 +7,10 @@ import pytest
 import torch
 
 from generator.backends.embedded.eye import weights
+from generator.backends.embedded.eye.frames import Frame
 from generator.backends.embedded.eye.horizon import fit_view
 from generator.backends.embedded.eye.lite0 import CHANNELS, Lite0, folded
-from generator.backends.embedded.eye.network import STRIDE, Eye
+from generator.backends.embedded.eye.network import HINTS, STRIDE, Eye
 from generator.errors import BackendError
 from generator.geometry import Camera, view_rotation
 from generator.scene import View
@@ -39,7 +40,7 @@ def test_folding_a_norm_changes_nothing():
     torch.testing.assert_close(stem(x), norm(conv(x)), rtol=1e-4, atol=1e-4)
 
 
-def test_masks_and_names_belong_to_their_cells():
+def test_masks_belong_to_their_cells():
     torch.manual_seed(0)
     eye = Eye(4).eval()
     maps = eye(torch.rand(2, 3, 64, 64))
@@ -47,9 +48,33 @@ def test_masks_and_names_belong_to_their_cells():
     masks = eye.masks(maps, owner, cells, torch.full((3,), 5.0))
     assert masks.shape == (3, 2, 64 // STRIDE, 64 // STRIDE)
     assert not torch.allclose(masks[0], masks[1]) and not torch.allclose(masks[1], masks[2])
-    names = eye.names(maps, owner, cells, masks[:, 0].sigmoid())
-    alone = eye.names(maps, owner[2:], cells[2:], masks[2:, 0].sigmoid())
-    torch.testing.assert_close(names[2:], alone)
+
+
+def test_a_name_is_read_from_its_own_closeup():
+    torch.manual_seed(0)
+    eye = Eye(4).eval()
+    looks, visible, told = torch.rand(3, 3, 64, 64), torch.zeros(3, 16, 16), torch.zeros(3, HINTS)
+    visible[:, 4:12, 4:12] = 1
+    names = eye.names(looks, visible, told)
+    assert names.shape == (3, 4)
+    torch.testing.assert_close(names[2:], eye.names(looks[2:], visible[2:], told[2:]))
+    visible[0, 4:12, 4:12], visible[0, :3] = 0, 1
+    assert not torch.allclose(eye.names(looks, visible, told)[0], names[0])
+
+
+def test_a_frame_shows_what_lies_around_a_box_and_carries_masks_back():
+    image = np.zeros((120, 160, 3), np.uint8)
+    mask = np.zeros((120, 160), bool)
+    mask[40:80, 100:110] = True
+    image[mask] = 255
+    for side in (32, 128):
+        frame = Frame.around(np.array([100.0, 40.0]), np.array([110.0, 80.0]), side, 1.25)
+        seen = frame.cut(image)[..., 0] / 255
+        carried = frame.carried(mask.astype(np.float32), 1.0, 1, 1)
+        np.testing.assert_allclose(seen, carried, atol=0.35)
+        assert seen.mean() == pytest.approx(0.8 * 0.2, rel=0.1)
+        (back,) = frame.spread(carried[None].astype(np.float32), mask.shape)
+        assert (back & mask).sum() > 0.9 * (back | mask).sum()
 
 
 @pytest.mark.parametrize(("elevation", "fov"), [(20, 60), (45, 40), (80, 30)])

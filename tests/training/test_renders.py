@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -121,20 +122,29 @@ def test_finished_shards_are_not_made_again(
         renders, "supply", lambda seed, split: supply(seed, split, models=12, tables=2)
     )
     jobs = renders.plan(tmp_path, 3, 1, "eval")
-    assert [job.shards for job in jobs] == [((0, 2), (1, 1))]
-    assert renders.render(jobs[0]) == [2, 1]
+    assert [(job.number, job.samples) for job in jobs] == [(0, 2), (1, 1)]
+    assert [renders.render(job) for job in jobs] == [2, 1]
     first = [path.read_bytes() for path in sorted(tmp_path.iterdir())]
     assert renders.plan(tmp_path, 3, 1, "eval") == ()
     (tmp_path / "eval-1-00001.shard").unlink()
     left = renders.plan(tmp_path, 3, 1, "eval")
-    assert [job.shards for job in left] == [((1, 1),)]
+    assert [(job.number, job.samples) for job in left] == [(1, 1)]
     renders.render(left[0])
     assert [path.read_bytes() for path in sorted(tmp_path.iterdir())] == first
 
 
 def test_splits_share_no_catalogue_seed() -> None:
-    (_, last), (first, _) = SEEDS["train"], SEEDS["eval"]
-    assert last <= 1000 < 10_000 <= first
+    ranges = sorted(SEEDS.values())
+    assert all(last <= first for (_, last), (first, _) in itertools.pairwise(ranges))
+
+
+def test_evaluated_things_look_as_the_catalogue_makes_them() -> None:
+    kept = supply(5, "eval", models=24, tables=3)
+    for seed in range(4):
+        staging = stage(np.random.default_rng(seed), kept, SIDE)
+        for thing, placed in zip(staging.objects, staging.placed, strict=True):
+            assert thing.texture == thing.mesh == kept.model_mesh(placed.model)
+            assert thing.color[:3] == (1.0, 1.0, 1.0)
 
 
 def test_without_opengl_the_error_names_the_packages(

@@ -15,6 +15,9 @@ from torch import Tensor, nn
 CHANNELS = (24, 40, 112, 320)
 """Channels of the maps of stride 4, 8, 16, 32."""
 
+SUMMARY = 1280
+"""Channels of :meth:`Lite0.summary`."""
+
 _STAGES = (  # kernel, stride, expansion, in, out, repeats
     (3, 1, 1, 32, 16, 1),
     (3, 2, 6, 16, 24, 2),
@@ -64,6 +67,7 @@ class Lite0(nn.Module):
                 )  # fmt: skip
             self.ends.append(len(blocks) - 1)
         self.blocks = nn.ModuleList(blocks)
+        self.head = nn.Conv2d(CHANNELS[-1], SUMMARY, 1)
 
     def forward(self, images: Tensor) -> tuple[Tensor, Tensor, Tensor, Tensor]:
         """Return the maps of stride 4, 8, 16 and 32, with ``CHANNELS`` channels."""
@@ -74,6 +78,10 @@ class Lite0(nn.Module):
             if k in (self.ends[stage] for stage in _TAPS):
                 taps.append(x)
         return taps[0], taps[1], taps[2], taps[3]
+
+    def summary(self, deepest: Tensor) -> Tensor:
+        """Return the features that ImageNet's classes were told from, of the deepest map."""
+        return nn.functional.relu6(self.head(deepest))
 
 
 def folded(published: Mapping[str, Tensor]) -> dict[str, Tensor]:
@@ -89,7 +97,7 @@ def folded(published: Mapping[str, Tensor]) -> dict[str, Tensor]:
             state |= _fold(published, f"{old}_expand_conv", f"{old}_bn0", f"{new}expand")
         state |= _fold(published, f"{old}_depthwise_conv", f"{old}_bn1", f"{new}depthwise")
         state |= _fold(published, f"{old}_project_conv", f"{old}_bn2", f"{new}project")
-    return state
+    return state | _fold(published, "_conv_head", "_bn1", "head")
 
 
 def _fold(published: Mapping[str, Tensor], conv: str, norm: str, name: str) -> dict[str, Tensor]:

@@ -4,24 +4,33 @@ Boxes come first and names second: every cell inside a thing's visible middle an
 thing. A cell tells how sure it is, the boxes of the visible and of the whole thing, and the weights
 of a tiny mask network of its own (conditional convolutions: Tian et al., "Conditional Convolutions
 for Instance Segmentation", ECCV 2020), which draws the visible and the whole mask from shared mask
-features. Names come from the features under the mask. The view is a map, each pixel's angle below
-the horizon (as in Jin et al., "Perspective Fields", CVPR 2023), so that crops can be learned from.
+features. Names come from the encoder alone, which looks at each thing close up and reads the
+features under its mask. The view is a map, each pixel's angle below the horizon (as in Jin et al.,
+"Perspective Fields", CVPR 2023), so that crops can be learned from.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import torch
 from torch import Tensor, nn
+from torch.nn import functional
 
-from .lite0 import CHANNELS, Lite0
+from .lite0 import CHANNELS, SUMMARY, Lite0
 
 STRIDE = 4
 """Picture pixels a cell of the dense maps."""
 
 REGIONS = ("background", "top", "legs", "thing")
 """What a pixel shows: the channels of ``Maps.region``; "legs" is the table but its upper side."""
+
+CLOSEUP, CLOSE_ROOM = 128, 1.25
+"""Pixels a side of the look a thing is named from, and its width over the thing's box."""
+
+HINTS = 3
+"""What the namer is told besides: see :func:`hints`."""
 
 _WIDTH = 96
 _MASK = 8  # channels of the mask features and of the layers in between
@@ -36,8 +45,8 @@ class Maps:
     ``heat`` (b, 1, h, w), ``box`` (b, 8, h, w): log distances in cells from the cell's centre to
     left, top, right, bottom of the visible box, then of the whole box. ``region`` (b, 4, h, w);
     ``top`` (b, 1, h, w): the whole upper side of the table, things on it included; ``latitude``
-    (b, 1, h/2, w/2): radians below the horizon. ``mask``, ``thing`` and ``deep`` are features for
-    ``masks`` and ``names``. h and w are the picture's over ``STRIDE``.
+    (b, 1, h/2, w/2): radians below the horizon. ``mask`` and ``thing`` are features for ``masks``.
+    h and w are the picture's over ``STRIDE``.
     """
 
     heat: Tensor
@@ -47,7 +56,6 @@ class Maps:
     latitude: Tensor
     mask: Tensor
     thing: Tensor
-    deep: tuple[Tensor, ...]
 
 
 class _Separable(nn.Module):
@@ -61,7 +69,7 @@ class _Separable(nn.Module):
         self.residual = inward == outward
 
     def forward(self, x: Tensor) -> Tensor:
-        y = nn.functional.relu(self.norm(self.pointwise(self.depthwise(x))))
+        y = functional.relu(self.norm(self.pointwise(self.depthwise(x))))
         return x + y if self.residual else y
 
 
@@ -89,9 +97,7 @@ class Eye(nn.Module):
         self.latitude = nn.Conv2d(_WIDTH, 1, 1)
         self.controller = nn.Linear(_WIDTH, _WEIGHTS)
         self.namer = nn.Sequential(
-            nn.Linear(2 * _WIDTH + sum(CHANNELS[2:]) + 3, 256),
-            nn.ReLU(),
-            nn.Linear(256, categories),
+            nn.Dropout(0.15), nn.Linear(SUMMARY + CHANNELS[2] + HINTS, categories)
         )
         for head in (self.heat, self.box, self.region, self.mask, self.latitude, self.controller):
             nn.init.normal_(head.weight, std=0.01)
@@ -108,7 +114,7 @@ class Eye(nn.Module):
         maps.append(x)
         for k in (2, 1, 0):
             lateral = self.lateral[k](features[k])
-            up = nn.functional.interpolate(x, size=lateral.shape[2:], mode="bilinear")
+            up = functional.interpolate(x, size=lateral.shape[2:], mode="bilinear")
             x = self.merge[k](lateral + up)
             maps.append(x)
         thing, surface = self.things(x), self.surfaces(x)
@@ -121,7 +127,6 @@ class Eye(nn.Module):
             self.latitude(self.level(maps[2])),
             self.mask(surface),
             thing,
-            features[2:],
         )
 
     def masks(self, maps: Maps, image: Tensor, cells: Tensor, sizes: Tensor) -> Tensor:
@@ -149,31 +154,40 @@ class Eye(nn.Module):
             w = weights[:, start:end].reshape(-1, outward, inward)
             b = weights[:, end : end + outward, None]
             z = torch.baddbmm(b.to(z.dtype), w.to(z.dtype), z)
-            z = nn.functional.relu(z) if k + 1 < len(_LAYERS) else z
+            z = functional.relu(z) if k + 1 < len(_LAYERS) else z
             start = end + outward
         return z.reshape(-1, 2, height, width)
 
-    def names(self, maps: Maps, image: Tensor, cells: Tensor, visible: Tensor) -> Tensor:
-        """Return (n, categories) logits of what the ``visible`` (n, h, w) masks in [0, 1] show."""
-        pooled = [_pooled(features, image, visible) for features in (maps.thing, *maps.deep)]
-        point = maps.thing[image, :, cells[:, 1], cells[:, 0]]
-        area = visible.sum((1, 2)).clamp(min=1e-3)
-        tall = (visible.amax(2) > 0.5).sum(1).clamp(min=1).log()
-        wide = (visible.amax(1) > 0.5).sum(1).clamp(min=1).log()
-        form = torch.stack([tall - wide, area.log() - tall - wide, (tall + wide) / 2 - 2], 1)
-        return self.namer(torch.cat([*pooled, point, form.to(point.dtype)], 1))
+    def names(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
+        """Return (n, categories) logits of what close-ups show.
+
+        Args:
+            closeups: (n, 3, s, s) in [0, 1], framed as ``CLOSE_ROOM`` says.
+            visible: (n, h, w) which part of each is the thing, in [0, 1], at any size.
+            hints: (n, HINTS), of :func:`hints`.
+        """
+        features = self.encoder(closeups)
+        summary = _pooled(self.encoder.summary(features[3]), visible)
+        return self.namer(torch.cat([summary, _pooled(features[2], visible), hints], 1))
 
 
-def _pooled(features: Tensor, image: Tensor, visible: Tensor) -> Tensor:
-    """Return the mean (n, c) of the features (b, c, h, w) under masks (n, h', w') in [0, 1]."""
+def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[float, ...]:
+    """Return what a close-up does not show of a thing: how slender, and how large on the table.
+
+    Args:
+        size: width and height of its box, pixels of the picture.
+        tabletop: pixels of the picture that the tabletop covers; 0 if it is not seen.
+        picture: pixels of the picture.
+    """
+    wide, tall = (max(float(s), 1.0) for s in size)
+    share = max(tabletop, 0.02 * picture)
+    large = math.log(max(wide, tall) / math.sqrt(share))
+    return (math.log(tall / wide), min(max(large, -4.0), 2.0) + 1.0, share / picture)
+
+
+def _pooled(features: Tensor, visible: Tensor) -> Tensor:
+    """Return the mean (n, c) of the features (n, c, h, w) under masks (n, h', w') in [0, 1]."""
     size = features.shape[2:]
-    weight = visible[:, None].to(features.dtype)
-    if weight.shape[2:] != size:
-        weight = nn.functional.interpolate(weight, size=size, mode="area")
-    flat, weight = features.flatten(2), weight.flatten(1)
-    weight = weight / weight.sum(1, keepdim=True).clamp(min=1e-4)
-    pooled = features.new_zeros(len(image), flat.shape[1])
-    for picture in image.unique().tolist():
-        own = image == picture
-        pooled = pooled.index_put((own,), weight[own] @ flat[picture].T)
-    return pooled
+    weight = functional.interpolate(visible[:, None].to(features.dtype), size=size, mode="area")
+    weight = weight + 1e-3
+    return (features * weight).sum((2, 3)) / weight.sum((2, 3))

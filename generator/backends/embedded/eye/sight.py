@@ -1,11 +1,12 @@
 """What the eye sees in one picture: the table, the things with their masks and names, the view.
 
-Two looks: the whole picture finds things; then each thing is looked at again, closer, for a finer
-mask and a better name.
+Three looks: the whole picture finds things; each thing is looked at again, closer, for a finer
+mask; and once more, alone, for its name.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -16,6 +17,8 @@ from jaxtyping import Bool, Float, UInt8
 from torch import Tensor
 from torch.nn import functional
 
+from .closeups import closeup
+from .frames import Frame
 from .network import STRIDE, Eye, Maps
 from .weights import Weights, load_weights
 
@@ -24,7 +27,6 @@ SIDE = 544
 
 _CLOSE = 192  # side of the closer looks
 _ROOM = 1.6  # side of a closer look over the longer side of the thing's box
-_NEARER = 0.75  # how much more the closer look has to say about a thing's name
 _FAINT = 0.12  # certainty below which a cell is not asked
 _LEAST = 0.15  # certainty of a thing that is told at all
 _MOST = 90  # cells asked
@@ -62,11 +64,10 @@ class Sight:
 
 @dataclass(frozen=True, eq=False)
 class _Find:
-    """One thing in cells of a look: certainty, mask probabilities (2, h, w), name logits."""
+    """One thing in cells of a look: certainty, mask probabilities (2, h, w)."""
 
     score: float
     mask: Tensor
-    names: Tensor
 
 
 def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.3) -> Sight:
@@ -82,13 +83,18 @@ def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.3) -> Sight:
     with torch.inference_mode():
         maps = weights.eye(_tensor(_padded(small)))
         finds = _finds(weights.eye, maps, least, small.shape[:2])
-        things = _closer(weights, image, finds, factor)
+        masks = _closer(weights.eye, image, finds, factor)
 
-    def full(x: Tensor) -> np.ndarray:
-        return _enlarged(x, small.shape[:2], (height, width))
+        def full(x: Tensor) -> np.ndarray:
+            return _enlarged(x, small.shape[:2], (height, width))
 
-    region = full(maps.region[0].softmax(0))
-    return Sight(tuple(things), region, full(maps.top[0].sigmoid())[0], full(maps.latitude[0])[0])
+        top = full(maps.top[0].sigmoid())[0]
+        names = _named(weights, image, [visible for visible, _ in masks], float((top > 0.5).sum()))
+    things = tuple(
+        Thing(find.score, visible, whole, name)
+        for find, (visible, whole), name in zip(finds, masks, names, strict=True)
+    )
+    return Sight(things, full(maps.region[0].softmax(0)), top, full(maps.latitude[0])[0])
 
 
 def see(image: UInt8[np.ndarray, "h w 3"]) -> Sight:
@@ -138,7 +144,7 @@ def _finds(eye: Eye, maps: Maps, least: float, seen: tuple[int, ...]) -> list[_F
         return []
     cells = torch.stack([place % heat.shape[3], place // heat.shape[3]], 1)
     owner = torch.zeros(len(cells), dtype=torch.long)
-    masks, names = _answers(eye, maps, owner, cells)
+    masks = _answers(eye, maps, owner, cells)
     inside = masks[:, 0] > 0.5
     area = inside.sum((1, 2))
     sure = (masks[:, 0] * inside).sum((1, 2)) / area.clamp(min=1)
@@ -149,14 +155,13 @@ def _finds(eye: Eye, maps: Maps, least: float, seen: tuple[int, ...]) -> list[_F
             break
         if not any(_repeats(inside[k], inside[other]) for other in kept):
             kept.append(k)
-    return [_Find(float(score[k]), masks[k], names[k]) for k in kept]
+    return [_Find(float(score[k]), masks[k]) for k in kept]
 
 
-def _answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> tuple[Tensor, Tensor]:
-    """Return mask probabilities (n, 2, h, w) and name logits of cells."""
+def _answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Tensor:
+    """Return the mask probabilities (n, 2, h, w) of cells."""
     box = maps.box[owner, :, cells[:, 1], cells[:, 0]].exp()
-    masks = eye.masks(maps, owner, cells, (box[:, :2] + box[:, 2:4]).amax(1)).sigmoid()
-    return masks, eye.names(maps, owner, cells, masks[:, 0])
+    return eye.masks(maps, owner, cells, (box[:, :2] + box[:, 2:4]).amax(1)).sigmoid()
 
 
 def _repeats(mask: Tensor, other: Tensor) -> bool:
@@ -166,84 +171,65 @@ def _repeats(mask: Tensor, other: Tensor) -> bool:
 
 
 def _closer(
-    weights: Weights, image: UInt8[np.ndarray, "h w 3"], finds: list[_Find], factor: float
-) -> list[Thing]:
-    """Look at all finds again from near; where a closer look disagrees, the first one stands."""
+    eye: Eye, image: UInt8[np.ndarray, "h w 3"], finds: list[_Find], factor: float
+) -> list[tuple[Bool[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]]:
+    """Look at all finds again from near for finer masks, the visible and the whole one.
+
+    Where a closer look disagrees, the first one stands.
+    """
     if not finds:
         return []
-    frames = [_Frame.around(find.mask, factor) for find in finds]
-    maps = weights.eye(_tensor(*[frame.cut(image) for frame in frames]))
-    things = []
+    frames = [_frame(find.mask, factor) for find in finds]
+    maps = eye(_tensor(*[frame.cut(image) for frame in frames]))
+    found = []
     for k, (find, frame) in enumerate(zip(finds, frames, strict=True)):
-        masks, names = _chosen(weights.eye, maps, k, frame.carried(find.mask, factor))
-        logits = find.names if names is None else find.names + _NEARER * (names - find.names)
-        visible, whole = frame.spread(masks, image.shape[:2])
-        likely = (logits / weights.temperature).softmax(0).numpy()
-        things.append(Thing(find.score, visible, visible | whole, likely))
-    return things
+        carried = [frame.carried(m, factor, STRIDE, STRIDE) for m in find.mask.numpy()]
+        masks = _chosen(eye, maps, k, torch.from_numpy(np.stack(carried)))
+        size = (frame.side, frame.side)
+        fine = functional.interpolate(masks[None], size=size, mode="bilinear")[0]
+        visible, whole = frame.spread(fine.numpy(), image.shape[:2])
+        found.append((visible, visible | whole))
+    return found
 
 
-@dataclass(frozen=True)
-class _Frame:
-    """The square of the picture that a closer look shows: its corner, and pixels of the look."""
-
-    corner: tuple[float, float]
-    scale: float
-
-    @classmethod
-    def around(cls, mask: Tensor, factor: float) -> _Frame:
-        """Return the frame around a find's masks (2, h, w), in cells of the first look."""
-        covered = (mask.amax(0) > 0.5).numpy()
-        rows, columns = np.flatnonzero(covered.any(1)), np.flatnonzero(covered.any(0))
-        low = np.array([columns[0], rows[0]]) * STRIDE / factor
-        high = np.array([columns[-1] + 1, rows[-1] + 1]) * STRIDE / factor
-        side = max(_ROOM * float((high - low).max()), 32 / factor)
-        x, y = (low + high) / 2 - side / 2
-        return cls((float(x), float(y)), _CLOSE / side)
-
-    @property
-    def _warp(self) -> Float[np.ndarray, "2 3"]:
-        (x, y), scale = self.corner, self.scale
-        shift = np.array([-x, -y]) * scale + 0.5 * scale - 0.5
-        return np.array([[scale, 0, shift[0]], [0, scale, shift[1]]])
-
-    def cut(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
-        """Return what the frame shows; beyond the picture its border repeats."""
-        if self.scale < 0.7:  # averaging first keeps fine detail from flickering
-            small = cv2.resize(
-                image, None, fx=self.scale, fy=self.scale, interpolation=cv2.INTER_AREA
-            )
-            x, y = self.corner
-            return _Frame((x * self.scale, y * self.scale), 1.0).cut(small)
-        size, border = (_CLOSE, _CLOSE), cv2.BORDER_REPLICATE
-        return cv2.warpAffine(image, self._warp, size, flags=cv2.INTER_LINEAR, borderMode=border)
-
-    def carried(self, mask: Tensor, factor: float) -> Tensor:
-        """Carry the first look's masks (2, h, w) into the cells of the closer look."""
-        zoom = self.scale / factor  # pixels of the closer look for each of the first
-        shift = -np.array(self.corner) * self.scale / STRIDE + 0.5 * zoom - 0.5
-        warp = np.array([[zoom, 0, shift[0]], [0, zoom, shift[1]]])
-        size = (_CLOSE // STRIDE, _CLOSE // STRIDE)
-        return torch.from_numpy(np.stack([cv2.warpAffine(m, warp, size) for m in mask.numpy()]))
-
-    def spread(self, masks: Tensor, size: tuple[int, ...]) -> list[Bool[np.ndarray, "h w"]]:
-        """Carry the closer look's masks (2, c, c) to the picture."""
-        fine = functional.interpolate(masks[None], size=(_CLOSE, _CLOSE), mode="bilinear")[0]
-        back = cv2.invertAffineTransform(self._warp)
-        return [cv2.warpAffine(m, back, (size[1], size[0])) > 0.5 for m in fine.numpy()]
+def _frame(mask: Tensor, factor: float) -> Frame:
+    """Return the frame around a find's masks (2, h, w), in cells of the first look."""
+    covered = (mask.amax(0) > 0.5).numpy()
+    rows, columns = np.flatnonzero(covered.any(1)), np.flatnonzero(covered.any(0))
+    low = np.array([columns[0], rows[0]]) * STRIDE / factor
+    high = np.array([columns[-1] + 1, rows[-1] + 1]) * STRIDE / factor
+    return Frame.around(low, high, _CLOSE, _ROOM, 32 / factor)
 
 
-def _chosen(eye: Eye, maps: Maps, k: int, first: Tensor) -> tuple[Tensor, Tensor | None]:
-    """Return look ``k``'s masks and names of the same thing, or the first look's masks."""
+def _chosen(eye: Eye, maps: Maps, k: int, first: Tensor) -> Tensor:
+    """Return look ``k``'s masks of the same thing, or the first look's masks."""
     wanted = first[0] > 0.5
     heat = maps.heat[k, 0].sigmoid() * wanted
     score, place = heat.flatten().topk(3)
     place = place[score > _FAINT]
     if not len(place):
-        return first, None
+        return first
     cells = torch.stack([place % heat.shape[1], place // heat.shape[1]], 1)
-    masks, names = _answers(eye, maps, torch.full((len(cells),), k), cells)
+    masks = _answers(eye, maps, torch.full((len(cells),), k), cells)
     drawn = masks[:, 0] > 0.5
     overlap = (drawn & wanted).sum((1, 2)) / (drawn | wanted).sum((1, 2)).clamp(min=1)
     best = int(overlap.argmax())
-    return (masks[best], names[best]) if overlap[best] > _SAME else (first, None)
+    return masks[best] if overlap[best] > _SAME else first
+
+
+def _named(
+    weights: Weights,
+    image: UInt8[np.ndarray, "h w 3"],
+    masks: Sequence[Bool[np.ndarray, "h w"]],
+    tabletop: float,
+) -> list[Float[np.ndarray, "k"]]:
+    """Return the probabilities of the names of things; ``tabletop`` in pixels."""
+    if not masks:
+        return []
+    looks = [closeup(image, mask, tabletop) for mask in masks]
+    pictures = _tensor(*[look.image for look in looks])
+    visible = torch.from_numpy(np.stack([look.visible for look in looks]))
+    told = torch.tensor([look.hints for look in looks])
+    logits = weights.eye.names(pictures, visible, told)
+    turned = weights.eye.names(pictures.flip(3), visible.flip(2), told)
+    return list(((logits + turned) / 2 / weights.temperature).softmax(1).numpy())

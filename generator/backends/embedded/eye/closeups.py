@@ -1,0 +1,55 @@
+"""What a thing is named from: a look at it alone, which part of the look it is, and hints."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from .frames import Frame
+from .network import CLOSE_ROOM, CLOSEUP, hints
+
+CELL = 4
+"""Pixels of the look that a cell of ``Closeup.visible`` covers."""
+
+_LEAST = 12.0  # pixels of the picture that a look shows at least
+
+
+@dataclass(frozen=True, eq=False)
+class Closeup:
+    """A look at one thing. ``visible`` in [0, 1]; ``hints`` are those of the network."""
+
+    image: UInt8[np.ndarray, "s s 3"]
+    visible: Float[np.ndarray, "c c"]
+    hints: tuple[float, ...]
+
+
+def closeup(
+    image: UInt8[np.ndarray, "h w 3"],
+    mask: Bool[np.ndarray, "h w"],
+    tabletop: float,
+    slip: Float[np.ndarray, "4"] | None = None,
+) -> Closeup:
+    """Return the look at the thing under ``mask`` (an empty one: at the whole picture).
+
+    Args:
+        image: the picture.
+        mask: where the thing is visible.
+        tabletop: pixels that the tabletop covers.
+        slip: moves the sides of the thing's box (left, top, right, bottom) outwards, in shares of
+            its longer side; what training varies.
+    """
+    rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
+    if not len(rows):
+        rows, columns = np.arange(mask.shape[0]), np.arange(mask.shape[1])
+    low = np.array([columns[0], rows[0]], float)
+    high = np.array([columns[-1] + 1, rows[-1] + 1], float)
+    wide, tall = high - low
+    told = hints((float(wide), float(tall)), tabletop, mask.size)
+    if slip is not None:
+        longer = float(max(wide, tall))
+        low, high = low - slip[:2] * longer, high + slip[2:] * longer
+    frame = Frame.around(low, high, CLOSEUP, CLOSE_ROOM, _LEAST)
+    visible = frame.carried(mask.astype(np.float32), 1.0, 1, CELL)
+    return Closeup(frame.cut(image), visible, told)

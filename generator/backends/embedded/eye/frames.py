@@ -1,0 +1,112 @@
+"""Closer looks: square cut-outs of a picture around one thing, and the way there and back."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A square of the picture: its corner in pixels, and the pixels of the look for each of them.
+
+    ``side`` is the look's own width and height in pixels.
+    """
+
+    corner: tuple[float, float]
+    scale: float
+    side: int
+
+    @classmethod
+    def around(
+        cls,
+        low: Float[np.ndarray, "2"],
+        high: Float[np.ndarray, "2"],
+        side: int,
+        room: float,
+        least: float = 0.0,
+    ) -> Frame:
+        """Return the frame around a box, ``room`` times as wide as its longer side.
+
+        Args:
+            low: the box's upper left corner (x, y), picture pixels.
+            high: its lower right corner.
+            side: pixels of the look.
+            room: width of the frame over the box's longer side.
+            least: picture pixels that the frame is wide at least.
+        """
+        wide = max(room * float((high - low).max()), least)
+        x, y = (low + high) / 2 - wide / 2
+        return cls((float(x), float(y)), side / wide, side)
+
+    def _warp(self, shrunk: tuple[float, float] = (1.0, 1.0)) -> Float[np.ndarray, "2 3"]:
+        """Return the affine map from a picture ``shrunk`` by factors (x, y) to the look."""
+        zoom = self.scale / np.array(shrunk)
+        shift = -np.array(self.corner) * self.scale + 0.5 * zoom - 0.5
+        return np.array([[zoom[0], 0, shift[0]], [0, zoom[1], shift[1]]])
+
+    def cut(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
+        """Return what the frame shows; beyond the picture its border repeats."""
+        (x0, x1), (y0, y1) = (
+            self._reach(corner, length)
+            for corner, length in zip(self.corner, image.shape[1::-1], strict=True)
+        )
+        near = Frame((self.corner[0] - x0, self.corner[1] - y0), self.scale, self.side)
+        return near._drawn(image[y0:y1, x0:x1])
+
+    def _reach(self, corner: float, length: int) -> tuple[int, int]:
+        """Return the first and the last but one of a picture's columns that the frame can show."""
+        pad = 2 + 1 / self.scale
+        first = int(np.clip(corner - pad, 0, length - 2))
+        return first, int(np.clip(corner + self.side / self.scale + pad, first + 2, length))
+
+    def _drawn(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
+        shrunk = (1.0, 1.0)
+        if self.scale < 0.7:  # averaging first keeps fine detail from flickering
+            width, height = image.shape[1::-1]
+            size = max(1, round(width * self.scale)), max(1, round(height * self.scale))
+            image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
+            shrunk = size[0] / width, size[1] / height
+        size, border = (self.side, self.side), cv2.BORDER_REPLICATE
+        warp = self._warp(shrunk)
+        return cv2.warpAffine(image, warp, size, flags=cv2.INTER_LINEAR, borderMode=border)
+
+    def carried(
+        self, mask: Float[np.ndarray, "h w"], factor: float, stride: int, cell: int
+    ) -> Float[np.ndarray, "c c"]:
+        """Carry a map into the cells of this look.
+
+        Args:
+            mask: of a picture scaled by ``factor``, in cells of ``stride`` pixels of it.
+            factor: that picture's scale over this one's.
+            stride: of the map given.
+            cell: pixels of this look that a cell of the map returned covers.
+        """
+        zoom = self.scale / factor * stride / cell
+        shift = -np.array(self.corner) * self.scale / cell + 0.5 * zoom - 0.5
+        warp = np.array([[zoom, 0, shift[0]], [0, zoom, shift[1]]])
+        count = self.side // cell
+        if zoom < 0.7:
+            return self._averaged(mask, warp, zoom, count)
+        return cv2.warpAffine(mask, warp, (count, count), flags=cv2.INTER_LINEAR)
+
+    @staticmethod
+    def _averaged(
+        mask: Float[np.ndarray, "h w"], warp: Float[np.ndarray, "2 3"], zoom: float, count: int
+    ) -> Float[np.ndarray, "c c"]:
+        """Return the warped map, drawn finer and averaged, so that thin things stay."""
+        times = int(np.ceil(1 / zoom))
+        finer = warp * times
+        finer[:, 2] += (times - 1) / 2
+        fine = cv2.warpAffine(mask, finer, (count * times, count * times), flags=cv2.INTER_LINEAR)
+        return cv2.resize(fine, (count, count), interpolation=cv2.INTER_AREA)
+
+    def spread(
+        self, masks: Float[np.ndarray, "k s s"], size: tuple[int, ...]
+    ) -> list[Bool[np.ndarray, "h w"]]:
+        """Carry masks of the look (probabilities) to a picture of ``size`` (height, width)."""
+        back = cv2.invertAffineTransform(self._warp())
+        return [cv2.warpAffine(m, back, (size[1], size[0])) > 0.5 for m in masks]
