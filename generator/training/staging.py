@@ -256,18 +256,14 @@ def _paint(rng: np.random.Generator) -> tuple[float, float, float, float]:
 def _covers(
     rng: np.random.Generator, supply: Supply, outline: Float[np.ndarray, "k 2"], height: float
 ) -> list[Thing]:
-    """Return now and then a cloth or placemats lying on the top."""
-    if rng.random() > 0.08:
+    """Return now and then a cloth over most of the top; smaller ones are things of their own."""
+    if rng.random() > 0.06:
         return []
-    reach = np.ptp(outline, axis=0)
-    covers = []
-    for _ in range(int(rng.integers(1, 4))):
-        size = np.array([*(reach * rng.uniform(0.2, 0.6, 2)), 0.001])
-        at = np.array([*(rng.uniform(-0.5, 0.5, 2) * (reach - size[:2]) * 0.8), height])
-        if (inside_margin(at[:2] + rectangle(size[0], size[1]), outline) < 0).any():
-            continue
-        covers.append(_board(int(rng.choice(supply.cloths)), size, at, int(rng.integers(3))))
-    return covers
+    size = np.array([*(np.ptp(outline, axis=0) * rng.uniform(0.6, 0.95, 2)), 0.001])
+    at = np.array([*outline.mean(0), height])
+    if (inside_margin(at[:2] + rectangle(size[0], size[1]), outline) < 0).any():
+        return []
+    return [_board(int(rng.choice(supply.cloths)), size, at, int(rng.integers(3)))]
 
 
 def _board(
