@@ -264,7 +264,8 @@ CATEGORIES = (
              ("ring binder", "folder", "file folder", "lever arch file", "file"), ("office",),
              ("tall",), ("blue", "black")),
     Category("folded_map", folded_map, (0.36, 0.26, 0.011), 0.05,
-             ("map", "road map", "paper map", "city map", "treasure map"), ("living", "toys"),
+             ("folded road map", "folded paper map", "folded city map", "pocket map"),
+             ("living", "toys"),
              ("flat", "big"), ("cream",), state="lying flat"),
 )  # fmt: skip
 """The module's categories."""

@@ -118,3 +118,22 @@ def pillow(x: np.ndarray, y: np.ndarray, lift: np.ndarray) -> Solid:
     uv = np.stack(np.meshgrid(np.linspace(0, 1, n), np.linspace(0, 1, n)), -1).reshape(-1, 2)
     faces = np.concatenate([top, top[:, ::-1] + n * n, wall])
     return Solid(np.concatenate(flat), faces, np.concatenate([uv, uv * [-1, 1] + [1, 0]]))
+
+
+def spread(points: Float[np.ndarray, "n m 3"], thick: float) -> Solid:
+    """Return a sheet ``thick`` over a grid of points, its picture upright seen from above.
+
+    ``points`` are the underside: rows run from front to back, columns from left to right.
+    """
+    n, m = points.shape[:2]
+    index = np.arange(n * m).reshape(n, m)
+    a, b, c, d = index[:-1, :-1], index[:-1, 1:], index[1:, 1:], index[1:, :-1]
+    top = np.concatenate([np.stack(t, -1).reshape(-1, 3) for t in ((a, b, c), (a, c, d))])
+    rim = np.concatenate([index[0, :-1], index[:-1, -1], index[-1, :0:-1], index[:0:-1, 0]])
+    after, up = np.roll(rim, -1), n * m
+    wall = np.concatenate([np.stack([rim, after, after + up], 1),
+                           np.stack([rim, after + up, rim + up], 1)])  # fmt: skip
+    low = points.reshape(-1, 3)
+    uv = (low[:, :2] - low[:, :2].min(0)) / np.ptp(low[:, :2], axis=0)
+    faces = np.concatenate([top + up, top[:, ::-1], wall])
+    return Solid(np.concatenate([low, low + np.array([0, 0, thick])]), faces, np.tile(uv, (2, 1)))

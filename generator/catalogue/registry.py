@@ -36,10 +36,13 @@ from . import (
     lab,
     leisure,
     lights,
+    maps,
+    mats,
     meals,
     office,
     ornaments,
     pantry,
+    paper,
     plants,
     portables,
     produce,
@@ -59,6 +62,7 @@ _SHELVES = (
     *(devices, portables, deskware, leisure, ornaments, household),
     *(office, writing, electronics, handhelds, gadgets, decor, plants, keepsakes, lights),
     *(tools, workbench, toys, games, craft, vanity, lab),
+    *(paper, maps, mats),
 )
 
 CATEGORIES: Mapping[str, Category] = MappingProxyType(
