@@ -33,7 +33,8 @@ PIXELS, SHARE, RIGHT = 100, 0.15, 0.5
 
 def overlaps(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Return the IoU of every mask of (n, h, w) with every one of (m, h, w)."""
-    x, y = a.reshape(len(a), -1).astype(np.float32), b.reshape(len(b), -1).astype(np.float32)
+    pixels = a.shape[1] * a.shape[2]
+    x, y = (m.reshape(len(m), pixels).astype(np.float32) for m in (a, b))
     both = x @ y.T
     return both / np.maximum(x.sum(1)[:, None] + y.sum(1)[None] - both, 1)
 
@@ -56,7 +57,8 @@ def mark(sample: Sample, sight: Sight, keys: tuple[str, ...], own: tuple[str, ..
     table = np.isin(sample.region, [1, 2])
     found = sight.region.argmax(0)
     elevation, fov = fit_view(sight.latitude)
-    whole = overlaps(np.array([t.whole for t in sight.things]).reshape(-1, h, w), sample.full)
+    wholes = np.array([t.whole for t in sight.things]).reshape(-1, h, w)
+    whole = overlaps(wholes, sample.full.reshape(-1, h, w))
     return {
         "things": int(counts.sum()),
         "finds": len(seen) - excused,

@@ -9,12 +9,13 @@ import torch
 from torch import Tensor
 from torch.nn import functional
 
-from ..backends.embedded.eye.network import Eye
+from ..backends.embedded.eye.network import Eye, Maps
 
 WEIGHTS: Mapping[str, float] = {
-    "heat": 1.0, "box": 0.5, "mask": 2.0, "whole": 1.0, "name": 0.6, "region": 1.0, "top": 1.0,
+    "heat": 1.0, "box": 0.5, "mask": 2.0, "whole": 1.0, "quality": 1.0, "name": 0.6, "region": 1.0, "top": 1.0,
     "latitude": 4.0,
 }  # fmt: skip
+_ASKED, _JUDGED = 0.1, 64  # certainty of cells whose masks are judged, and how many of a batch
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,6 +25,7 @@ class Batch:
     image: Tensor
     heat: Tensor
     weight: Tensor
+    things: Tensor
     region: Tensor
     top: Tensor
     latitude: Tensor
@@ -70,6 +72,7 @@ def terms(eye: Eye, batch: Batch) -> dict[str, Tensor]:
         "top": overlap_loss(maps.top[:, 0].float(), wished_top[:, 0]),
         "latitude": (maps.latitude[:, 0].float() - batch.latitude).abs().mean(),
     }
+    found["quality"] = _quality_loss(eye, maps, batch)
     found["name"] = _name_loss(eye, batch) if len(batch.looks) else maps.box.sum() * 0
     if not len(batch.cells):
         zero = maps.box.sum() * 0
@@ -84,6 +87,34 @@ def terms(eye: Eye, batch: Batch) -> dict[str, Tensor]:
     found["mask"] = overlap_loss(fine[:, 0], wished[:, 0])
     found["whole"] = overlap_loss(fine[:, 1], wished[:, 1])
     return found
+
+
+def _quality_loss(eye: Eye, maps: Maps, batch: Batch) -> Tensor:
+    """Judge masks of cells that might be asked, good ones and bad ones."""
+    with torch.no_grad():
+        asked = ((maps.heat[:, 0].sigmoid() > _ASKED) | (batch.heat > 0.5)) & (batch.weight > 0)
+        owner, row, column = asked.nonzero(as_tuple=True)
+        chosen = torch.randperm(len(owner))[:_JUDGED].to(owner.device)
+        if not len(chosen):
+            return maps.heat.sum() * 0
+        owner, cells = owner[chosen], torch.stack([column, row], 1)[chosen]
+        box = maps.box[owner, :, cells[:, 1], cells[:, 0]].float().exp()
+        size = (box[:, :2] + box[:, 2:4]).amax(1)
+        drawn = eye.masks(maps, owner, cells, size)[:, 0].float().sigmoid()
+        overlap = best_overlap(drawn > 0.5, batch.things[owner])
+    logits = eye.quality(maps, owner, cells, drawn).float()
+    return functional.binary_cross_entropy_with_logits(logits, overlap)
+
+
+def best_overlap(drawn: Tensor, things: Tensor) -> Tensor:
+    """Return the largest IoU of masks (n, h, w) with any thing of maps of numbers (n, h, w)."""
+    most = int(things.max())
+    best = torch.zeros(len(drawn), device=drawn.device)
+    for number in range(1, most + 1):
+        thing = things == number
+        either = (drawn | thing).sum((1, 2))
+        best = torch.maximum(best, (drawn & thing).sum((1, 2)) / either.clamp(min=1))
+    return best
 
 
 def _name_loss(eye: Eye, batch: Batch) -> Tensor:

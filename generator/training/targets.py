@@ -29,7 +29,8 @@ _FINE = 2  # picture pixels a cell of the mask targets
 class Crop:
     """A picture cut out of a sample, with targets; "cells" are ``STRIDE`` pixels wide.
 
-    ``weight`` is 0 where things too small to be asked for hide. ``cells``, ``boxes`` and ``masks``
+    ``weight`` is 0 where things too small to be asked for hide; ``things`` numbers the things of
+    the cells, 0 none. ``cells``, ``boxes`` and ``masks``
     belong to the answering cells: column and row, the distances in cells of the visible and the
     whole box, both masks at half size. ``looks``, ``shown``, ``hints`` and ``category`` belong to
     things of the sample looked at close up; a category of -1 is unknown.
@@ -38,6 +39,7 @@ class Crop:
     image: UInt8[np.ndarray, "s s 3"]
     heat: Float[np.ndarray, "c c"]
     weight: Float[np.ndarray, "c c"]
+    things: UInt8[np.ndarray, "c c"]
     region: UInt8[np.ndarray, "c c"]
     top: Bool[np.ndarray, "c c"]
     latitude: Float[np.ndarray, "d d"]
@@ -101,6 +103,7 @@ def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
         _jittered(image, rng),
         heat,
         weight,
+        cv2.resize(visible, (grid, grid), interpolation=cv2.INTER_NEAREST),
         scaled(sample.region, grid, cv2.INTER_NEAREST),
         scaled(sample.top.astype(np.uint8), grid, cv2.INTER_NEAREST) > 0,
         _angles(sample, (x, y, side), half, flip),
@@ -118,6 +121,7 @@ def blank(size: int, rng: np.random.Generator) -> Crop:
         _jittered(nothing(size, rng), rng),
         np.zeros((grid, grid), np.float32),
         np.ones((grid, grid), np.float32),
+        np.zeros((grid, grid), np.uint8),
         np.zeros((grid, grid), np.uint8),
         np.zeros((grid, grid), bool),
         np.full((half, half), _USUAL, np.float32),

@@ -92,6 +92,7 @@ def collate(crops: list[Crop]) -> Batch:
         stacked("image").permute(0, 3, 1, 2).float() / 255,
         stacked("heat"),
         stacked("weight"),
+        stacked("things"),
         stacked("region"),
         stacked("top"),
         stacked("latitude"),
@@ -230,6 +231,7 @@ def batches(args: argparse.Namespace, run: Run) -> Iterator[Batch]:
 def train(args: argparse.Namespace) -> None:
     """Train until ``--minutes`` are spent, or until interrupted; log and save on the way."""
     run = Run(args.out, args.rate, args.device)
+    torch.manual_seed(args.seed + run.steps)
     columns = (TextColumn("{task.description}"), BarColumn(), TextColumn("{task.fields[note]}"))
     with Progress(*columns) as progress:
         task = progress.add_task("training", total=args.minutes * 60, note="")

@@ -79,6 +79,14 @@ def test_every_term_reaches_the_network():
     assert not still
 
 
+def test_a_mask_is_judged_by_the_thing_it_fits_best():
+    things = torch.zeros(2, 8, 8, dtype=torch.uint8)
+    things[:, 1:5, 1:5], things[:, 5:8, 5:8] = 1, 3
+    drawn = torch.zeros(2, 8, 8, dtype=torch.bool)
+    drawn[0, 1:5, 1:3], drawn[1, 5:8, 5:8] = True, True
+    torch.testing.assert_close(losses.best_overlap(drawn, things), torch.tensor([0.5, 1.0]))
+
+
 def _args(data, out, minutes: float) -> argparse.Namespace:
     return argparse.Namespace(
         data=data, out=out, minutes=minutes, batch=2, size=64, rate=1e-3, seed=0, workers=0,

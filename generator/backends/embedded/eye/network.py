@@ -4,7 +4,7 @@ Boxes come first and names second: every cell inside a thing's visible middle an
 thing. A cell tells how sure it is, the boxes of the visible and of the whole thing, and the weights
 of a tiny mask network of its own (conditional convolutions: Tian et al., "Conditional Convolutions
 for Instance Segmentation", ECCV 2020), which draws the visible and the whole mask from shared mask
-features. Names come from the encoder alone, which looks at each thing close up and reads the
+features; how well it drew is judged from what lies inside and around. Names come from the encoder alone, which looks at each thing close up and reads the
 features under its mask. The view is a map, each pixel's angle below the horizon (as in Jin et al.,
 "Perspective Fields", CVPR 2023), so that crops can be learned from.
 """
@@ -96,6 +96,7 @@ class Eye(nn.Module):
         self.mask = nn.Conv2d(_WIDTH, _MASK, 1)
         self.latitude = nn.Conv2d(_WIDTH, 1, 1)
         self.controller = nn.Linear(_WIDTH, _WEIGHTS)
+        self.judge = nn.Sequential(nn.Linear(3 * _WIDTH + 3, 64), nn.ReLU(), nn.Linear(64, 1))
         self.namer = nn.Sequential(
             nn.Dropout(0.15), nn.Linear(SUMMARY + CHANNELS[2] + HINTS, categories)
         )
@@ -158,6 +159,27 @@ class Eye(nn.Module):
             start = end + outward
         return z.reshape(-1, 2, height, width)
 
+    def quality(self, maps: Maps, image: Tensor, cells: Tensor, drawn: Tensor) -> Tensor:
+        """Return (n,) logits of how much ``drawn`` overlaps (IoU) the thing it is meant to show.
+
+        As in Huang et al., "Mask Scoring R-CNN", CVPR 2019, but from pooled features.
+
+        Args:
+            maps: of the batch.
+            image: (n,) which picture each cell is of.
+            cells: (n, 2) column and row.
+            drawn: (n, h, w) probabilities of the visible masks of :meth:`masks`.
+        """
+        inside = (drawn > 0.5).to(drawn.dtype)
+        around = functional.max_pool2d(inside[:, None], 7, 1, 3)[:, 0] - inside
+        area = inside.sum((1, 2)).clamp(min=1)
+        sure = (drawn * inside).sum((1, 2)) / area
+        heat = maps.heat[image, 0, cells[:, 1], cells[:, 0]]
+        told = torch.stack([area.log() / 3 - 1, 4 * sure - 3, heat / 3], 1).detach()
+        point = maps.thing[image, :, cells[:, 1], cells[:, 0]]
+        pooled = [_shared(maps.thing, image, part) for part in (inside, around)]
+        return self.judge(torch.cat([point, *pooled, told], 1))[:, 0]
+
     def names(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
         """Return (n, categories) logits of what close-ups show.
 
@@ -191,3 +213,14 @@ def _pooled(features: Tensor, visible: Tensor) -> Tensor:
     weight = functional.interpolate(visible[:, None].to(features.dtype), size=size, mode="area")
     weight = weight + 1e-3
     return (features * weight).sum((2, 3)) / weight.sum((2, 3))
+
+
+def _shared(features: Tensor, image: Tensor, masks: Tensor) -> Tensor:
+    """Return the mean (n, c) of (b, c, h, w) under masks (n, h, w), each of one of the pictures."""
+    weight = masks.flatten(1).to(features.dtype)
+    weight = weight / weight.sum(1, keepdim=True).clamp(min=1.0)
+    pooled = features.new_zeros(len(image), features.shape[1])
+    for picture in image.unique().tolist():
+        own = image == picture
+        pooled = pooled.index_put((own,), weight[own] @ features[picture].flatten(1).T)
+    return pooled

@@ -27,7 +27,11 @@ SIDE = 544
 
 _CLOSE = 192  # side of the closer looks
 _ROOM = 1.6  # side of a closer look over the longer side of the thing's box
-_FAINT = 0.12  # certainty below which a cell is not asked
+_FAINT = 0.1  # certainty below which a cell is not asked
+_KEPT = 30  # finds looked at again
+_CHOICES = 4  # cells of a closer look that are asked
+_HELD = 0.6  # share of a first find that a closer one must show
+_YIELD = 0.6  # of the first look's certainty, which the closer one must have
 _LEAST = 0.15  # certainty of a thing that is told at all
 _MOST = 90  # cells asked
 _SAME = 0.5  # overlap at which two masks are one thing
@@ -63,11 +67,23 @@ class Sight:
 
 
 @dataclass(frozen=True, eq=False)
-class _Find:
-    """One thing in cells of a look: certainty, mask probabilities (2, h, w)."""
+class _Seen:
+    """One thing, with masks at picture size."""
 
     score: float
-    mask: Tensor
+    visible: Bool[np.ndarray, "h w"]
+    whole: Bool[np.ndarray, "h w"]
+
+
+@dataclass(frozen=True, eq=False)
+class _Finds:
+    """Things in cells of one look, surest first: how sure, mask probabilities (n, 2, h, w)."""
+
+    score: Tensor
+    masks: Tensor
+
+    def __getitem__(self, kept: list[int]) -> _Finds:
+        return _Finds(self.score[kept], self.masks[kept])
 
 
 def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.3) -> Sight:
@@ -82,17 +98,16 @@ def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.3) -> Sight:
     small = _resized(image, factor)
     with torch.inference_mode():
         maps = weights.eye(_tensor(_padded(small)))
-        finds = _finds(weights.eye, maps, least, small.shape[:2])
-        masks = _closer(weights.eye, image, finds, factor)
+        finds = _finds(weights.eye, maps, small.shape[:2])
+        seen = _sure(_closer(weights.eye, image, finds, factor), least)
 
         def full(x: Tensor) -> np.ndarray:
             return _enlarged(x, small.shape[:2], (height, width))
 
         top = full(maps.top[0].sigmoid())[0]
-        names = _named(weights, image, [visible for visible, _ in masks], float((top > 0.5).sum()))
+        names = _named(weights, image, [x.visible for x in seen], float((top > 0.5).sum()))
     things = tuple(
-        Thing(find.score, visible, whole, name)
-        for find, (visible, whole), name in zip(finds, masks, names, strict=True)
+        Thing(x.score, x.visible, x.whole, name) for x, name in zip(seen, names, strict=True)
     )
     return Sight(things, full(maps.region[0].softmax(0)), top, full(maps.latitude[0])[0])
 
@@ -132,89 +147,101 @@ def _enlarged(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.nda
     return functional.interpolate(big[None], size=size, mode="bilinear")[0].numpy()
 
 
-def _finds(eye: Eye, maps: Maps, least: float, seen: tuple[int, ...]) -> list[_Find]:
-    """Ask the surest cells, draw their masks, and keep one find a thing, surest first."""
+def _finds(eye: Eye, maps: Maps, seen: tuple[int, ...]) -> _Finds:
+    """Ask the cells that are surest to lie within things, and keep one find a thing."""
     heat = maps.heat[:1].sigmoid()
     peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
     peaks[..., -(-seen[0] // STRIDE) :, :] = 0
     peaks[..., -(-seen[1] // STRIDE) :] = 0
     score, place = peaks[0, 0].flatten().topk(min(_MOST, peaks.numel()))
-    place, score = place[score > _FAINT], score[score > _FAINT]
-    if not len(place):
-        return []
+    place = place[score > _FAINT]
     cells = torch.stack([place % heat.shape[3], place // heat.shape[3]], 1)
-    owner = torch.zeros(len(cells), dtype=torch.long)
-    masks = _answers(eye, maps, owner, cells)
-    inside = masks[:, 0] > 0.5
-    area = inside.sum((1, 2))
-    sure = (masks[:, 0] * inside).sum((1, 2)) / area.clamp(min=1)
-    score = score * sure * (area > 1)
+    finds = _answers(eye, maps, torch.zeros(len(cells), dtype=torch.long), cells)
+    return finds[_distinct(finds.score, finds.masks[:, 0] > 0.5)[:_KEPT]]
+
+
+def _answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> _Finds:
+    """Return what cells answer; sure is who lies within a thing and drew all of it."""
+    box = maps.box[owner, :, cells[:, 1], cells[:, 0]].exp()
+    masks = eye.masks(maps, owner, cells, (box[:, :2] + box[:, 2:4]).amax(1)).sigmoid()
+    heat = maps.heat[owner, 0, cells[:, 1], cells[:, 0]].sigmoid()
+    quality = eye.quality(maps, owner, cells, masks[:, 0]).sigmoid()
+    shows = (masks[:, 0] > 0.5).sum((1, 2)) > 1
+    return _Finds(heat.sqrt() * quality * shows, masks)
+
+
+def _distinct(score: Tensor, inside: Tensor) -> list[int]:
+    """Return which of the masks (n, h, w), by how sure they are, show a thing of their own."""
+    flat = inside.flatten(1).float()
+    area = flat.sum(1).clamp(min=1)
+    both = flat @ flat.T
+    overlap = both / (area[:, None] + area[None] - both)
+    repeats = (overlap > _SAME) | (both > _INSIDE * area[:, None])
     kept: list[int] = []
     for k in score.argsort(descending=True).tolist():
-        if score[k] < least:
-            break
-        if not any(_repeats(inside[k], inside[other]) for other in kept):
+        if score[k] > 0 and not repeats[k, kept].any():
             kept.append(k)
-    return [_Find(float(score[k]), masks[k]) for k in kept]
-
-
-def _answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Tensor:
-    """Return the mask probabilities (n, 2, h, w) of cells."""
-    box = maps.box[owner, :, cells[:, 1], cells[:, 0]].exp()
-    return eye.masks(maps, owner, cells, (box[:, :2] + box[:, 2:4]).amax(1)).sigmoid()
-
-
-def _repeats(mask: Tensor, other: Tensor) -> bool:
-    both = int((mask & other).sum())
-    either, own = int((mask | other).sum()), int(mask.sum())
-    return both > _SAME * max(either, 1) or both > _INSIDE * max(own, 1)
+    return kept
 
 
 def _closer(
-    eye: Eye, image: UInt8[np.ndarray, "h w 3"], finds: list[_Find], factor: float
-) -> list[tuple[Bool[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]]:
-    """Look at all finds again from near for finer masks, the visible and the whole one.
-
-    Where a closer look disagrees, the first one stands.
-    """
-    if not finds:
+    eye: Eye, image: UInt8[np.ndarray, "h w 3"], finds: _Finds, factor: float
+) -> list[_Seen]:
+    """Look at all finds again from near; where that shows nothing surer, the first look stands."""
+    if not len(finds.score):
         return []
-    frames = [_frame(find.mask, factor) for find in finds]
+    frames = [_frame(masks, factor) for masks in finds.masks]
     maps = eye(_tensor(*[frame.cut(image) for frame in frames]))
-    found = []
-    for k, (find, frame) in enumerate(zip(finds, frames, strict=True)):
-        carried = [frame.carried(m, factor, STRIDE, STRIDE) for m in find.mask.numpy()]
-        masks = _chosen(eye, maps, k, torch.from_numpy(np.stack(carried)))
-        size = (frame.side, frame.side)
-        fine = functional.interpolate(masks[None], size=size, mode="bilinear")[0]
+    seen = []
+    for k, frame in enumerate(frames):
+        carried = [frame.carried(m, factor, STRIDE, STRIDE) for m in finds.masks[k].numpy()]
+        first = torch.from_numpy(np.stack(carried))
+        score, masks = _chosen(eye, maps, k, float(finds.score[k]), first)
+        fine = functional.interpolate(masks[None], size=(_CLOSE, _CLOSE), mode="bilinear")[0]
         visible, whole = frame.spread(fine.numpy(), image.shape[:2])
-        found.append((visible, visible | whole))
-    return found
+        seen.append(_Seen(score, visible, visible | whole))
+    return seen
 
 
-def _frame(mask: Tensor, factor: float) -> Frame:
+def _frame(masks: Tensor, factor: float) -> Frame:
     """Return the frame around a find's masks (2, h, w), in cells of the first look."""
-    covered = (mask.amax(0) > 0.5).numpy()
+    covered = (masks.amax(0) > 0.5).numpy()
     rows, columns = np.flatnonzero(covered.any(1)), np.flatnonzero(covered.any(0))
     low = np.array([columns[0], rows[0]]) * STRIDE / factor
     high = np.array([columns[-1] + 1, rows[-1] + 1]) * STRIDE / factor
     return Frame.around(low, high, _CLOSE, _ROOM, 32 / factor)
 
 
-def _chosen(eye: Eye, maps: Maps, k: int, first: Tensor) -> Tensor:
-    """Return look ``k``'s masks of the same thing, or the first look's masks."""
+def _chosen(eye: Eye, maps: Maps, k: int, score: float, first: Tensor) -> tuple[float, Tensor]:
+    """Return look ``k``'s surest find that shows most of the first look's, or that one."""
     wanted = first[0] > 0.5
-    heat = maps.heat[k, 0].sigmoid() * wanted
-    score, place = heat.flatten().topk(3)
-    place = place[score > _FAINT]
-    if not len(place):
-        return first
-    cells = torch.stack([place % heat.shape[1], place // heat.shape[1]], 1)
-    masks = _answers(eye, maps, torch.full((len(cells),), k), cells)
-    drawn = masks[:, 0] > 0.5
-    overlap = (drawn & wanted).sum((1, 2)) / (drawn | wanted).sum((1, 2)).clamp(min=1)
-    best = int(overlap.argmax())
-    return masks[best] if overlap[best] > _SAME else first
+    heat, place = (maps.heat[k, 0].sigmoid() * wanted).flatten().topk(_CHOICES)
+    place = place[heat > _FAINT]
+    width = wanted.shape[1]
+    cells = torch.stack([place % width, place // width], 1)
+    finds = _answers(eye, maps, torch.full((len(cells),), k), cells)
+    drawn = finds.masks[:, 0] > 0.5
+    held = (drawn & wanted).sum((1, 2)) / wanted.sum().clamp(min=1)
+    sure = finds.score * (held > _HELD)
+    if not len(sure) or float(sure.max()) < _YIELD * score:
+        return score, first
+    best = int(sure.argmax())
+    return (score * float(sure[best])) ** 0.5, finds.masks[best]
+
+
+def _sure(seen: list[_Seen], least: float) -> list[_Seen]:
+    """Keep what is sure enough, one a thing, surest first; what two claim, the surer one has."""
+    if not seen:
+        return []
+    score = torch.tensor([x.score if x.score >= least else 0.0 for x in seen])
+    kept = _distinct(score, torch.from_numpy(np.stack([x.visible for x in seen])))
+    taken = np.zeros_like(seen[0].visible)
+    found = []
+    for k in kept:
+        visible = seen[k].visible & ~taken
+        taken |= visible
+        found.append(_Seen(seen[k].score, visible, seen[k].whole))
+    return found
 
 
 def _named(
