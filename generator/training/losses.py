@@ -12,8 +12,8 @@ from torch.nn import functional
 from ..backends.embedded.eye.network import Eye, Maps
 
 WEIGHTS: Mapping[str, float] = {
-    "heat": 1.0, "box": 0.5, "mask": 2.0, "whole": 1.0, "quality": 1.0, "name": 0.6, "region": 1.0, "top": 1.0,
-    "latitude": 4.0,
+    "heat": 1.0, "box": 0.5, "mask": 2.0, "whole": 1.0, "quality": 1.0, "name": 0.6,
+    "region": 1.0, "top": 1.0, "latitude": 4.0,
 }  # fmt: skip
 _ASKED, _JUDGED = 0.1, 64  # certainty of cells whose masks are judged, and how many of a batch
 

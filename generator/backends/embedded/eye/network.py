@@ -4,9 +4,10 @@ Boxes come first and names second: every cell inside a thing's visible middle an
 thing. A cell tells how sure it is, the boxes of the visible and of the whole thing, and the weights
 of a tiny mask network of its own (conditional convolutions: Tian et al., "Conditional Convolutions
 for Instance Segmentation", ECCV 2020), which draws the visible and the whole mask from shared mask
-features; how well it drew is judged from what lies inside and around. Names come from the encoder alone, which looks at each thing close up and reads the
-features under its mask. The view is a map, each pixel's angle below the horizon (as in Jin et al.,
-"Perspective Fields", CVPR 2023), so that crops can be learned from.
+features. How well it drew is judged from what lies inside and around. Names come from the encoder
+alone, which looks at each thing close up and reads the features under its mask. The view is a map,
+each pixel's angle below the horizon (as in Jin et al., "Perspective Fields", CVPR 2023), so that
+crops can be learned from.
 """
 
 from __future__ import annotations
