@@ -229,13 +229,14 @@ def _shrunk(mask: Bool[np.ndarray, "s s"], size: int) -> Bool[np.ndarray, "f f"]
 
 
 def _jittered(image: UInt8[np.ndarray, "s s 3"], rng: np.random.Generator) -> np.ndarray:
-    """Change brightness, contrast and colour a little, and blur or sharpen now and then."""
-    x = image.astype(np.float32)
+    """Change brightness, contrast and colour a little; blur, grey or noise now and then."""
     if rng.random() < 0.3:
-        x = cv2.GaussianBlur(x, (0, 0), rng.uniform(0.4, 1.3))
-    gain = rng.uniform(0.85, 1.12) * rng.uniform(0.95, 1.05, 3)
-    x = (x - 128) * rng.uniform(0.85, 1.15) + 128
-    x = x * gain + rng.normal(0, rng.uniform(0, 4), x.shape)
+        image = cv2.GaussianBlur(image, (0, 0), rng.uniform(0.4, 1.3))
     if rng.random() < 0.08:
-        x = np.repeat(x.mean(2, keepdims=True), 3, 2)
+        image = np.repeat(cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)[..., None], 3, 2)
+    gain = (rng.uniform(0.85, 1.12) * rng.uniform(0.95, 1.05, 3)).astype(np.float32)
+    contrast = np.float32(rng.uniform(0.85, 1.15))
+    x = image * (contrast * gain) + (128 - 128 * contrast) * gain
+    if rng.random() < 0.5:
+        x += rng.standard_normal(x.shape, np.float32) * np.float32(rng.uniform(0, 4))
     return np.clip(x, 0, 255).astype(np.uint8)
