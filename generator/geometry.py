@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
@@ -88,6 +89,15 @@ def mask_box(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "4"]:
     if not len(ys):
         raise InputError("An empty mask has no box.")
     return np.array([xs[0], ys[0], xs[-1] + 1, ys[-1] + 1], float)
+
+
+def main_parts(mask: Bool[np.ndarray, "h w"], share: float = 0.1) -> Bool[np.ndarray, "h w"]:
+    """Return the largest connected part of a mask, with the others of at least its ``share``."""
+    _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
+    areas = stats[1:, cv2.CC_STAT_AREA]
+    if not len(areas):
+        return mask
+    return np.isin(numbers, np.flatnonzero(areas >= share * areas.max()) + 1)
 
 
 def box_iou(a: Float[np.ndarray, "4"], b: Float[np.ndarray, "4"]) -> float:

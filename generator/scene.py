@@ -430,18 +430,24 @@ class SizePrior:
     """A commonsense size (Fig. 22): extent (length, width, height) in metres, and its state.
 
     ``placement`` is e.g. "lying flat"; ``axes`` says what x, y and z are, e.g. "thickness".
+    ``outline`` is a table's top seen from above, in metres about the middle of its extent, convex
+    and counter-clockwise; None leaves its shape open.
     """
 
     name: str
     extent: Float[np.ndarray, "3"]
     placement: str = "as shown"
     axes: tuple[str, str, str] = ("length", "width", "height")
+    outline: Float[np.ndarray, "k 2"] | None = None
 
     def __post_init__(self) -> None:
         extent = frozen_array(self.extent, np.float64, (3,), "SizePrior.extent")
         if (extent <= 0).any():
             raise InputError(f"SizePrior.extent must be positive metres, got {extent}.")
         _freeze(self, extent=extent)
+        if self.outline is not None:
+            outline = frozen_array(self.outline, np.float64, (None, 2), "SizePrior.outline")
+            _freeze(self, outline=outline)
 
 
 # ----------------------------------------------------------------------------- where things are

@@ -15,6 +15,7 @@ from . import (
     bakery,
     bottles,
     brewing,
+    clinic,
     craft,
     cups,
     cutlery,
@@ -23,6 +24,7 @@ from . import (
     devices,
     dining,
     electronics,
+    figurines,
     food,
     fruit,
     gadgets,
@@ -62,7 +64,7 @@ _SHELVES = (
     *(devices, portables, deskware, leisure, ornaments, household),
     *(office, writing, electronics, handhelds, gadgets, decor, plants, keepsakes, lights),
     *(tools, workbench, toys, games, craft, vanity, lab),
-    *(paper, maps, mats),
+    *(paper, maps, mats, clinic, figurines),
 )
 
 CATEGORIES: Mapping[str, Category] = MappingProxyType(

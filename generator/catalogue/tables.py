@@ -275,6 +275,4 @@ def _tiles(plan: PlannedTable, rng: np.random.Generator) -> tuple[Tile, Tile]:
             return top, legs
     ground = asked or rgb(plan.material) or WOODS["oak"]
     legs = ground if plan.legs not in ("hairpin", "metal") else dark
-    return textures.wood(rng, ground, grain=0.22, side=128, planks=planks), textures.speckled(
-        rng, tinted(legs, 0.92), 3
-    )
+    return textures.speckled(rng, ground, 2, 128), textures.speckled(rng, tinted(legs, 0.92), 3)

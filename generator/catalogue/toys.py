@@ -282,7 +282,7 @@ CATEGORIES = (
         toy_robot,
         (0.083, 0.048, 0.143),
         0.16,
-        ("robot", "figurine", "action figure", "toy figure", "figure"),
+        ("robot", "action figure", "toy figure", "figure"),
         ("toys", "craft"),
         ("tall",),
         ("silver", "red", "teal"),

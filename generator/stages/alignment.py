@@ -184,7 +184,9 @@ def align(
     }
     warnings: list[str] = []
     anchor, alpha = _scale(top, scores, physical, yaws, sizes, config, warnings)
-    table_scale = _table_scale(top, alpha, sizes[TABLE].extent)
+    modelled = reference.plan is None and TABLE in models
+    usual = np.asarray(models[TABLE].size) if modelled else sizes[TABLE].extent
+    table_scale = _table_scale(top, alpha, usual)
     stacking = dict(reasoner.stacking_order(reference, instances, view))
     scales = {}
     for n in names:

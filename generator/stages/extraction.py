@@ -12,7 +12,7 @@ from jaxtyping import Bool
 
 from ..backends.protocols import Imager, Reasoner, Segmenter
 from ..errors import SceneError
-from ..geometry import mask_box
+from ..geometry import main_parts, mask_box
 from ..scene import TABLE, Detection, Instance, Reference
 
 SPECK = 1e-4
@@ -63,18 +63,10 @@ def clean(detection: Detection) -> Detection | None:
     Small islands (under a tenth of the largest) go, small holes (``GAP``) are filled; the box is
     made tight.
     """
-    mask = fill_holes(_main_parts(np.asarray(detection.mask)), GAP)
+    mask = fill_holes(main_parts(np.asarray(detection.mask)), GAP)
     if mask.sum() < SPECK * mask.size:
         return None
     return dataclasses.replace(detection, mask=mask, box=mask_box(mask))
-
-
-def _main_parts(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
-    _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
-    areas = stats[1:, cv2.CC_STAT_AREA]
-    if not len(areas):
-        return mask
-    return np.isin(numbers, np.flatnonzero(areas >= 0.1 * areas.max()) + 1)
 
 
 def fill_holes(mask: Bool[np.ndarray, "h w"], share: float) -> Bool[np.ndarray, "h w"]:

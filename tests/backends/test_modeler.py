@@ -16,15 +16,13 @@ from generator.backends.embedded.framing import frame_to_mask
 from generator.backends.embedded.modeler import Modeler, small_mask
 from generator.backends.embedded.pixels import mask_iou
 from generator.backends.embedded.projection import Projection, camera_view
-from generator.backends.embedded.tabletops import turned_about, with_corners, with_thickness
-from generator.catalogue import build, build_table
+from generator.catalogue import build
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, yaw_quaternion
-from generator.render.raster import Item, Rendered, place, render
+from generator.render.raster import Item, place, render
 from generator.scene import (
     Detection,
     Instance,
     Model,
-    PlannedTable,
     Reference,
     SizePrior,
     View,
@@ -162,65 +160,6 @@ def test_a_wrong_label_gives_way_to_the_silhouette():
     wrong = Instance("mug_1", "mug", instance.box, instance.mask, instance.crop, instance.crop_box)
     model = Modeler().model(wrong, SizePrior("mug_1", np.array([0.2, 0.16, 0.015])), view)
     assert model.category == "generic"
-
-
-def rebuilt_table(truth: Model) -> tuple[Rendered, Rendered, Model]:
-    """Draw a table, model it from its crop, and draw the model from the same place."""
-    camera = Camera.looking_at(np.array([0, 0, 0.5]), VIEW, 3.0, SIZE[1], SIZE[0])
-    middle = np.array([0, 0, truth.size[2] / 2])
-
-    def drawn(model: Model) -> Rendered:
-        item = place(model.mesh, model.size, middle, yaw_quaternion(0), 1)
-        return render([item], camera, supersample=1)
-
-    shown = drawn(truth)
-    mask = shown.ids == 1
-    instance = complete(Reference(shown.image), Detection("table", mask_box(mask), mask), ())
-    view = ray_view(VIEW, (instance.box[:2] + instance.box[2:]) / 2, SIZE[1], SIZE[0])
-    model = Modeler().model(instance, SizePrior("table", np.array(truth.size)), view)
-    return shown, drawn(model), model
-
-
-@pytest.mark.parametrize(
-    "outline, legs, thickness, radius",
-    [
-        ("oval", "pedestal", 0.034, None),
-        ("rectangle", "metal", 0.07, 0.14),
-        ("rectangle", "trestle", 0.034, None),
-    ],
-)
-def test_the_table_takes_outline_legs_thickness_and_color(outline, legs, thickness, radius):
-    truth = build_table(PlannedTable(outline, "walnut", legs, (1.3, 0.8, 0.7)), 3)
-    truth = with_thickness(truth, thickness)
-    truth = truth if radius is None else with_corners(truth, radius)
-    shown, again, model = rebuilt_table(truth)
-    np.testing.assert_allclose(model.size, truth.size)
-    mask = shown.ids == 1
-    assert mask_iou(mask, again.ids == 1) > 0.96
-    assert np.abs(again.image[mask].astype(int) - shown.image[mask]).mean() < 25
-    points = np.concatenate([p.vertices for p in model.parts])
-    np.testing.assert_allclose([points.min(0), points.max(0)], [[-0.5] * 3, [0.5] * 3], atol=0.1)
-
-
-def test_a_triangle_may_point_at_the_viewer():
-    plan = PlannedTable("triangle", "pine", "tapered", (1.0, 0.95, 0.7))
-    shown, again, _ = rebuilt_table(turned_about(build_table(plan, 3)))
-    assert mask_iou(shown.ids == 1, again.ids == 1) > 0.96
-
-
-def test_an_oval_has_no_corners():
-    truth = build_table(PlannedTable("oval", "walnut", "straight", (1.3, 0.8, 0.7)), 3)
-    drawn, _, model = rebuilt_table(truth)
-    mask = drawn.ids == 1
-    np.testing.assert_allclose(model.size, [1.3, 0.8, 0.7])
-    corner = np.abs(model.mesh.vertices[:, :2]).sum(1)[model.mesh.vertices[:, 2] > 0.49]
-    assert corner.max() < 0.9, "an oval has no corners"
-    assert (
-        np.linalg.norm(
-            np.median(model.mesh.texture.reshape(-1, 3), 0) - np.median(drawn.image[mask], 0)
-        )
-        < 70
-    )
 
 
 def test_projection_agrees_with_the_camera_that_took_the_picture():

@@ -17,8 +17,9 @@ from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
 from ...errors import SceneError
-from ...geometry import Camera, convex_outline, rotation_z, view_rotation, wrap
+from ...geometry import Camera, convex_outline, main_parts, rotation_z, view_rotation, wrap
 from ...scene import View
+from .pixels import distance_to, hull_corners
 from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance, outline_points
 
 CUT_SHARE = 0.15
@@ -55,7 +56,7 @@ class _Rim:
 
 def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
     """Return which share of the outline (convex hull) of ``mask`` lies on the picture's frame."""
-    hull = _hull(_main_parts(mask))
+    hull = hull_corners(_region(mask))
     points = _sampled(hull, _POINTS)
     return float(_at_frame(points, mask.shape).mean())
 
@@ -99,7 +100,8 @@ def scaled_plane(plane: TablePlane, factor: float) -> TablePlane:
     """Return the same tabletop in the same picture, ``factor`` times as large and as far."""
     camera = replace(plane.camera, position=plane.camera.position * factor)
     size = (plane.size[0] * factor, plane.size[1] * factor)
-    return replace(plane, camera=camera, size=size, radius=plane.radius * factor)
+    edge = None if plane.edge is None else plane.edge * factor
+    return replace(plane, camera=camera, size=size, radius=plane.radius * factor, edge=edge)
 
 
 def plane_of_region(
@@ -133,23 +135,14 @@ def plane_of_region(
 # ----------------------------------------------------------------------------------- the region
 
 
-def _main_parts(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
-    _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
-    areas = stats[1:, cv2.CC_STAT_AREA]
-    if not len(areas) or areas.max() < _SMALLEST * mask.size:
+def _region(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
+    region = main_parts(mask, _ISLAND)
+    if region.sum() < _SMALLEST * mask.size:
         raise SceneError(
             "The tabletop shows on less than "
             f"{_SMALLEST:.1%} of the picture. Use a picture nearer to the table."
         )
-    return np.isin(numbers, np.flatnonzero(areas >= _ISLAND * areas.max()) + 1)
-
-
-def _hull(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "k 2"]:
-    """Return the convex hull of a mask's pixels (their corners), in pixels."""
-    contours, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    pixels = np.concatenate(contours)[:, 0]
-    corners = np.concatenate([pixels + shift for shift in ([0, 0], [1, 0], [0, 1], [1, 1])])
-    return cv2.convexHull(corners.astype(np.float32))[:, 0].astype(float)
+    return region
 
 
 def _sampled(polygon: Float[np.ndarray, "k 2"], count: int) -> Float[np.ndarray, "n 2"]:
@@ -169,19 +162,19 @@ def _at_frame(points: Float[np.ndarray, "n 2"], shape: tuple[int, ...]) -> Bool[
 def _rim(
     mask: Bool[np.ndarray, "h w"], camera: Camera, hidden: Bool[np.ndarray, "h w"] | None
 ) -> _Rim:
-    region = _main_parts(mask)
+    region = _region(mask)
     height, width = mask.shape
     y, x = np.mgrid[0:height, 0:width] + 0.5
     places = camera.on_plane(np.column_stack([x.ravel(), y.ravel()]), 0.0)[:, :2]
     seen = np.linalg.norm(places, axis=1) < _REACH * camera.position[2]
     in_reach = seen.reshape(mask.shape)  # NaN, above the horizon, is out of reach
     far = cv2.dilate((~in_reach).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
-    region = _main_parts(region & in_reach & ~far)
-    points = _sampled(_hull(region), _POINTS)
+    region = _region(region & in_reach & ~far)
+    points = _sampled(hull_corners(region), _POINTS)
     behind = far if hidden is None else far | (hidden & ~region)
-    beside = _distance(behind, points) < _BESIDE * max(mask.shape) / 640
+    beside = distance_to(behind, points) < _BESIDE * max(mask.shape) / 640
     true = ~(_at_frame(points, mask.shape) | beside)
-    bridged = _distance(region, points) > _BESIDE * max(mask.shape) / 640
+    bridged = distance_to(region, points) > _BESIDE * max(mask.shape) / 640
     on_plane = camera.on_plane(points, 0.0)
     depth = camera.to_camera(on_plane)[:, 2]
     sine = np.clip(camera.position[2] / np.linalg.norm(on_plane - camera.position, axis=1), 0.05, 1)
@@ -202,17 +195,6 @@ def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
         np.concatenate([rim.true, np.zeros(count, bool)]),
         np.concatenate([rim.weights, np.full(count, _BRIDGE)]),
     )
-
-
-def _distance(
-    mask: Bool[np.ndarray, "h w"], points: Float[np.ndarray, "n 2"]
-) -> Float[np.ndarray, "n"]:
-    """Return each point's distance from the nearest pixel of ``mask``, pixels."""
-    if not mask.any():
-        return np.full(len(points), np.inf)
-    away = cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
-    at = np.clip(points.astype(int), 0, np.array([mask.shape[1], mask.shape[0]]) - 1)
-    return away[at[:, 1], at[:, 0]]
 
 
 # ------------------------------------------------------------------------------------- the fit

@@ -14,7 +14,9 @@ import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
 from ...errors import SceneError
+from ...geometry import main_parts
 from .eye.sight import Sight
+from .pixels import distance_to, hull_corners
 
 WORKING_SIZE = 640
 """Longest side, in pixels, of the copy of the picture that is analysed."""
@@ -58,8 +60,8 @@ def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> tuple[Outli
     height, width = lab.shape[:2]
     top = cv2.resize(top_of(sight).astype(np.float32), (width, height)) > 0.5
     region = cv2.resize(sight.region.argmax(0).astype(np.uint8), (width, height), interpolation=0)
-    points, normals = walk(hull_of(top), _POINTS)
-    ends = _distance(~top, points) < _AWAY
+    points, normals = walk(hull_corners(top), _POINTS)
+    ends = distance_to(~top, points) < _AWAY
     inner, outer = _at(region, points - 5 * normals), _at(region, points + 5 * normals)
     plain = ends & (inner == 1) & (outer != 3)
     moved = snap(points, normals, gradient(lab))
@@ -75,33 +77,16 @@ def top_of(sight: Sight) -> Bool[np.ndarray, "h w"]:
     Raises:
         SceneError: the eye sees none: too small, ragged or doubtful a patch is no tabletop.
     """
-    top = main_part(sight.top > 0.5)
+    top = main_parts(sight.top > 0.5)
     if top.sum() >= _SMALLEST * top.size and sight.top[top].mean() > _SURE:
         hull = np.zeros(top.shape, np.uint8)
-        cv2.fillConvexPoly(hull, np.round(hull_of(top)).astype(np.int32), 1)
+        cv2.fillConvexPoly(hull, np.round(hull_corners(top)).astype(np.int32), 1)
         if top.sum() > _FILLED * hull.sum():
             return top
     raise SceneError(
         "No table found in the picture. Show the table's upper side, lit well enough to tell it "
         "from what is around it."
     )
-
-
-def main_part(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
-    """Return the largest connected part of a mask, with the others of at least a tenth of it."""
-    _, numbers, stats, _ = cv2.connectedComponentsWithStats(mask.astype(np.uint8), connectivity=8)
-    areas = stats[1:, cv2.CC_STAT_AREA]
-    if not len(areas):
-        return mask
-    return np.isin(numbers, np.flatnonzero(areas >= 0.1 * areas.max()) + 1)
-
-
-def hull_of(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "k 2"]:
-    """Return the convex hull of a mask's pixels, in pixels."""
-    contours, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
-    pixels = np.concatenate(contours)[:, 0].astype(np.float32)
-    corners = np.concatenate([pixels + shift for shift in ([0, 0], [1, 0], [0, 1], [1, 1])])
-    return cv2.convexHull(corners.astype(np.float32))[:, 0].astype(float)
 
 
 def gradient(lab: Float[np.ndarray, "h w 3"]) -> Float[np.ndarray, "h w"]:
@@ -153,14 +138,3 @@ def _sampled(field: Float[np.ndarray, "h w"], points: Float[np.ndarray, "n m 2"]
 def _at(field: np.ndarray, points: Float[np.ndarray, "n 2"]) -> np.ndarray:
     x, y = np.clip(points.astype(int), 0, np.array([field.shape[1], field.shape[0]]) - 1).T
     return field[y, x]
-
-
-def _distance(
-    mask: Bool[np.ndarray, "h w"], points: Float[np.ndarray, "n 2"]
-) -> Float[np.ndarray, "n"]:
-    """Return each point's distance from the nearest pixel of ``mask``, pixels."""
-    padded = np.pad(mask, 1, constant_values=False)
-    if not padded.any():
-        return np.full(len(points), np.inf)
-    away = cv2.distanceTransform((~padded).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
-    return _at(away, points + 1)

@@ -1,10 +1,10 @@
-"""Questions about masks: nearest inside pixel, convex hull, largest piece, overlap."""
+"""Questions about masks: nearest inside pixel, hull, pieces, distance, overlap, the frame."""
 
 from __future__ import annotations
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Int
+from jaxtyping import Bool, Float, Int
 from scipy import ndimage
 
 Mask = Bool[np.ndarray, "h w"]
@@ -30,6 +30,23 @@ def hull_of(mask: Mask) -> Mask:
     canvas = np.zeros(mask.shape, np.uint8)
     cv2.fillConvexPoly(canvas, cv2.convexHull(points), 1)
     return canvas > 0
+
+
+def hull_corners(mask: Mask) -> Float[np.ndarray, "k 2"]:
+    """Return the corners of the convex hull of a mask's pixel squares, in pixels."""
+    contours, _ = cv2.findContours(mask.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
+    pixels = np.concatenate(contours)[:, 0].astype(np.float32)
+    corners = np.concatenate([pixels + shift for shift in ([0, 0], [1, 0], [0, 1], [1, 1])])
+    return cv2.convexHull(corners.astype(np.float32))[:, 0].astype(float)
+
+
+def distance_to(mask: Mask, points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
+    """Return each point's distance from the nearest pixel of ``mask``, pixels."""
+    if not mask.any():
+        return np.full(len(points), np.inf)
+    away = cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+    x, y = np.clip(points.astype(int), 0, np.array([mask.shape[1], mask.shape[0]]) - 1).T
+    return away[y, x]
 
 
 def largest_piece(mask: Mask) -> Mask:

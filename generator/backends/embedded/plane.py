@@ -8,15 +8,16 @@ single view leaves open: a rectangle seen head-on does not tell field of view fr
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import cv2
 import numpy as np
+import shapely
 from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
-from ...geometry import Camera, view_direction, view_rotation
+from ...geometry import Camera, convex_outline, view_direction, view_rotation
 from ...scene import OutlineKind, PlannedTable, View
 from .outline import Outline
 
@@ -30,6 +31,8 @@ _FOV_SPREAD = 0.12  # likewise, of the logarithm
 _EDGE = 1.2  # pixels: how well an edge point is known
 _TRUST = 12.0  # independent edge points that a whole outline counts for
 _RADIUS = 0.3  # of the shorter side: the largest corner radius
+_EXPLAINED = 0.975  # overlap seen from above below which no shape explains an outline
+_RAYS = 64  # corners of such an outline
 
 
 @dataclass(frozen=True)
@@ -61,7 +64,8 @@ class TablePlane:
     up); its scale rests on ``size``, the top's (length, width) in metres. ``shape`` tells the
     outline's kind; ``flipped`` a triangle whose tip points to the viewer; ``radius`` the corner
     radius in metres. ``outline`` is the fitted outline in picture pixels, ``error`` the median
-    distance of the edge points from it in pixels.
+    distance of the edge points from it in pixels. ``edge`` is the outline as it was seen, metres,
+    convex and counter-clockwise, where it is none of those shapes; ``shape`` is then the likest.
     """
 
     view: View
@@ -72,6 +76,14 @@ class TablePlane:
     radius: float
     outline: Float[np.ndarray, "k 2"]
     error: float
+    edge: Float[np.ndarray, "m 2"] | None = None
+
+    def top(self, grow: float = 0.0) -> Float[np.ndarray, "k 2"]:
+        """Return the top's outline seen from above, widened by ``grow`` metres."""
+        if self.edge is None:
+            return outline_points(self.shape, self.flipped, self.size, self.radius, grow)
+        widened = shapely.Polygon(self.edge).buffer(grow) if grow else shapely.Polygon(self.edge)
+        return np.asarray(shapely.orient_polygons(widened).exterior.coords)[:-1]
 
     def to_table(self, pixels: Float[np.ndarray, "n 2"], z: float = 0.0) -> np.ndarray:
         """Return table x, y in metres of picture pixels, on the plane ``z`` above the top."""
@@ -85,8 +97,7 @@ class TablePlane:
     def mask(self, grow: float = 0.0) -> Bool[np.ndarray, "h w"]:
         """Return the pixels inside the outline, widened by ``grow`` metres."""
         canvas = np.zeros((self.camera.height, self.camera.width), np.uint8)
-        points = outline_points(self.shape, self.flipped, self.size, self.radius, grow)
-        cv2.fillPoly(canvas, [np.round(self.to_pixels(points) - 0.5).astype(np.int32)], 1)
+        cv2.fillPoly(canvas, [np.round(self.to_pixels(self.top(grow)) - 0.5).astype(np.int32)], 1)
         return canvas > 0
 
 
@@ -333,7 +344,8 @@ def fit_plane(
     fits = (_fit(outline, kind, frame, plan, expected, view) for kind in kinds)
     best = min(fits, key=lambda fit: fit.cost)
     metres = length or (plan.size[0] if plan else TABLE_LENGTH)
-    return _plane(best, metres, *size, factor)
+    plane = _plane(best, metres, *size, factor)
+    return plane if plan is not None else _as_seen(plane, outline.hull / factor)
 
 
 def _plane(fit: _Fit, length: float, width: int, height: int, factor: float) -> TablePlane:
@@ -345,3 +357,31 @@ def _plane(fit: _Fit, length: float, width: int, height: int, factor: float) -> 
     points = outline_points(shape, flipped, size, radius)
     outline = camera.project(np.column_stack([points, np.zeros(len(points))]))
     return TablePlane(view, camera, shape, flipped, size, radius, outline, fit.error / factor)
+
+
+def _as_seen(plane: TablePlane, hull: Float[np.ndarray, "k 2"]) -> TablePlane:
+    """Return the tabletop with the outline that was seen (pixels) if its shape is none of ours.
+
+    Its frame and size are then those of the outline itself; its length stays.
+    """
+    seen = shapely.Polygon(convex_outline(plane.to_table(hull)))
+    ideal = shapely.Polygon(plane.top())
+    if seen.intersection(ideal).area > _EXPLAINED * seen.union(ideal).area:
+        return plane
+    edge = _around(seen, _RAYS)
+    low, high = edge.min(0), edge.max(0)
+    middle, factor = (low + high) / 2, plane.size[0] / float(high[0] - low[0])
+    edge = (edge - middle) * factor
+    position = (plane.camera.position - [*middle, 0.0]) * factor
+    camera = replace(plane.camera, position=position)
+    outline = camera.project(np.column_stack([edge, np.zeros(len(edge))]))
+    size = (plane.size[0], float(high[1] - low[1]) * factor)
+    radius = min(plane.radius * factor, _RADIUS * min(size))
+    return replace(plane, camera=camera, size=size, radius=radius, outline=outline, edge=edge)
+
+
+def _around(polygon: shapely.Polygon, count: int) -> Float[np.ndarray, "k 2"]:
+    """Return the convex outline through ``count`` points evenly along a polygon's rim."""
+    along = np.linspace(0, 1, count, endpoint=False)
+    points = shapely.line_interpolate_point(polygon.exterior, along, normalized=True)
+    return convex_outline(shapely.get_coordinates(points))

@@ -24,6 +24,9 @@ from .planner import plan_scene
 from .segmenter import GENERIC
 from .survey import solid_size, stacking_of, survey
 
+_HEIGHT = 0.74
+"""Metres: the usual height of a table, where nothing tells it."""
+
 
 @dataclass(frozen=True)
 class Reasoner:
@@ -68,7 +71,7 @@ class Reasoner:
                 usual[instance.name] = prior
         metric = reference.plan is not None or reference.depth is not None
         factor = 1.0 if metric else _table_factor(usual, measured)
-        sizes = {TABLE: SizePrior(TABLE, _table_extent(reference, plane, factor))}
+        sizes = {TABLE: _table_size(reference, plane, factor)}
         for instance in instances:
             if instance.name != TABLE:
                 prior = usual.get(instance.name)
@@ -113,7 +116,9 @@ def _table_factor(usual: Mapping[str, SizePrior], measured: Mapping[str, np.ndar
     return float(np.clip(np.median(ratios), 0.6, 1.6)) if ratios else 1.0
 
 
-def _table_extent(reference: Reference, plane: TablePlane, factor: float) -> np.ndarray:
+def _table_size(reference: Reference, plane: TablePlane, factor: float) -> SizePrior:
+    extent = np.array([plane.size[0] * factor, plane.size[1] * factor, _HEIGHT])
     if reference.plan is not None:
-        return np.array(reference.plan.table.size)
-    return np.array([plane.size[0] * factor, plane.size[1] * factor, 0.74])
+        extent = np.array(reference.plan.table.size)
+    outline = plane.top() * (extent[:2] / plane.size)
+    return SizePrior(TABLE, extent, outline=outline)

@@ -9,13 +9,13 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, UInt8
 
-from ...geometry import mask_box
+from ...geometry import main_parts, mask_box
 from ...scene import TABLE, Detection
 from .eye.sight import Sight, Thing, see
 from .eye.weights import load_weights
 from .measure import measured_extent
 from .naming import assigned, free_labels, shape_word, table_scale, weighed
-from .outline import main_part, top_of
+from .outline import top_of
 from .tabletop import find_tabletop
 
 GENERIC = "object"
@@ -54,7 +54,7 @@ class Segmenter:
             if (mask := refine(image, thing.visible)).any()
         ]
         found = sorted(found, key=lambda d: (d.box[3], d.box[0]))
-        table = main_part(np.isin(sight.region.argmax(0), (1, 2)))
+        table = main_parts(np.isin(sight.region.argmax(0), (1, 2)))
         for thing in found:
             table &= ~thing.mask
         return (Detection(TABLE, mask_box(table), table), *found)

@@ -1,187 +1,164 @@
-"""Model the table of a picture: outline and legs by silhouette, material and colours by pixels."""
+"""Model the table of a picture: its top as it was measured, legs by silhouette, colours by pixels.
+
+The top is painted as the picture shows it: a plain one stays plain, whatever shadows lie on it;
+a patterned one keeps its pattern.
+"""
 
 from __future__ import annotations
 
 import dataclasses
-from dataclasses import dataclass
 
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
 
-from ...catalogue import build_table
-from ...catalogue.tables import LEGS
-from ...scene import Instance, Mesh, Model, OutlineKind, PlannedTable, SizePrior, View
+from ...catalogue.outlines import ellipse, rectangle, rounded_polygon
+from ...scene import Instance, Mesh, Model, SizePrior, View
 from . import baking
-from .framing import frame_to_mask
-from .painting import base_colors
-from .pixels import mask_iou
 from .projection import Projection
-from .tabletops import top_faces, turned_about, with_corners, with_thickness
+from .table_fit import Fitted, Silhouette, fit_table
 from .unshading import estimate_shading
 from .unwrap import unwrap
 
-_MATERIALS = ("oak", "walnut", "pine", "marble", "steel", "white")
-_WORKING = 140
-_SKETCH = 160  # texture side at which materials are compared
-_FINE = 300  # longer side of the silhouettes that tell thickness and corners
-_THICKNESSES = (0.012, 0.02, 0.05, 0.07, 0.1)  # metres
-_RADII = (0.06, 0.12, 0.2, 0.3, 0.42)  # of the narrower side
-_GAIN = 0.002  # overlap that a change of thickness or corners must gain
-_LEGLESS = 0.03  # by how much silhouettes must agree better before legs count as unseen
-
-
-@dataclass(frozen=True)
-class _Form:
-    """What a table looks like: its plan, and how it leaves the catalogue's (metres; None: not)."""
-
-    plan: PlannedTable
-    about: bool = False
-    thickness: float | None = None
-    radius: float | None = None
-
-    def built(self, seed: int) -> Model:
-        """Return the canonical model."""
-        model = build_table(self.plan, seed)
-        model = model if self.thickness is None else with_thickness(model, self.thickness)
-        model = model if self.radius is None else with_corners(model, self.radius)
-        return turned_about(model) if self.about else model
-
-
-@dataclass(frozen=True, eq=False)
-class _Seen:
-    """A table model placed under the picture: vertices in the object frame, overlap, legs seen."""
-
-    form: _Form
-    model: Model
-    world: Float[np.ndarray, "n 3"]
-    iou: float
-    legs: bool
+_WORKING = 240  # longer side of the silhouettes that are compared, pixels
+_PLAIN = 14.0  # grey levels of unrest within a hand's breadth, up to which a top is plain
+_BESIDE = 0.01  # of the crop's longer side: how near to a thing its halo lies
+_SHADE = 0.12  # likewise, its shadow
+_DARK = 0.94  # of the top's usual brightness: darker places there are shadow
+_CELLS = 192  # along the longer side of the top as it is filled in
 
 
 def model_table(instance: Instance, size: SizePrior, view: View, seed: int, texture: int) -> Model:
-    """Return a table of the prior's size that looks like the picture's, yaw zero.
+    """Return a table that looks like the picture's, yaw zero.
 
-    Outline and legs are those whose silhouette agrees best together, the usual straight legs if
-    it shows none; then the thickness of the top and the rounding of its corners. Top and legs
-    take their colours from the picture, each for itself. Of a table that the frame cuts, only the
-    material is taken: its silhouette does not show its shape.
+    The top has the prior's outline, or that of the usual ones whose silhouette agrees best. Legs
+    and height are those that explain the silhouette below it; the prior's height stays where the
+    picture does not show any.
     """
     projection = Projection.of_instance(instance, view)
-    length, width, height = (float(np.clip(s, 0.2, 4.0)) for s in size.extent)
-    even = _outlines(length, width)
-    plan = PlannedTable(outline=even[0], size=(length, width, height))
-    small = projection.resized(_WORKING)
-    best = _place(_Form(plan), seed, _mask(instance, small), small)
-    if not is_cut(np.asarray(instance.mask)):
-        best = _fitted(best, even, seed, instance, projection)
-    models = [
-        dataclasses.replace(best.form, plan=dataclasses.replace(best.form.plan, material=m)).built(
-            seed
-        )
-        for m in _MATERIALS
-    ]
-    gaps = [_paint(best, m, instance, projection, _SKETCH)[1] for m in models]
-    model = models[int(np.argmin(gaps))]
-    mesh, _ = _paint(best, model, instance, projection, texture)
-    return dataclasses.replace(model, mesh=mesh, size=np.array(size.extent))
+    seen = _silhouette(instance, projection.resized(_WORKING))
+    extent = np.clip(size.extent, 0.2, 4.0)
+    tops = _usual_tops(*extent[:2]) if size.outline is None else [np.asarray(size.outline)]
+    tops = [top * (extent[:2] / np.ptp(top, axis=0)) for top in tops]
+    fits = (fit_table(top, float(extent[2]), seen) for top in tops)
+    best = max(fits, key=lambda fit: fit.overlap)
+    model = best.form.built()
+    return dataclasses.replace(model, mesh=_painted(best, model, instance, projection, texture))
 
 
-def is_cut(mask: Bool[np.ndarray, "h w"]) -> bool:
-    """Tell whether the picture's frame cuts a mask."""
-    rim = np.concatenate([mask[0], mask[-1], mask[:, 0], mask[:, -1]])
-    return bool(rim.sum() > 0.02 * sum(mask.shape))
+def _silhouette(instance: Instance, small: Projection) -> Silhouette:
+    size = small.width, small.height
+    alpha = cv2.resize(instance.crop[..., 3], size, interpolation=cv2.INTER_AREA)
+    return Silhouette(alpha > 127, _places(instance, *size)[2], small)
 
 
-def _fitted(
-    best: _Seen,
-    outlines: tuple[OutlineKind, ...],
-    seed: int,
-    instance: Instance,
-    projection: Projection,
-) -> _Seen:
-    """Return the table whose silhouette agrees best, tried feature by feature."""
-    small = projection.resized(_WORKING)
-    mask = _mask(instance, small)
+def _places(
+    instance: Instance, width: int, height: int
+) -> tuple[Int[np.ndarray, "h w"], Int[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
+    """Return the row and column in the picture of each pixel of a crop, and which the frame holds.
 
-    def best_of(forms: list[_Form]) -> _Seen:
-        return max((_place(f, seed, mask, small) for f in forms), key=lambda s: s.iou)
-
-    plan = best.form.plan
-    forms = [
-        _Form(dataclasses.replace(plan, outline=outline, legs=legs), about)
-        for outline in outlines
-        for legs in LEGS
-        for about in ((False, True) if outline == "triangle" else (False,))
-    ]
-    best = max(best, best_of(forms), key=lambda s: s.iou)
-    small = projection.resized(_FINE)
-    mask = _mask(instance, small)
-    best = _place(best.form, seed, mask, small)
-    finer = best_of([dataclasses.replace(best.form, thickness=t) for t in _THICKNESSES])
-    best = finer if finer.iou > best.iou + _GAIN else best
-    if best.form.plan.outline in ("rectangle", "square"):
-        side = min(plan.size[:2])
-        finer = best_of([dataclasses.replace(best.form, radius=r * side) for r in _RADII])
-        best = finer if finer.iou > best.iou + _GAIN else best
-    return best
+    Rows and columns are those of the nearest pixel of the picture.
+    """
+    x0, y0, x1, y1 = instance.crop_box
+    columns = np.floor(x0 + (np.arange(width) + 0.5) * (x1 - x0) / width).astype(int)
+    rows = np.floor(y0 + (np.arange(height) + 0.5) * (y1 - y0) / height).astype(int)
+    rows, columns = np.meshgrid(rows, columns, indexing="ij")
+    tall, wide = instance.mask.shape
+    held = (rows >= 0) & (rows < tall) & (columns >= 0) & (columns < wide)
+    return rows.clip(0, tall - 1), columns.clip(0, wide - 1), held
 
 
-def _mask(instance: Instance, small: Projection) -> Bool[np.ndarray, "h w"]:
-    """Return the crop's silhouette at the size of ``small``."""
-    return baking.opaque_colors(_shrunk(instance, small))[1]
+def _usual_tops(length: float, width: float) -> list[Float[np.ndarray, "k 2"]]:
+    """Return the outlines that a top of these sides usually has."""
+    corners = np.array([[-0.5, -0.5], [0.5, -0.5], [0.0, 0.5]]) * [length, width]
+    triangle = rounded_polygon(corners, 0.1 * min(length, width), 4)
+    triangle = triangle - (triangle.min(0) + triangle.max(0)) / 2
+    round_top = ellipse(length, width, 64)
+    tops = [rectangle(length, width, r * min(length, width), 6) for r in (0.02, 0.14, 0.3)]
+    return [*tops, round_top, triangle, -triangle]
 
 
-def _shrunk(instance: Instance, small: Projection) -> UInt8[np.ndarray, "h w 4"]:
-    return cv2.resize(instance.crop, (small.width, small.height), interpolation=cv2.INTER_AREA)
+# ------------------------------------------------------------------------------------- colours
 
 
-def _outlines(length: float, width: float) -> tuple[OutlineKind, ...]:
-    """Return the outlines that a top of these sides can have."""
-    even = abs(np.log(length / width)) < 0.06
-    return ("square", "round", "triangle") if even else ("rectangle", "oval", "triangle")
-
-
-def _place(form: _Form, seed: int, mask: np.ndarray, small: Projection) -> _Seen:
-    """Put a table under the silhouette, by all of it or by its top alone."""
-    model = form.built(seed)
-    top = top_faces(model.mesh)
-    shape = model.mesh.vertices * model.size
-    found = []
-    for legs, faces in ((True, model.mesh.faces), (False, model.mesh.faces[top])):
-        used: Int[np.ndarray, "k"] = np.unique(faces)
-        scale, shift = frame_to_mask(shape[used], small, mask)
-        world = shape * scale + shift
-        iou = mask_iou(small.silhouette(world, faces), mask)
-        found.append(_Seen(form, model, world, iou, legs))
-    whole, bare = found
-    return bare if bare.iou > whole.iou + _LEGLESS else whole
-
-
-def _paint(
-    seen: _Seen, model: Model, instance: Instance, projection: Projection, size: int
-) -> tuple[Mesh, float]:
-    """Recolour a table like the picture; also return how far its material was from it."""
+def _painted(
+    fit: Fitted, model: Model, instance: Instance, projection: Projection, size: int
+) -> Mesh:
+    """Return the table's mesh in the picture's colours, top and legs each for themselves."""
     mesh = model.mesh
+    world = fit.world(np.asarray(mesh.vertices, float))
     image, mask = baking.opaque_colors(instance.crop)
     atlas = unwrap(mesh.vertices * model.size, mesh.faces, size)
-    surface = baking.surface_of(atlas, seen.world)
-    sight = baking.Sight.of(seen.world, mesh.faces, projection)
+    surface = baking.surface_of(atlas, world)
+    sight = baking.Sight.of(world, mesh.faces, projection)
     pixels = projection.project(surface.point)
-    inside = baking.sample(mask[..., None].astype(np.uint8), pixels)[:, 0] > 0.5
-    visible = sight.sees(surface) & inside
-    colors, base = baking.sample(image, pixels), base_colors(mesh, atlas)
+    bare = _bare(instance, mask)
+    own = baking.sample(np.dstack([mask, bare]).astype(np.uint8), pixels) > 0.5
+    visible = sight.sees(surface) & own[:, 0]
+    colors = baking.sample(image, pixels)
     colors = estimate_shading(colors, surface.normal, visible).removed(colors, surface.normal)
-    on_top = top_faces(mesh)[atlas.face]
-    cell = _cells(surface.point)
-    upper = visible & on_top & (surface.normal[:, 2] > 0.9)
-    gap = _material_gap(base[upper], colors[upper], cell[upper]) if upper.sum() > 40 else 0.0
-    texels = base.copy()
-    for part in (on_top, ~on_top):
-        if (visible & part).sum() > 40:
-            base[part] = _calmed(base[part], visible[part], colors[part], cell[part])
-            texels[part] = baking.recolor(base[part], visible[part], colors[part])[0]
-    return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels)), gap
+    slab = 0.5 - fit.form.thickness / fit.form.height - 1e-4
+    on_top = (mesh.vertices[mesh.faces, 2] > slab).all(1)[atlas.face]
+    clear = visible & own[:, 1]
+    upper = clear & on_top & (surface.normal[:, 2] > 0.9)
+    texels = np.full(colors.shape, 200.0)
+    if upper.sum() > 40:
+        near = baking.sample(_near_things(instance, mask)[..., None], pixels)[:, 0] > 0.5
+        dark = colors.mean(1) < _DARK * np.median(colors[upper].mean(1))
+        texels[:] = np.median(colors[upper], 0)
+        texels[on_top] = top_colors(surface.point, colors, upper & ~(near & dark))[on_top]
+    legs = clear & ~on_top
+    if legs.sum() > 40:
+        texels[~on_top] = np.median(colors[legs], 0)
+    return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels))
+
+
+def _bare(instance: Instance, mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
+    """Return the crop's pixels that show the table itself, away from what stands on it."""
+    return mask & ~_covered(instance, mask, _BESIDE)
+
+
+def _near_things(instance: Instance, mask: Bool[np.ndarray, "h w"]) -> UInt8[np.ndarray, "h w"]:
+    """Return the crop's pixels near enough to what stands on the table to lie in its shadow."""
+    return _covered(instance, mask, _SHADE).astype(np.uint8)
+
+
+def _covered(
+    instance: Instance, mask: Bool[np.ndarray, "h w"], reach: float
+) -> Bool[np.ndarray, "h w"]:
+    """Return the crop's pixels within ``reach`` (of its longer side) of what hides the table."""
+    rows, columns, held = _places(instance, mask.shape[1], mask.shape[0])
+    hidden = mask & ~(instance.mask[rows, columns] & held)
+    brush = 2 * max(1, round(reach * max(mask.shape))) + 1
+    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (brush, brush))
+    return cv2.dilate(hidden.astype(np.uint8), kernel) > 0
+
+
+def top_colors(
+    points: Float[np.ndarray, "t 3"], colors: Float[np.ndarray, "t 3"], clear: Bool[np.ndarray, "t"]
+) -> Float[np.ndarray, "t 3"]:
+    """Return the colours of a top's places: one colour if it is plain, else the picture's own.
+
+    ``clear`` tells the places that the picture shows bare. Elsewhere the colours around are
+    carried on, along the top's longer side first, as grain and boards run.
+    """
+    middle = np.median(colors[clear], 0)
+    if unrest(colors[clear], _cells(points[clear])) < _PLAIN:
+        return np.broadcast_to(middle, colors.shape)
+    flat = points[:, :2] - points[:, :2].min(0)
+    at = np.floor(flat / flat.max() * (_CELLS - 1)).astype(int)
+    side = at.max(0)[::-1] + 1
+    total, count = np.zeros((*side, 3), np.float32), np.zeros(side, np.float32)
+    np.add.at(total, (at[clear, 1], at[clear, 0]), colors[clear])
+    np.add.at(count, (at[clear, 1], at[clear, 0]), 1.0)
+    filled = np.broadcast_to(middle, total.shape).astype(np.float32)
+    for spread in ((90.0, 12.0), (24.0, 2.5)):  # coarse first; near by counts for more
+        weight = cv2.GaussianBlur(count, (0, 0), spread[0], sigmaY=spread[1])
+        smooth = cv2.GaussianBlur(total, (0, 0), spread[0], sigmaY=spread[1])
+        trust = (weight / (weight + 0.02))[..., None]
+        filled = trust * smooth / np.maximum(weight, 1e-6)[..., None] + (1 - trust) * filled
+    carried = baking.sample(filled, at + 0.5)
+    return np.where(clear[:, None], colors, carried)
 
 
 def _cells(point: Float[np.ndarray, "t 3"], count: int = 10) -> Int[np.ndarray, "t"]:
@@ -191,36 +168,15 @@ def _cells(point: Float[np.ndarray, "t 3"], count: int = 10) -> Int[np.ndarray, 
     return index[:, 0] * count + index[:, 1]
 
 
-def _unrest(colors: Float[np.ndarray, "t 3"], cell: Int[np.ndarray, "t"]) -> float:
+def unrest(colors: Float[np.ndarray, "t 3"], cell: Int[np.ndarray, "t"]) -> float:
     """Return the usual spread of brightness within cells of the surface, in grey levels.
 
-    Light that fades across the table is the same within a cell and does not count.
+    Light that fades across the table is nearly the same within a cell and does not count.
     """
     brightness = colors.mean(1)
     spreads = []
     for k in np.unique(cell):
         own = brightness[cell == k]
         if len(own) >= 12:
-            spreads.append(float(np.subtract(*np.quantile(own, [0.97, 0.03]))))
+            spreads.append(float(np.subtract(*np.quantile(own, [0.95, 0.05]))))
     return float(np.median(spreads)) if spreads else 0.0
-
-
-def _calmed(
-    base: Float[np.ndarray, "t 3"],
-    seen: Bool[np.ndarray, "t"],
-    colors: Float[np.ndarray, "t 3"],
-    cell: Int[np.ndarray, "t"],
-) -> Float[np.ndarray, "t 3"]:
-    """Return base colours whose pattern is no stronger than the picture's."""
-    found, own = _unrest(colors[seen], cell[seen]), _unrest(base[seen], cell[seen])
-    gain = min(1.0, max(found - 1.0, 0.0) / max(own, 1.0))
-    middle = np.median(base[seen], 0)
-    return middle + (base - middle) * gain
-
-
-def _material_gap(
-    base: Float[np.ndarray, "t 3"], colors: Float[np.ndarray, "t 3"], cell: Int[np.ndarray, "t"]
-) -> float:
-    """Return how unlike two surfaces' colours and unrest are, in grey levels."""
-    tone = np.linalg.norm(np.median(base, 0) - np.median(colors, 0))
-    return float(tone + 2.0 * abs(_unrest(base, cell) - _unrest(colors, cell)))

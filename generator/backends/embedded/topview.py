@@ -18,7 +18,7 @@ from ...scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
 from .depth_measure import Solid
 from .depth_seating import seated
 from .measure import measured_extent
-from .plane import TablePlane, outline_points
+from .plane import TablePlane
 from .survey import floor_of, stacking_of, survey
 
 _PIXELS = 640  # along the table's longer side
@@ -192,8 +192,7 @@ def _bare_top(
     warp = cv2.getPerspectiveTransform(here, there)
     flat = cv2.warpPerspective(image, warp, size, flags=cv2.INTER_AREA)
     holes = cv2.warpPerspective(covered, warp, size, flags=cv2.INTER_NEAREST)
-    outline = outline_points(plane.shape, plane.flipped, plane.size, plane.radius, -0.004)
-    polygon = np.round((outline * [1, -1] + half) * scale - 0.5).astype(np.int32)
+    polygon = np.round((plane.top(-0.004) * [1, -1] + half) * scale - 0.5).astype(np.int32)
     inside = np.zeros((size[1], size[0]), np.uint8)
     cv2.fillPoly(inside, [polygon], 1)
     shown = cv2.warpPerspective(np.ones_like(covered), warp, size, flags=cv2.INTER_NEAREST) > 0

@@ -1,0 +1,231 @@
+"""Fit a table to its silhouette: the known top first, then the legs that explain the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from itertools import product
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float
+from scipy.optimize import minimize
+
+from .framing import simplex
+from .projection import Projection, fill_hull
+from .table_form import LegStyle, TableForm, corners_of
+
+_TALL = (0.2, 1.4)  # metres: what a table's height may be
+_SLABS = (0.012, 0.02, 0.045, 0.06, 0.08)  # metres: thicknesses tried
+_APRONS = (0.06, 0.1)
+_GAIN = 0.01  # overlap that a thickness, boards or another kind of legs must gain
+_SHOWN = 0.1  # overlap of the legs below which none show
+
+Mask = Bool[np.ndarray, "h w"]
+
+
+@dataclass(frozen=True, eq=False)
+class Silhouette:
+    """A table's outline in a picture. ``shown`` are the pixels that the picture's frame holds."""
+
+    mask: Mask
+    shown: Mask
+    projection: Projection
+
+    @property
+    def bottom(self) -> int:
+        """The lowest row of the table."""
+        return int(np.flatnonzero((self.mask & self.shown).sum(1) > 1)[-1])
+
+    @property
+    def cut_below(self) -> bool:
+        """Whether the frame hides how far down the table goes."""
+        return not self.shown[min(self.bottom + 2, len(self.shown) - 1)].all()
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """A form under a picture: metres times ``scale`` plus ``shift``, from the top's middle.
+
+    ``overlap`` is that of the whole silhouettes, ``legs`` whether legs show.
+    """
+
+    form: TableForm
+    scale: float
+    shift: Float[np.ndarray, "3"]
+    overlap: float
+    legs: bool
+
+    def world(self, canonical: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+        """Return canonical vertices of the built form in the object frame."""
+        return ((canonical - [0, 0, 0.5]) * self.form.size) * self.scale + self.shift
+
+
+def fit_table(outline: Float[np.ndarray, "k 2"], height: float, seen: Silhouette) -> Fitted:
+    """Return the table with a given top (metres) whose silhouette is nearest.
+
+    ``height`` is the usual one; it stays where the picture does not tell it.
+    """
+    scale, shift = place_top(outline, seen)
+    usual = TableForm(outline, corners_of(outline), height)
+    legs = _Legs(usual, scale, shift, seen)
+    form, overlap = legs.fitted(height)
+    if overlap < _SHOWN:
+        form = usual
+    drawn = (legs.drawn(form) | legs.top) & seen.shown
+    mask = seen.mask & seen.shown
+    whole = (drawn & mask).sum() / max((drawn | mask).sum(), 1)
+    return Fitted(form, scale, shift, float(whole), overlap >= _SHOWN)
+
+
+def place_top(
+    outline: Float[np.ndarray, "k 2"], seen: Silhouette
+) -> tuple[float, Float[np.ndarray, "3"]]:
+    """Return the scale and shift that lay a top under the upper part of a silhouette.
+
+    What the silhouette has straight below the top may be legs, and says nothing.
+    """
+    view, mask = seen.projection, seen.mask & seen.shown
+    flat = np.column_stack([outline, np.zeros(len(outline))])
+    pixel = float(np.linalg.norm(view.position)) / view.focal
+    rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
+    wanted = np.array([(columns[0] + columns[-1] + 1) / 2, rows[0]])
+    scale, shift = (columns[-1] - columns[0]) * pixel / float(np.ptp(flat[:, 0])), np.zeros(3)
+
+    def moved(step: Float[np.ndarray, "2"]) -> Float[np.ndarray, "3"]:
+        return pixel * (step[0] * view.rotation[0] + step[1] * view.rotation[1])
+
+    for _ in range(5):
+        at = view.project(flat * scale + shift)
+        scale *= (columns[-1] + 1 - columns[0]) / float(np.ptp(at[:, 0]))
+        at = view.project(flat * scale + shift)
+        shift = shift + moved(wanted - [(at[:, 0].min() + at[:, 0].max()) / 2, at[:, 1].min()])
+
+    def cost(p: np.ndarray) -> float:
+        top = _drawn([flat * scale * np.exp(p[0]) + shift + moved(p[1:])], view)
+        below = np.maximum.accumulate(top, axis=0)
+        wrong = (top & ~mask) | (mask & ~below)
+        return float((wrong & seen.shown).sum() / mask.sum())
+
+    start = np.zeros(3)
+    found = minimize(
+        cost, start, method="Nelder-Mead",
+        options={"initial_simplex": simplex(start, (0.04, 3.0, 3.0)), "maxfev": 120},
+    )  # fmt: skip
+    return float(scale * np.exp(found.x[0])), shift + moved(found.x[1:])
+
+
+def _drawn(pieces: Iterable[Float[np.ndarray, "n 3"]], view: Projection) -> Mask:
+    canvas = np.zeros((view.height, view.width), np.uint8)
+    for piece in pieces:
+        fill_hull(canvas, view.project(piece))
+    return canvas > 0
+
+
+class _Legs:
+    """Compares forms' legs and slab with what a silhouette shows below a placed top."""
+
+    def __init__(
+        self, form: TableForm, scale: float, shift: Float[np.ndarray, "3"], seen: Silhouette
+    ) -> None:
+        self.form, self.scale, self.shift, self.seen = form, scale, shift, seen
+        self.top = _drawn([self._placed(np.insert(form.outline, 2, 0.0, axis=1))], seen.projection)
+        brush = np.ones((3, 3), np.uint8)
+        beside = cv2.dilate(self.top.astype(np.uint8), brush) == 0
+        self.counted = beside & seen.shown
+        self.wanted = seen.mask & self.counted
+
+    def _placed(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+        return points * self.scale + self.shift
+
+    def drawn(self, form: TableForm) -> Mask:
+        """Return the silhouette of a form's slab and legs."""
+        slab = np.concatenate(
+            [np.insert(form.outline, 2, z, axis=1) for z in (-form.thickness, 0.0)]
+        )
+        down = np.array([0.0, 0.0, form.height])
+        pieces = [piece.reshape(-1, 3) - down for piece in form.pieces()]
+        return _drawn([self._placed(p) for p in [slab, *pieces]], self.seen.projection)
+
+    def overlap(self, form: TableForm) -> float:
+        """Return the intersection over union of what lies below the top."""
+        drawn = self.drawn(form) & self.counted
+        union = np.count_nonzero(drawn | self.wanted)
+        return np.count_nonzero(drawn & self.wanted) / union if union else 0.0
+
+    def grounded(self, form: TableForm, usual: float) -> TableForm:
+        """Return a form as high as brings its feet down to the silhouette's lowest row.
+
+        Where the frame cuts the legs, it is at least as high as usual.
+        """
+        low, high = _TALL
+        for _ in range(12):
+            middle = (low + high) / 2
+            tried = replace(form, height=middle)
+            feet = np.concatenate([p[0] for p in tried.pieces()]) - [0, 0, middle]
+            rows = self.seen.projection.project(self._placed(feet))[:, 1]
+            low, high = (middle, high) if rows.max() < self.seen.bottom + 1 else (low, middle)
+        found = max(low, usual) if self.seen.cut_below else low
+        return replace(form, height=found)
+
+    def fitted(self, usual: float) -> tuple[TableForm, float]:
+        """Return the best form and its overlap below the top."""
+        kinds = ("posts", "sled", "trestle", "pedestal")
+        firsts = [self._best(self._coarse(kind, usual)) for kind in kinds]
+        ranked = sorted(firsts, key=lambda f: f[1], reverse=True)[:2]
+        if not any(form.legs == "posts" for form, _ in ranked):
+            ranked.append(firsts[0])
+        best = firsts[0]
+        for form, _ in ranked:
+            found = self._refined(form, usual)
+            gain = 0.0 if found[0].legs == "posts" or best[0].legs != "posts" else 3 * _GAIN
+            best = found if found[1] > best[1] + gain else best
+        for name, values in (("thickness", _SLABS), ("apron", _APRONS)):
+            if name == "apron" and best[0].legs != "posts":
+                continue
+            finer = self._best([replace(best[0], **{name: v}) for v in values])
+            best = finer if finer[1] > best[1] + _GAIN else best
+        return self._refined(best[0], usual)
+
+    def _best(self, forms: Iterable[TableForm]) -> tuple[TableForm, float]:
+        return max(((form, self.overlap(form)) for form in forms), key=lambda f: f[1])
+
+    def _coarse(self, kind: LegStyle, usual: float) -> Iterable[TableForm]:
+        width = float(min(self.form.size[:2]))
+        insets, leans, sides, tapers = (0.03, 0.1, 0.2, 0.32), (0.0, 0.08), (0.05, 0.1), (1.0, 0.5)
+        if kind == "pedestal":
+            insets, leans, sides, tapers = (0.1,), (0.0,), (0.06, 0.12, 0.25), (7.0, 4.0, 2.5)
+        elif kind in ("sled", "trestle"):
+            leans, tapers = (0.0,), (1.0,)
+        for x, y, lean, side, taper in product(insets, insets, leans, sides, tapers):
+            high, low = side * width, side * min(taper, 0.8 / side) * width
+            inset = (x * width, y * width)
+            yield self.grounded(
+                replace(self.form, legs=kind, inset=inset, lean=lean * width, high=high, low=low),
+                usual,
+            )
+
+    def _refined(self, form: TableForm, usual: float) -> tuple[TableForm, float]:
+        """Return the form with its legs' measures improved, and its overlap below the top."""
+        width = float(min(form.size[:2]))
+        least = 0.012 / width
+        most, slimmest = (0.9, 0.1) if form.legs == "pedestal" else (0.16, 0.35)
+
+        def made(p: np.ndarray) -> TableForm:
+            x, y = (float(np.clip(v, 0.0, 0.6)) * width for v in p[:2])
+            high = float(np.clip(p[3], least, most))
+            low = float(np.clip(p[4], max(least, slimmest * high), most)) * width
+            high = high * width
+            lean = float(np.clip(p[2], -0.1, 0.3)) * width
+            raw = replace(form, inset=(x, y), lean=lean, high=high, low=low)
+            return self.grounded(raw, usual)
+
+        start = np.array([*form.inset, form.lean, form.high, form.low]) / width
+        found = self._searched(lambda p: -self.overlap(made(p)), start)
+        return made(found), self.overlap(made(found))
+
+    @staticmethod
+    def _searched(cost: Callable[[np.ndarray], float], start: np.ndarray) -> np.ndarray:
+        steps = (0.04, 0.04, 0.03, 0.015, -0.015)
+        options = {"initial_simplex": simplex(start, steps), "maxfev": 160, "xatol": 1e-3}
+        return np.asarray(minimize(cost, start, method="Nelder-Mead", options=options).x)
