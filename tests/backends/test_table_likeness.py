@@ -147,19 +147,14 @@ def painted(model: Model, texture: np.ndarray) -> Model:
     return replace(model, mesh=Mesh(m.vertices, m.faces, m.vertices[:, :2] + 0.5, texture))
 
 
-def test_a_white_top_stays_plain_and_a_patterned_one_keeps_its_pattern():
-    plain = np.full((8, 8, 3), 236, np.uint8)
-    stripes = np.repeat(np.array([[90, 60, 40], [190, 140, 90]] * 4, np.uint8)[:, None], 8, 1)
-    stripes = np.kron(stripes, np.ones((16, 16, 1), np.uint8)).astype(np.uint8)
-    for texture, spread in ((plain, (0, 3)), (stripes, (40, 255))):
-        truth = form("rectangle", 0.7)
-        shown, again, _ = rebuilt(painted(truth.built(), texture), truth.outline)
-        camera_top = (shown.ids == 1) & (again.ids == 1)
-        upper = camera_top & (np.arange(HEIGHT)[:, None] < HEIGHT // 2)
-        low, high = np.quantile(again.image[upper].mean(1), [0.1, 0.9])
-        assert spread[0] <= high - low <= spread[1]
-        gap = np.abs(again.image[upper].astype(float) - shown.image[upper]).mean()
-        assert gap < 14
+def test_a_white_top_stays_plain():
+    truth = form("rectangle", 0.7)
+    white = painted(truth.built(), np.full((8, 8, 3), 236, np.uint8))
+    shown, again, _ = rebuilt(white, truth.outline)
+    upper = (shown.ids == 1) & (again.ids == 1) & (np.arange(HEIGHT)[:, None] < HEIGHT // 2)
+    low, high = np.quantile(again.image[upper].mean(1), [0.1, 0.9])
+    assert high - low <= 3
+    assert np.abs(again.image[upper].astype(float) - shown.image[upper]).mean() < 8
 
 
 def test_what_stood_on_a_top_leaves_no_mark():

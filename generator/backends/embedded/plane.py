@@ -33,6 +33,7 @@ _TRUST = 12.0  # independent edge points that a whole outline counts for
 _RADIUS = 0.3  # of the shorter side: the largest corner radius
 _EXPLAINED = 0.975  # overlap seen from above below which no shape explains an outline
 _RAYS = 64  # corners of such an outline
+_BLUNT = 0.02  # of the length: radius of its sharpest corners
 
 
 @dataclass(frozen=True)
@@ -368,7 +369,8 @@ def _as_seen(plane: TablePlane, hull: Float[np.ndarray, "k 2"]) -> TablePlane:
     ideal = shapely.Polygon(plane.top())
     if seen.intersection(ideal).area > _EXPLAINED * seen.union(ideal).area:
         return plane
-    edge = _around(seen, _RAYS)
+    blunt = _BLUNT * plane.size[0]  # takes off the spikes that single points make
+    edge = _around(seen.buffer(-blunt).buffer(blunt), _RAYS)
     low, high = edge.min(0), edge.max(0)
     middle, factor = (low + high) / 2, plane.size[0] / float(high[0] - low[0])
     edge = (edge - middle) * factor

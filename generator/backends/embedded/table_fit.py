@@ -16,7 +16,7 @@ from .projection import Projection, fill_hull
 from .table_form import LegStyle, TableForm, corners_of
 
 _TALL = (0.2, 1.4)  # metres: what a table's height may be
-_SLABS = (0.012, 0.02, 0.045, 0.06, 0.08)  # metres: thicknesses tried
+_SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # metres: thicknesses tried
 _APRONS = (0.06, 0.1)
 _GAIN = 0.01  # overlap that a thickness, boards or another kind of legs must gain
 _SHOWN = 0.1  # overlap of the legs below which none show
@@ -40,7 +40,7 @@ class Silhouette:
     @property
     def cut_below(self) -> bool:
         """Whether the frame hides how far down the table goes."""
-        return not self.shown[min(self.bottom + 2, len(self.shown) - 1)].all()
+        return not self.shown[min(self.bottom + 2, len(self.shown) - 1)].any()
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,20 +172,16 @@ class _Legs:
         """Return the best form and its overlap below the top."""
         kinds = ("posts", "sled", "trestle", "pedestal")
         firsts = [self._best(self._coarse(kind, usual)) for kind in kinds]
-        ranked = sorted(firsts, key=lambda f: f[1], reverse=True)[:2]
-        if not any(form.legs == "posts" for form, _ in ranked):
-            ranked.append(firsts[0])
-        best = firsts[0]
-        for form, _ in ranked:
-            found = self._refined(form, usual)
-            gain = 0.0 if found[0].legs == "posts" or best[0].legs != "posts" else 3 * _GAIN
-            best = found if found[1] > best[1] + gain else best
-        for name, values in (("thickness", _SLABS), ("apron", _APRONS)):
-            if name == "apron" and best[0].legs != "posts":
-                continue
-            finer = self._best([replace(best[0], **{name: v}) for v in values])
-            best = finer if finer[1] > best[1] + _GAIN else best
-        return self._refined(best[0], usual)
+        rival = max(firsts[1:], key=lambda f: f[1])
+        best, rival = (self._refined(self._boarded(*f)[0], usual) for f in (firsts[0], rival))
+        best = rival if rival[1] > best[1] + _GAIN else best
+        return self._refined(self._boarded(*best)[0], usual)
+
+    def _boarded(self, form: TableForm, overlap: float) -> tuple[TableForm, float]:
+        """Return the form with another slab, or boards under it, if that explains clearly more."""
+        aprons = (0.0, *_APRONS) if form.legs == "posts" else (0.0,)
+        finer = self._best(replace(form, thickness=t, apron=a) for t, a in product(_SLABS, aprons))
+        return finer if finer[1] > overlap + _GAIN else (form, overlap)
 
     def _best(self, forms: Iterable[TableForm]) -> tuple[TableForm, float]:
         return max(((form, self.overlap(form)) for form in forms), key=lambda f: f[1])

@@ -23,8 +23,8 @@ from .unwrap import unwrap
 _WORKING = 240  # longer side of the silhouettes that are compared, pixels
 _PLAIN = 14.0  # grey levels of unrest within a hand's breadth, up to which a top is plain
 _BESIDE = 0.01  # of the crop's longer side: how near to a thing its halo lies
-_SHADE = 0.12  # likewise, its shadow
-_DARK = 0.94  # of the top's usual brightness: darker places there are shadow
+_SHADE = 0.05  # likewise, its shadow
+_DARK = 0.8  # of the top's usual brightness: darker places there are shadow
 _CELLS = 192  # along the longer side of the top as it is filled in
 
 
@@ -107,9 +107,10 @@ def _painted(
         dark = colors.mean(1) < _DARK * np.median(colors[upper].mean(1))
         texels[:] = np.median(colors[upper], 0)
         texels[on_top] = top_colors(surface.point, colors, upper & ~(near & dark))[on_top]
-    legs = clear & ~on_top
-    if legs.sum() > 40:
-        texels[~on_top] = np.median(colors[legs], 0)
+    rim = on_top & (np.abs(surface.normal[:, 2]) < 0.5)
+    for part in (rim, ~on_top):
+        if (clear & part).sum() > 40:
+            texels[part] = np.median(colors[clear & part], 0)
     return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels))
 
 
