@@ -430,12 +430,14 @@ class SizePrior:
     """A commonsense size (Fig. 22): extent (length, width, height) in metres, and its state.
 
     ``placement`` is e.g. "lying flat"; ``axes`` says what x, y and z are, e.g. "thickness".
+    ``measured`` says that the extent is this very thing's, read from a depth map, not its kind's.
     """
 
     name: str
     extent: Float[np.ndarray, "3"]
     placement: str = "as shown"
     axes: tuple[str, str, str] = ("length", "width", "height")
+    measured: bool = False
 
     def __post_init__(self) -> None:
         extent = frozen_array(self.extent, np.float64, (3,), "SizePrior.extent")

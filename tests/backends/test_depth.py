@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from painted import SIZES, Picture, paint
 
-from generator.backends.embedded.depth_measure import measure_solid, table_points, things_above
+from generator.backends.embedded.depth_measure import measure_solid, table_points
 from generator.backends.embedded.depth_plane import find_depth_plane
+from generator.backends.embedded.depth_things import things_above
 from generator.backends.embedded.imager import Imager
 from generator.backends.embedded.reasoner import Reasoner
 from generator.catalogue import build

@@ -19,10 +19,9 @@ from ...scene import (
 )
 from .measure import measured_extent
 from .naming import known
-from .plane import TablePlane
 from .planner import plan_scene
 from .segmenter import GENERIC
-from .survey import solid_size, stacking_of, survey
+from .survey import Survey, solid_size, stacking_of, survey
 
 
 @dataclass(frozen=True)
@@ -68,7 +67,7 @@ class Reasoner:
                 usual[instance.name] = prior
         metric = reference.plan is not None or reference.depth is not None
         factor = 1.0 if metric else _table_factor(usual, measured)
-        sizes = {TABLE: SizePrior(TABLE, _table_extent(reference, plane, factor))}
+        sizes = {TABLE: SizePrior(TABLE, _table_extent(reference, seen, factor))}
         for instance in instances:
             if instance.name != TABLE:
                 prior = usual.get(instance.name)
@@ -113,7 +112,8 @@ def _table_factor(usual: Mapping[str, SizePrior], measured: Mapping[str, np.ndar
     return float(np.clip(np.median(ratios), 0.6, 1.6)) if ratios else 1.0
 
 
-def _table_extent(reference: Reference, plane: TablePlane, factor: float) -> np.ndarray:
+def _table_extent(reference: Reference, seen: Survey, factor: float) -> np.ndarray:
     if reference.plan is not None:
         return np.array(reference.plan.table.size)
-    return np.array([plane.size[0] * factor, plane.size[1] * factor, 0.74])
+    length, width = seen.plane.size
+    return np.array([length * factor, width * factor, seen.height or 0.74])
