@@ -15,7 +15,7 @@ from jaxtyping import Bool, Float
 
 from ...geometry import mask_box
 from ...scene import Detection
-from .depth_measure import holds, measure_solid, steady, table_points
+from .depth_measure import Solid, holds, measure_solid, steady, table_points
 from .depth_plane import TALLEST, noise
 from .naming import shape_word
 from .plane import TablePlane, outline_distance
@@ -31,11 +31,13 @@ _FLAT = 0.15  # share of them that stand above the table, below which a thing is
 _SURE = 0.6  # certainty from which a flat thing is believed to be one
 _KEPT = 0.6  # share of a mask that the tabletop around it must leave
 _OWN = 0.5  # share of a thing within a region that makes it the region's
-_GROWN = 1.6  # a mask grows by at most this factor
+_GROWN = 4.0  # a mask grows by at most this factor
 _HOVER = 0.03  # metres above the table at which the foot of something standing on nothing hovers
-_HELD = 0.3  # share of a thing over another from which it may stand on that
+_HELD = 0.45  # share of a thing over another from which it may stand on that
+_BROAD = 0.6  # of a thing's width: the least of what it may stand on
 _JUMP = 0.03  # metres of depth that part two things which touch in the picture
 _MISSED = 0.03  # metres: the least height of something the eye did not see
+_SHREDS = 9  # pixels: a depth map's shreds behind edges are narrower
 _GUESS = 0.5  # certainty of such a thing
 _FLOOR = (0.25, 1.3)  # metres: how far below a tabletop its floor is
 _FLOOR_AREA = 0.15  # m²: how much of it must show
@@ -109,15 +111,16 @@ def confirmed(
 ) -> list[Detection]:
     """Return the things an eye found, as depth confirms them.
 
-    What is level with the table and uncertain is no thing; masks lose the tabletop around a thing
-    and win what belongs to it alone; upper parts that stand on nothing join what they are part of;
-    what stands there and nobody saw is added.
+    What is level with the table and uncertain is no thing; masks lose the tabletop around a thing;
+    upper parts that stand on nothing join what they are part of, or win what is below them; what
+    stands there and nobody saw is added. Rims are otherwise left to the eye: those of a depth map
+    are ragged.
     """
     height, standing, lying = heights_above(depth, plane)
     things = [t for d in found if (t := _judged(d, height, standing, lying)) is not None]
     regions = things_above(depth, plane)
     things = _rejoined(things, regions, depth, plane)
-    things = _grown(things, regions)
+    things = _grown(things, regions, depth, plane)
     return things + _missed(things, regions, height)
 
 
@@ -134,15 +137,17 @@ def _judged(
     foot = max(3, int(0.1 * np.sqrt(mask.sum())))  # pixels: the foot itself is level with the table
     around = np.ones((2 * foot + 1, 2 * foot + 1), np.uint8)
     near = cv2.dilate((standing & mask).astype(np.uint8), around) > 0
-    outer = _pieces(mask & lying & ~near, 1)
-    rim = cv2.dilate((~mask).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
-    spill = np.zeros_like(mask)
-    for piece in outer:  # the low inside of a bowl does not reach its rim
-        spill |= piece if (piece & rim).any() else False
+    spill = mask & lying & ~near & ~_hull(standing & mask)  # the low inside of a bowl is its own
     kept = mask & ~spill
     if not spill.any() or kept.sum() < _KEPT * mask.sum():
         return thing
     return _with_mask(thing, kept, None if thing.full is None else np.asarray(thing.full) & ~spill)
+
+
+def _hull(mask: Mask) -> Mask:
+    canvas = np.zeros(mask.shape, np.uint8)
+    points = np.argwhere(mask)[:, ::-1].astype(np.int32)
+    return cv2.fillConvexPoly(canvas, cv2.convexHull(points), 1) > 0
 
 
 def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
@@ -166,7 +171,7 @@ def _rejoined(
         if upper is None or upper.bottom < _HOVER or homes[part] is None:
             continue
         others = {k: s for k in left if k != part and (s := solids[k]) is not None}
-        if any(holds(s, upper) > _HELD for s in others.values()):
+        if any(_carries(s, upper) for s in others.values()):
             continue
         touching = {
             k: _contact(left[part], left[k], depth)
@@ -178,6 +183,11 @@ def _rejoined(
             left[below] = _union(left[below], left.pop(part))
             solids[below] = measure_solid(np.asarray(left[below].mask), depth, plane)
     return [left[k] for k in sorted(left)]
+
+
+def _carries(below: Solid, upper: Solid) -> bool:
+    """Tell whether a thing may stand on another: a front under it carries nothing."""
+    return holds(below, upper) > _HELD and below.extent[1] > _BROAD * upper.extent[1]
 
 
 def _home(thing: Detection, regions: Sequence[Mask]) -> int | None:
@@ -194,7 +204,7 @@ def _contact(one: Detection, other: Detection, depth: Float[np.ndarray, "h w"]) 
     a, b = np.asarray(one.mask), np.asarray(other.mask)
     here = a & (cv2.dilate(b.astype(np.uint8), kernel) > 0) & (depth > 0)
     there = b & (cv2.dilate(a.astype(np.uint8), kernel) > 0) & (depth > 0)
-    if here.sum() < np.sqrt(a.sum()) or not there.any():
+    if here.sum() < np.sqrt(min(a.sum(), b.sum())) or not there.any():
         return 0
     gap = abs(float(np.median(depth[here])) - float(np.median(depth[there])))
     return int(here.sum()) if gap < _JUMP else 0
@@ -211,8 +221,13 @@ def _union(one: Detection, other: Detection) -> Detection:
     return Detection(larger.label, mask_box(mask), mask, score, full)
 
 
-def _grown(things: list[Detection], regions: Sequence[Mask]) -> list[Detection]:
-    """Return the things, those that have a region for themselves grown to it."""
+def _grown(
+    things: list[Detection],
+    regions: Sequence[Mask],
+    depth: Float[np.ndarray, "h w"],
+    plane: TablePlane,
+) -> list[Detection]:
+    """Return the things, those that hover and have a region for themselves grown to it."""
     taken = [np.asarray(t.mask) for t in things]
     grown = list(things)
     for region in regions:
@@ -222,7 +237,8 @@ def _grown(things: list[Detection], regions: Sequence[Mask]) -> list[Detection]:
             continue
         mask = taken[owners[0]]
         wider = mask | (region & ~np.logical_or.reduce(taken))
-        if (mask & region).sum() > _OWN * size and wider.sum() < _GROWN * mask.sum():
+        solid = measure_solid(mask, depth, plane)
+        if solid is not None and solid.bottom > _HOVER and wider.sum() < _GROWN * mask.sum():
             thing = grown[owners[0]]
             full = None if thing.full is None else np.asarray(thing.full)
             grown[owners[0]] = _with_mask(thing, wider, full)
@@ -238,7 +254,8 @@ def _missed(
         seen |= np.asarray(thing.mask)
     added = []
     for region in regions:
-        if (region & seen).sum() > 0.1 * region.sum() or region.sum() < 2 * _LEAST * region.size:
+        core = cv2.erode((region & ~seen).astype(np.uint8), np.ones((_SHREDS, _SHREDS), np.uint8))
+        if (region & seen).sum() > 0.1 * region.sum() or core.sum() < 0.3 * region.sum():
             continue
         if float(np.nanpercentile(height[region], 90)) < _MISSED:
             continue
