@@ -30,14 +30,13 @@ _KNOWN = 0.3  # share of a thing's pixels that depth must know to judge it
 _FLAT = 0.15  # share of them that stand above the table, below which a thing is flat
 _SURE = 0.6  # certainty from which a flat thing is believed to be one
 _KEPT = 0.6  # share of a mask that the tabletop around it must leave
-_OWN = 0.5  # share of a thing within a region that makes it the region's
 _GROWN = 4.0  # a mask grows by at most this factor
 _HOVER = 0.03  # metres above the table at which the foot of something standing on nothing hovers
 _HELD = 0.45  # share of a thing over another from which it may stand on that
 _BROAD = 0.6  # of a thing's width: the least of what it may stand on
 _JUMP = 0.03  # metres of depth that part two things which touch in the picture
 _MISSED = 0.03  # metres: the least height of something the eye did not see
-_SHREDS = 9  # pixels: a depth map's shreds behind edges are narrower
+_SHREDS = 0.014  # of the picture's longer side: a depth map's shreds at edges are narrower
 _GUESS = 0.5  # certainty of such a thing
 _FLOOR = (0.25, 1.3)  # metres: how far below a tabletop its floor is
 _FLOOR_AREA = 0.15  # m²: how much of it must show
@@ -73,13 +72,21 @@ def things_above(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> tuple[Ma
     """
     height, standing, _ = heights_above(depth, plane)
     kernel = np.ones((3, 3), np.uint8)
-    high = (standing & steady(depth)).astype(np.uint8)
-    opened = cv2.morphologyEx(high, cv2.MORPH_OPEN, kernel) > 0
     least = int(_LEAST * depth.size)
-    masks = [part for region in _pieces(opened, least)
-             for part in _parted(region, np.nan_to_num(height), least)]  # fmt: skip
+    masks = [
+        part
+        for piece in _standing_pieces(depth, standing)
+        for part in _parted(piece, np.nan_to_num(height), least)
+    ]
     masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
     return tuple(cv2.dilate(m.astype(np.uint8), kernel) > 0 for m in masks)
+
+
+def _standing_pieces(depth: Float[np.ndarray, "h w"], standing: Mask) -> list[Mask]:
+    """Return the connected parts of what stands on the table, jumps of depth between them."""
+    high = (standing & steady(depth)).astype(np.uint8)
+    opened = cv2.morphologyEx(high, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)) > 0
+    return _pieces(opened, int(_LEAST * depth.size))
 
 
 def _pieces(mask: Mask, least: int) -> list[Mask]:
@@ -119,9 +126,9 @@ def confirmed(
     height, standing, lying = heights_above(depth, plane)
     things = [t for d in found if (t := _judged(d, height, standing, lying)) is not None]
     regions = things_above(depth, plane)
-    things = _rejoined(things, regions, depth, plane)
-    things = _grown(things, regions, depth, plane)
-    return things + _missed(things, regions, height)
+    things += _missed(things, [*_standing_pieces(depth, standing), *regions], height)
+    things = _rejoined(things, depth, plane)
+    return _grown(things, regions, depth, plane)
 
 
 def _judged(
@@ -156,19 +163,15 @@ def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
 
 
 def _rejoined(
-    things: list[Detection],
-    regions: Sequence[Mask],
-    depth: Float[np.ndarray, "h w"],
-    plane: TablePlane,
+    things: list[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
     """Give upper parts that stand on nothing to the lower part that they touch, in depth too."""
     solids = [measure_solid(np.asarray(t.mask), depth, plane) for t in things]
-    homes = [_home(t, regions) for t in things]
     order = sorted(range(len(things)), key=lambda k: -(s.bottom if (s := solids[k]) else 0.0))
     left: dict[int, Detection] = dict(enumerate(things))
     for part in order:
         upper = solids[part]
-        if upper is None or upper.bottom < _HOVER or homes[part] is None:
+        if upper is None or upper.bottom < _HOVER:
             continue
         others = {k: s for k in left if k != part and (s := solids[k]) is not None}
         if any(_carries(s, upper) for s in others.values()):
@@ -176,7 +179,7 @@ def _rejoined(
         touching = {
             k: _contact(left[part], left[k], depth)
             for k, s in others.items()
-            if homes[k] == homes[part] and s.bottom < upper.bottom
+            if s.bottom < upper.bottom
         }
         below = max(touching, key=lambda k: (touching[k], -k), default=None)
         if below is not None and touching[below] > 0:
@@ -188,14 +191,6 @@ def _rejoined(
 def _carries(below: Solid, upper: Solid) -> bool:
     """Tell whether a thing may stand on another: a front under it carries nothing."""
     return holds(below, upper) > _HELD and below.extent[1] > _BROAD * upper.extent[1]
-
-
-def _home(thing: Detection, regions: Sequence[Mask]) -> int | None:
-    """Return the index of the region that most of a thing is in, if any."""
-    mask = np.asarray(thing.mask)
-    shares = [float((mask & region).sum()) for region in regions]
-    best = int(np.argmax(shares)) if shares else 0
-    return best if shares and shares[best] > _OWN * mask.sum() else None
 
 
 def _contact(one: Detection, other: Detection, depth: Float[np.ndarray, "h w"]) -> int:
@@ -248,18 +243,23 @@ def _grown(
 def _missed(
     things: Sequence[Detection], regions: Sequence[Mask], height: Float[np.ndarray, "h w"]
 ) -> list[Detection]:
-    """Return what stands on the table and is none of ``things``, named after its shape."""
+    """Return what stands on the table and is none of ``things``, named after its shape.
+
+    ``regions`` are looked at in their order; what an earlier one covers is no other thing.
+    """
     seen = np.zeros(height.shape, bool)
     for thing in things:
         seen |= np.asarray(thing.mask)
     added = []
+    shred = max(3, round(_SHREDS * max(height.shape)))
     for region in regions:
-        core = cv2.erode((region & ~seen).astype(np.uint8), np.ones((_SHREDS, _SHREDS), np.uint8))
+        core = cv2.erode((region & ~seen).astype(np.uint8), np.ones((shred, shred), np.uint8))
         if (region & seen).sum() > 0.1 * region.sum() or core.sum() < 0.3 * region.sum():
             continue
         if float(np.nanpercentile(height[region], 90)) < _MISSED:
             continue
         mask = region & ~seen
+        seen |= region
         x0, y0, x1, y1 = box = mask_box(mask)
         label = shape_word(x1 - x0, y1 - y0, float(mask.sum() / ((x1 - x0) * (y1 - y0))))
         added.append(Detection(label, box, mask, _GUESS))
