@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
@@ -102,8 +103,9 @@ def measure_solid(
     rest, and the tabletop around the foot are left out. Seen from too low for its top to show, a
     thing is as deep as it is wide.
     """
-    points = table_points(depth, plane.camera)
     clean = mask & steady(depth)
+    calm = cv2.medianBlur(np.ascontiguousarray(depth, np.float32), 5)
+    points = table_points(np.where(clean & (calm > 0), calm, depth), plane.camera)
     chosen = points[clean] if clean.sum() >= _FEW else points[mask & (depth > 0)]
     chosen = chosen[:: max(1, len(chosen) // _MOST)]
     chosen = _raised(_together(chosen, plane.camera))

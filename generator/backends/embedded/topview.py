@@ -47,6 +47,7 @@ def top_view(
     plane, solids = known.plane, known.solids
     things = [i for i in instances if i.name != TABLE]
     order = stacking_of(instances, solids, lambda label: False)
+    covered = np.logical_or.reduce([np.asarray(i.mask) for i in things])
     fitted: dict[str, Body] = {}
     footprints: dict[str, np.ndarray] = {}
     for thing in sorted(things, key=lambda i: order[i.name].order):
@@ -62,7 +63,8 @@ def top_view(
             if solid is None:
                 fitted[thing.name] = fit_model(thing, model, yaw, plane, floor)
             else:
-                fitted[thing.name] = seated(model, yaw, floor, thing, solid, plane)
+                others = covered & ~np.asarray(thing.mask)
+                fitted[thing.name] = seated(model, yaw, floor, solid, others, plane)
             footprints[thing.name] = fitted[thing.name].footprint
         else:
             extent, middle = measured_extent(np.asarray(thing.mask), plane)
