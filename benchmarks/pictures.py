@@ -9,12 +9,20 @@ draws it) and one row of ``pictures.csv``, written as it goes (a second run resu
 is the picture's depth map and goes in with it if the intrinsics are given: in pixels, the same for
 all, as ``--intrinsics FX FY CX CY`` or in the folder's ``intrinsics.json`` (an object with those
 keys). How many objects *are* in a picture is for a person to count.
+
+With depth, the published scene is held against the depth map: both are looked at from the camera
+that the depth map gives, and of each object the median of the points that show of it in the scene
+(the object's own pixels) is compared with the median of the points that its mask has in the depth
+map. So both are of visible surface, and neither has the hidden back that parts a visible surface
+from the middle of a thing. ``places`` are along the table, ``tops`` the heights of the highest
+points, ``plane`` how far 95 % of the tabletop's points are from the scene's tabletop at most.
 """
 
 from __future__ import annotations
 
 import argparse
 import csv
+import dataclasses
 import datetime
 import json
 import os
@@ -28,8 +36,11 @@ import numpy as np
 
 FIELDS = (
     "picture", "depth", "objects", "names", "gate", "mean_iou", "table_iou", "color_difference",
-    "elevation_deg", "seconds", "warnings", "error",
+    "elevation_deg", "places_cm", "places_in_2cm", "worst_place", "tops_cm", "plane_cm", "seconds",
+    "warnings", "error",
 )  # fmt: skip
+GROUND = 0.008  # metres above the tabletop: lower points are taken for the tabletop's
+FEW = 12  # points
 ENDINGS = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".gif"}
 KEYS = ("fx", "fy", "cx", "cy")
 
@@ -81,6 +92,8 @@ def run(
         seen = compare(made.scene, Segments.of(made.instances), np.asarray(made.reference.image))
         write_picture(comparison_sheet(seen), out / f"{name}.png")
         row |= _facts(seen.facts(), made.scene)
+        if made.reference.depth is not None:
+            row |= depth_facts(made)
     except Exception as error:  # recorded as a failure; one picture must not end the run
         row["seconds"] = round(time.perf_counter() - start, 1)
         row["error"] = f"{type(error).__name__}: {error}"[:300]
@@ -101,13 +114,61 @@ def _facts(facts: dict[str, Any], scene: Any) -> dict[str, Any]:
     }
 
 
+def depth_facts(made: Any) -> dict[str, Any]:
+    """Hold a scene against the depth map it was made from (see above); lengths in centimetres."""
+    from generator.backends.embedded.depth_measure import steady, table_points
+    from generator.backends.embedded.depth_plane import find_depth_plane
+    from generator.render.picture import scene_items
+    from generator.render.raster import render
+
+    depth, height = np.asarray(made.reference.depth), made.scene.table.height
+    masks = {i.name: np.asarray(i.mask) for i in made.instances}
+    plane = find_depth_plane(depth, made.reference.intrinsics, masks["table"])
+    camera = plane.camera
+    drawn = render(scene_items(made.scene), camera_above(camera, height), supersample=1)
+    shown = table_points(np.where(np.isfinite(drawn.depth), drawn.depth, 0.0), camera)
+    known = table_points(np.where(steady(depth), depth, 0.0), camera)
+    top = known[masks["table"] & (drawn.ids == 0), 2]
+    off = {}
+    for number, thing in enumerate(made.scene.objects, start=1):
+        pair = raised(shown[drawn.ids == number]), raised(known[masks[thing.name]])
+        if min(map(len, pair)) >= FEW:
+            place = np.median(pair[0][:, :2], axis=0) - np.median(pair[1][:, :2], axis=0)
+            tall = [float(np.percentile(points[:, 2], 98)) for points in pair]
+            off[thing.name] = float(np.hypot(*place)), abs(tall[0] - tall[1])
+    if not off:
+        return {}
+    places, tops = np.array(list(off.values())).T * 100
+    worst = list(off)[int(places.argmax())]
+    return {
+        "places_cm": round(float(np.median(places)), 2),
+        "places_in_2cm": f"{int((places <= 2).sum())} of {len(made.scene.objects)}",
+        "worst_place": f"{worst} {places.max():.1f}",
+        "tops_cm": round(float(np.median(tops)), 2),
+        "plane_cm": round(100 * float(np.nanpercentile(np.abs(top), 95)), 2),
+    }
+
+
+def camera_above(camera: Any, height: float) -> Any:
+    """Return a camera of the tabletop's frame in the world's, whose floor is ``height`` lower."""
+    return dataclasses.replace(camera, position=camera.position + np.array([0.0, 0.0, height]))
+
+
+def raised(points: np.ndarray) -> np.ndarray:
+    """Return the known points that are above the tabletop; of what is as flat as that, all."""
+    known = points[np.isfinite(points).all(1)]
+    high = known[known[:, 2] > GROUND]
+    return high if len(high) > 0.3 * len(known) else known
+
+
 def summary(rows: list[dict[str, Any]], command: str) -> str:
     """Return the table of all pictures."""
     passed = sum(r["gate"] == "passed" for r in rows)
     seconds = [float(r["seconds"]) for r in rows if not r["error"]]
     speed = f", median {np.median(seconds):.0f} s, worst {max(seconds):.0f} s" if seconds else ""
     shown = ("picture", "depth", "objects", "names", "gate", "mean_iou", "table_iou",
-             "color_difference", "elevation_deg", "seconds")  # fmt: skip
+             "color_difference", "elevation_deg", "places_cm", "places_in_2cm", "worst_place",
+             "tops_cm", "plane_cm", "seconds")  # fmt: skip
     lines = [
         f"# pictures: {passed} of {len(rows)} passed their gate{speed}",
         f"`{command}`, {platform.machine()}, {os.cpu_count()} cores, "
@@ -155,7 +216,8 @@ def main() -> None:
             file.flush()
             state = row["error"] or f"{row['objects']} objects, gate {row['gate']}"
             print(f"[{number}/{len(jobs)}] {name}: {state}, {row['seconds']} s", flush=True)
-    command = "python " + " ".join([Path(sys.argv[0]).name, *sys.argv[1:]])
+    given = (Path(word).name if Path(word).is_absolute() else word for word in sys.argv[1:])
+    command = " ".join(["python benchmarks/pictures.py", *given])
     text = summary(rows, command)
     (args.out / "pictures.md").write_text(text)
     print(text)

@@ -432,6 +432,7 @@ class SizePrior:
     ``placement`` is e.g. "lying flat"; ``axes`` says what x, y and z are, e.g. "thickness".
     ``outline`` is a table's top seen from above, in metres about the middle of its extent, convex
     and counter-clockwise; None leaves its shape open.
+    ``measured`` says that the extent is this very thing's, read from a depth map, not its kind's.
     """
 
     name: str
@@ -439,6 +440,7 @@ class SizePrior:
     placement: str = "as shown"
     axes: tuple[str, str, str] = ("length", "width", "height")
     outline: Float[np.ndarray, "k 2"] | None = None
+    measured: bool = False
 
     def __post_init__(self) -> None:
         extent = frozen_array(self.extent, np.float64, (3,), "SizePrior.extent")

@@ -11,11 +11,12 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 import numpy as np
-from jaxtyping import UInt8
+from jaxtyping import Float, UInt8
 
 from ..scene import (
     Detection,
     Instance,
+    Intrinsics,
     Mesh,
     Model,
     Reference,
@@ -106,9 +107,15 @@ class Segmenter(Protocol):
     """Open-vocabulary detection and segmentation (Sec. 3.1)."""
 
     def segment(
-        self, image: UInt8[np.ndarray, "h w 3"], labels: tuple[str, ...]
+        self,
+        image: UInt8[np.ndarray, "h w 3"],
+        labels: tuple[str, ...],
+        depth: Float[np.ndarray, "h w"] | None = None,
+        intrinsics: Intrinsics | None = None,
     ) -> tuple[Detection, ...]:
         """Find every instance of ``labels``; exactly one detection has the label "table".
+
+        ``depth`` (metres, 0 where unknown) and ``intrinsics`` come with an RGB-D picture only.
 
         A label "object" asks for anything that stands on the table; a backend that can name what
         it found answers with a better word.

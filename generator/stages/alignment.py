@@ -192,6 +192,8 @@ def align(
     for n in names:
         box = np.asarray(top.boxes[n])
         extent = own_extent((box[2:] - box[:2]) * alpha, yaws[n], physical[n])
+        if sizes[n].measured:
+            extent[2] = physical[n][2]
         scales[n] = _limited(n, extent, sizes[n].extent, config.size_limit, warnings)
     placements = _place(names, top, alpha, table_scale, yaws, scales, models, stacking)
     return Alignment(

@@ -33,7 +33,8 @@ def extract(
     labels = tuple(reasoner.list_objects(reference))
     if TABLE not in labels:
         labels = (TABLE, *labels)
-    found = segmenter.segment(np.asarray(reference.image), labels)
+    image = np.asarray(reference.image)
+    found = segmenter.segment(image, labels, reference.depth, reference.intrinsics)
     kept = tuple(c for d in found if (c := clean(d)) is not None)
     tables = [d for d in kept if d.label == TABLE]
     things = [d for d in kept if d.label != TABLE]

@@ -19,6 +19,9 @@ Steps = Sequence[tuple[str, int]]
 SQUARISH = 1.15
 """Below this ratio of length to width, which is which is left open."""
 
+STRETCH = 1.8
+"""A measured size changes a model's proportions by at most this factor."""
+
 
 def make_models(
     reference: Reference,
@@ -54,7 +57,29 @@ def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner:
     """Turn a model so that +z is up and x, y are the size's length and width (Sec. 3.2)."""
     model = turned(raw, reasoner.review_orientation(raw.mesh, instance, size))
     model = turned(model, size_axes_turn(model.size, size.extent))
+    if size.measured:
+        model = dataclasses.replace(model, size=measured_size(model, size.extent))
     return dataclasses.replace(model, name=instance.name, label=instance.label)
+
+
+def measured_size(model: Model, extent: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
+    """Return a model's size (metres) as ``extent`` (length, width, height) was measured.
+
+    The longer horizontal side is the length. A proportion that would change by more than
+    ``STRETCH`` keeps that much of the model's: then the picture, or the measuring, saw something
+    else. A catalogue shape that looks square from where it was measured, but is not, points its
+    longer side away (a mug its handle): that side keeps its proportion to the other.
+    """
+    have = np.asarray(model.size)
+    long = int(have[1] > have[0])
+    sides = np.sort(extent[:2])
+    want = np.array([*(sides if long else sides[::-1]), extent[2]])
+    ratio = have[long] / have[1 - long]
+    if model.category != "generic" and sides[1] < SQUARISH * sides[0] and ratio > SQUARISH:
+        want[long] = sides[0] * ratio
+    stretch = np.log(want / have)
+    usual = float(np.median(stretch))
+    return have * np.exp(np.clip(stretch, usual - np.log(STRETCH), usual + np.log(STRETCH)))
 
 
 def size_axes_turn(

@@ -2,52 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from painted import SIZES, Picture, paint
+from painted import SIZES
+from shots import FRAME, THINGS, scene_of, shoot
 
-from generator.backends.embedded.depth_measure import measure_solid, table_points, things_above
+from generator.backends.embedded.depth_measure import measure_solid, table_points
 from generator.backends.embedded.depth_plane import find_depth_plane
 from generator.backends.embedded.imager import Imager
 from generator.backends.embedded.reasoner import Reasoner
 from generator.catalogue import build
 from generator.errors import SceneError
-from generator.geometry import Camera, mask_box, view_rotation
-from generator.scene import TABLE, Instance, Intrinsics, OutlineKind, Reference, Rotation
-
-FRAME = (320, 240)
-THINGS = [("bowl", 0.2, 0.15, 0.0), ("mug", -0.25, 0.05, 0.0), ("apple", 0.1, -0.15, 0.0)]
-
-
-@dataclass(frozen=True, eq=False)
-class Shot:
-    """A painted table in a room: its depth map, with a sensor's noise, and intrinsics."""
-
-    picture: Picture
-    depth: np.ndarray
-    intrinsics: Intrinsics
-
-
-def shoot(outline: OutlineKind = "rectangle", things=THINGS, *, noise=0.001, **view) -> Shot:
-    picture = paint(outline, "oak", things, size=FRAME, **view)
-    camera = picture.camera
-    depth = np.where(np.isfinite(picture.depth), picture.depth, room(camera))
-    depth = depth + np.random.default_rng(0).normal(size=depth.shape) * noise * depth**2
-    center = camera.center - 0.5
-    intrinsics = Intrinsics(camera.focal, camera.focal, center[0], center[1])
-    return Shot(picture, depth.astype(np.float32), intrinsics)
-
-
-def room(camera: Camera) -> np.ndarray:
-    """Depth of a floor at z = 0 and of a wall 2 m behind the table's middle."""
-    y, x = np.mgrid[0 : camera.height, 0 : camera.width] + 0.5
-    rays = camera.rays(np.column_stack([x.ravel(), y.ravel()]))
-    floor = -camera.position[2] / np.where(rays[:, 2] < -1e-9, rays[:, 2], np.nan)
-    wall = (2.0 - camera.position[1]) / np.where(rays[:, 1] > 1e-9, rays[:, 1], np.nan)
-    steps = np.nan_to_num(np.fmin(floor, wall))
-    return (steps * (rays @ camera.rotation[2])).reshape(y.shape)
+from generator.geometry import Camera, view_rotation
+from generator.scene import TABLE, Intrinsics, Rotation
 
 
 @pytest.mark.parametrize(
@@ -87,15 +56,6 @@ def test_hardly_anything_known_measures_nothing():
     plane = find_depth_plane(shot.depth, shot.intrinsics)
     mug = shot.picture.ids == 2
     assert measure_solid(mug, np.where(mug, 0, shot.depth), plane) is None
-
-
-def test_things_are_proposed_by_depth_alone():
-    shot = shoot()
-    masks = things_above(shot.depth, find_depth_plane(shot.depth, shot.intrinsics))
-    for number in range(1, 4):
-        true = shot.picture.ids == number
-        assert max((true & m).sum() / (true | m).sum() for m in masks) > 0.5
-    assert len(masks) <= 5
 
 
 def test_a_picture_cut_off_centre_keeps_its_metres():
@@ -146,18 +106,6 @@ def test_without_a_level_plane_there_is_no_table():
 
 
 # ------------------------------------------------------------------------- through the backend
-
-
-def scene_of(shot: Shot, names: tuple[str, ...]) -> tuple[Reference, tuple[Instance, ...]]:
-    reference = Reference(shot.picture.image, depth=shot.depth, intrinsics=shot.intrinsics)
-    instances = []
-    for number, name in enumerate((TABLE, *names)):
-        mask = shot.picture.ids == number
-        box = mask_box(mask)
-        x0, y0, x1, y1 = box.astype(int)
-        crop = np.dstack([shot.picture.image, mask * np.uint8(255)])[y0:y1, x0:x1]
-        instances.append(Instance(name, name, box, mask, crop, box))
-    return reference, tuple(instances)
 
 
 def test_the_reasoner_measures_what_it_does_not_know():

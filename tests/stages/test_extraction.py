@@ -32,7 +32,9 @@ class Answers:
     def list_objects(self, reference: Reference) -> tuple[str, ...]:
         return ("mug",)
 
-    def segment(self, image: np.ndarray, labels: tuple[str, ...]) -> tuple[Detection, ...]:
+    def segment(
+        self, image: np.ndarray, labels: tuple[str, ...], *measured: object
+    ) -> tuple[Detection, ...]:
         self.asked = labels
         return self.found
 

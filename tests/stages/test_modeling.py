@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 
 import numpy as np
@@ -21,6 +22,7 @@ from generator.scene import (
 from generator.stages.modeling import (
     apply_quarter_turns,
     make_models,
+    measured_size,
     quarter_turn,
     size_axes_turn,
     turned,
@@ -151,3 +153,23 @@ def test_a_missing_size_is_named():
     backend = Recorder()
     with pytest.raises(BackendError, match="a_1"):
         make_models(Reference(np.zeros((60, 80, 3))), (thing,), {}, VIEW, backend, backend)
+
+
+@pytest.mark.parametrize(
+    ("have", "measured", "want"),
+    [
+        ((0.3, 0.1, 0.2), (0.2, 0.08, 0.1), (0.2, 0.08, 0.1)),
+        ((0.1, 0.3, 0.2), (0.2, 0.08, 0.1), (0.08, 0.2, 0.1)),  # the longer side is the length
+        ((0.3, 0.1, 0.2), (0.3, 0.1, 0.01), (0.3, 0.1, 0.2 / 1.8)),  # by far implausible
+    ],
+)
+def test_measured_sizes_are_kept_unless_implausible(have, measured, want):
+    made = dataclasses.replace(wedge(), size=np.array(have))
+    np.testing.assert_allclose(measured_size(made, np.array(measured)), want)
+
+
+def test_a_handle_may_point_away():
+    """A mug that is measured square hides its handle; it is not squeezed."""
+    made = dataclasses.replace(wedge(), size=np.array([0.12, 0.08, 0.1]), category="mug")
+    found = measured_size(made, np.array([0.09, 0.09, 0.11]))
+    np.testing.assert_allclose(found, [0.135, 0.09, 0.11])

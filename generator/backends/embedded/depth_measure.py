@@ -11,8 +11,8 @@ from jaxtyping import Bool, Float
 
 from ...geometry import Camera, rotation_z
 from ...scene import TABLE, Instance, Stacking
-from .depth_plane import TALLEST, noise, smooth
-from .plane import TablePlane, outline_distance
+from .depth_plane import smooth
+from .plane import TablePlane
 
 _FEW = 12  # points: fewer measure nothing
 _TAIL = 1.0  # percent of the points left out at each end
@@ -20,11 +20,9 @@ _STRAY = 0.06  # metres of empty space that part a thing's points from stray one
 _MOST = 4000  # points looked at per thing
 _LEVEL = 0.03  # metres between a support's top and what stands on it
 _HELD = 0.5  # share of a thing's footprint points over its support
+_NARROW = 0.85  # of its length: what a thing's top is less than if it tapers
 _HOLLOW = 0.025  # metres that the middle of a container lies below its rim
-_BESIDE = 0.03  # metres: something may stick out over the table's edge so far
-_LEAST = 3e-4  # of the picture: the least that counts as a thing
-_WATERLINES = (0.1, 0.2, 0.3, 0.4)  # of a region's height, at which islands part it
-_LOW = 0.006  # metres: nothing lower than this counts as a thing
+_GROUND = 0.008  # metres: of what is clearly taller, nothing lower than this is counted
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,10 +42,13 @@ class Solid:
     points: Float[np.ndarray, "n 3"]
 
     @property
-    def across(self) -> tuple[float, float]:
-        """Extent along the table's x and y axes."""
-        low, high = np.percentile(self.points[:, :2], [_TAIL, 100 - _TAIL], axis=0)
-        return float(high[0] - low[0]), float(high[1] - low[1])
+    def tapers(self) -> bool:
+        """Whether it is clearly shorter at its top than below, and so may hide its own back."""
+        high = self.points[:, 2] > self.top - 0.2 * (self.top - self.bottom)
+        along = self._own()[:, 0]
+        if high.sum() < _FEW:
+            return False
+        return bool(np.ptp(np.percentile(along[high], [_TAIL, 100 - _TAIL])) < 2 * _NARROW)
 
     @property
     def inner(self) -> float:
@@ -98,14 +99,16 @@ def measure_solid(
 ) -> Solid | None:
     """Return the box of the points that ``mask`` shows; None if depth knows too few of them.
 
-    Points at jumps of depth, where a sensor mixes near and far, and groups of points apart from
-    the rest are left out. Seen from too low for its top to show, a thing is as deep as it is wide.
+    Points at jumps of depth, where a sensor mixes near and far, groups of points apart from the
+    rest, and the tabletop around the foot are left out. Seen from too low for its top to show, a
+    thing is as deep as it is wide.
     """
-    points = table_points(depth, plane.camera)
-    clean = mask & _steady(depth)
+    clean = mask & steady(depth)
+    calm = cv2.medianBlur(np.ascontiguousarray(depth, np.float32), 5)
+    points = table_points(np.where(clean & (calm > 0), calm, depth), plane.camera)
     chosen = points[clean] if clean.sum() >= _FEW else points[mask & (depth > 0)]
     chosen = chosen[:: max(1, len(chosen) // _MOST)]
-    chosen = _together(chosen, plane.camera)
+    chosen = _raised(_together(chosen, plane.camera))
     if len(chosen) < _FEW:
         return None
     bottom, top = (float(v) for v in np.percentile(chosen[:, 2], [_TAIL, 100 - _TAIL]))
@@ -115,7 +118,8 @@ def measure_solid(
     return Solid(center, yaw, extent, bottom, top, chosen)
 
 
-def _steady(depth: Float[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
+def steady(depth: Float[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
+    """Return the known pixels of a depth map that are not on the far side of a jump."""
     z = np.where(depth > 0, depth, np.nan)
     return smooth(np.stack([z, z, z], -1))
 
@@ -126,6 +130,13 @@ def _together(points: Float[np.ndarray, "n 3"], camera: Camera) -> Float[np.ndar
     order = np.argsort(away)
     groups = np.split(order, np.flatnonzero(np.diff(away[order]) > _STRAY) + 1)
     return points[max(groups, key=len)]
+
+
+def _raised(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
+    """Return the points of a thing without those of the tabletop, unless it is as flat itself."""
+    high = points[points[:, 2] > _GROUND]
+    tall = len(high) > _FEW and float(np.percentile(points[:, 2], 90)) > 3 * _GROUND
+    return high if tall else points
 
 
 def _box(
@@ -183,7 +194,7 @@ def stack_solids(
     on = dict.fromkeys(names, TABLE)
     inside = dict.fromkeys(names, False)
     for name in names:
-        held = {b: _holds(solids[b], solids[name]) for b in names
+        held = {b: holds(solids[b], solids[name]) for b in names
                 if b != name and b in solids and name in solids}  # fmt: skip
         below = max(held, key=lambda b: (held[b], b), default=None)
         if below is not None and held[below] > _HELD:
@@ -199,7 +210,7 @@ def stack_solids(
     return result
 
 
-def _holds(below: Solid, thing: Solid) -> float:
+def holds(below: Solid, thing: Solid) -> float:
     """Return which share of ``thing`` is over ``below``, 0 if it does not reach its upper side."""
     rise = max(below.top - below.bottom, 0.01)
     if thing.bottom < below.bottom + (0.3 if below.hollow else 0.6) * rise - 0.005:
@@ -208,55 +219,3 @@ def _holds(below: Solid, thing: Solid) -> float:
         return 0.0
     turned = (thing.points[:, :2] - below.center) @ rotation_z(below.yaw)[:2, :2]
     return float((np.abs(turned) < np.asarray(below.extent) / 2 + 0.005).all(1).mean())
-
-
-# ------------------------------------------------------------------------------------- proposals
-
-
-def things_above(
-    depth: Float[np.ndarray, "h w"], plane: TablePlane
-) -> tuple[Bool[np.ndarray, "h w"], ...]:
-    """Return the masks of what stands on the table, as depth alone parts it, largest first.
-
-    Regions above the plane are parted at jumps of depth and at saddles well below both sides.
-    Things that touch at their full height, or stand on one another, come out as one.
-    """
-    points = table_points(depth, plane.camera)
-    spread = noise(np.where(depth > 0, depth, 0.0))
-    flat = np.abs(points[..., 2]) < spread
-    level = 1.4826 * float(np.median(np.abs(points[flat][:, 2]))) if flat.any() else 0.0
-    lowest = np.maximum(_LOW, 3.0 * level * np.maximum(spread / np.median(spread[flat]), 1))
-    high = (points[..., 2] > lowest) & (points[..., 2] < TALLEST)
-    places = np.nan_to_num(points[..., :2].reshape(-1, 2))
-    off = outline_distance(places, plane.shape, plane.flipped, plane.size, plane.radius)
-    high &= (off < _BESIDE).reshape(depth.shape) & _steady(depth)
-    kernel = np.ones((3, 3), np.uint8)
-    opened = cv2.morphologyEx(high.astype(np.uint8), cv2.MORPH_OPEN, kernel) > 0
-    least = int(_LEAST * depth.size)
-    masks = [part for region in _pieces(opened, least)
-             for part in _parted(region, np.nan_to_num(points[..., 2]), least)]  # fmt: skip
-    masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
-    return tuple(cv2.dilate(m.astype(np.uint8), kernel) > 0 for m in masks)
-
-
-def _pieces(mask: Bool[np.ndarray, "h w"], least: int) -> list[Bool[np.ndarray, "h w"]]:
-    """Return the connected parts of ``mask`` with at least ``least`` pixels."""
-    count, numbers, stats, _ = cv2.connectedComponentsWithStats(
-        mask.astype(np.uint8), connectivity=4
-    )
-    return [numbers == k for k in range(1, count) if stats[k, cv2.CC_STAT_AREA] >= least]
-
-
-def _parted(
-    region: Bool[np.ndarray, "h w"], height: Float[np.ndarray, "h w"], least: int
-) -> list[Bool[np.ndarray, "h w"]]:
-    """Return a region cut where raising the waterline leaves islands; each pixel to the nearest."""
-    tall = float(np.percentile(height[region], 98))
-    for share in _WATERLINES:
-        islands = _pieces(region & (height > share * tall), least)
-        if len(islands) > 1:
-            away = [cv2.distanceTransform((~i).astype(np.uint8), cv2.DIST_L2, 3) for i in islands]
-            nearest = np.argmin(away, axis=0)
-            shores = (region & (nearest == k) for k in range(len(islands)))
-            return [part for shore in shores for part in _parted(shore, height, least)]
-    return [region]

@@ -19,10 +19,9 @@ from ...scene import (
 )
 from .measure import measured_extent
 from .naming import known
-from .plane import TablePlane
 from .planner import plan_scene
 from .segmenter import GENERIC
-from .survey import solid_size, stacking_of, survey
+from .survey import Survey, solid_size, stacking_of, survey
 
 _HEIGHT = 0.74
 """Metres: the usual height of a table, where nothing tells it."""
@@ -71,7 +70,7 @@ class Reasoner:
                 usual[instance.name] = prior
         metric = reference.plan is not None or reference.depth is not None
         factor = 1.0 if metric else _table_factor(usual, measured)
-        sizes = {TABLE: _table_size(reference, plane, factor)}
+        sizes = {TABLE: _table_size(reference, seen, factor)}
         for instance in instances:
             if instance.name != TABLE:
                 prior = usual.get(instance.name)
@@ -116,8 +115,9 @@ def _table_factor(usual: Mapping[str, SizePrior], measured: Mapping[str, np.ndar
     return float(np.clip(np.median(ratios), 0.6, 1.6)) if ratios else 1.0
 
 
-def _table_size(reference: Reference, plane: TablePlane, factor: float) -> SizePrior:
-    extent = np.array([plane.size[0] * factor, plane.size[1] * factor, _HEIGHT])
+def _table_size(reference: Reference, seen: Survey, factor: float) -> SizePrior:
+    plane = seen.plane
+    extent = np.array([plane.size[0] * factor, plane.size[1] * factor, seen.height or _HEIGHT])
     if reference.plan is not None:
         extent = np.array(reference.plan.table.size)
     outline = plane.top() * (extent[:2] / plane.size)

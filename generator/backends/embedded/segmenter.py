@@ -7,10 +7,12 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, UInt8
+from jaxtyping import Bool, Float, UInt8
 
 from ...geometry import main_parts, mask_box
-from ...scene import TABLE, Detection
+from ...scene import TABLE, Detection, Intrinsics
+from .depth_plane import find_depth_plane
+from .depth_things import confirmed
 from .eye.sight import Sight, Thing, see
 from .eye.weights import load_weights
 from .measure import measured_extent
@@ -32,12 +34,17 @@ class Segmenter:
     """Finds things with a small network of the project's own (``eye``)."""
 
     def segment(
-        self, image: UInt8[np.ndarray, "h w 3"], labels: tuple[str, ...]
+        self,
+        image: UInt8[np.ndarray, "h w 3"],
+        labels: tuple[str, ...],
+        depth: Float[np.ndarray, "h w"] | None = None,
+        intrinsics: Intrinsics | None = None,
     ) -> tuple[Detection, ...]:
         """Return the table first, then the things, nearest to the viewer last.
 
         Labels may repeat: each stands for one expected thing. With no label beyond "table" and
-        "object", everything the eye is sure of is named as it looks.
+        "object", everything the eye is sure of is named as it looks. Depth confirms what the eye
+        found (``depth_things``).
 
         Raises:
             BackendError: the eye's weights are missing or damaged.
@@ -53,8 +60,10 @@ class Segmenter:
             for thing, label in named
             if (mask := refine(image, thing.visible)).any()
         ]
-        found = sorted(found, key=lambda d: (d.box[3], d.box[0]))
         table = main_parts(np.isin(sight.region.argmax(0), (1, 2)))
+        if depth is not None and intrinsics is not None:
+            found = confirmed(found, depth, find_depth_plane(depth, intrinsics, table))
+        found = sorted(found, key=lambda d: (d.box[3], d.box[0]))
         for thing in found:
             table &= ~thing.mask
         return (Detection(TABLE, mask_box(table), table), *found)

@@ -9,24 +9,31 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from jaxtyping import Float
 
 from ...scene import TABLE, Instance, Reference, SizePrior, Stacking, View
 from .depth_measure import Solid, measure_solid, stack_solids
 from .depth_plane import find_depth_plane
+from .depth_things import height_above_floor
 from .plane import TablePlane
-from .stacking import stack
+from .stacking import stack, whole_mask
 from .tabletop import find_tabletop
 
 _THIN = 0.004  # metres: the least extent of anything
+_SHOWN = 0.85  # share of a thing that must show for its size to count as measured
+_ROUNDISH = 0.8  # width to length of a thing of unknown kind
+_BACK = 1.6  # how much wider than it shows a thing may be that hides its own back
 
 
 @dataclass(frozen=True, eq=False)
 class Survey:
-    """The tabletop of a reference, and its things' solids (metres); without depth there is none."""
+    """The tabletop of a reference, and its things' solids (metres); without depth there is none.
+
+    ``height`` is how high the tabletop is above a floor that depth shows too; None if it does not.
+    """
 
     plane: TablePlane
     solids: Mapping[str, Solid]
+    height: float | None = None
 
 
 def survey(
@@ -53,7 +60,8 @@ def survey(
         for i in instances
         if i.name != TABLE
     }
-    return Survey(plane, {name: solid for name, solid in found.items() if solid is not None})
+    solids = {name: solid for name, solid in found.items() if solid is not None}
+    return Survey(plane, solids, height_above_floor(reference.depth, plane))
 
 
 def stacking_of(
@@ -75,20 +83,27 @@ def solid_size(
 ) -> SizePrior:
     """Return a thing's measured extent, in the axes of its ``usual`` size if there is one.
 
-    Of an unknown thing x and y are the world's, as its model is built. A known thing of which
-    something is hidden keeps its usual proportions, at the scale of what shows.
+    Something narrower at its top hides its own back: its width is then what its usual proportions
+    make of its length, within reason. Of what other things hide the picture shows less than there
+    is: a known thing keeps its usual proportions, at the scale of what shows, and neither that nor
+    the extent of an unknown thing counts as measured.
     """
     solid = solids[instance.name]
     height = max(solid.top - floor_of(instance.name, solids, stacking), _THIN)
-    if usual is None:
-        return SizePrior(instance.name, np.maximum([*solid.across, height], _THIN))
     length, width = solid.extent
-    sides = (length, width) if usual.extent[0] >= usual.extent[1] else (width, length)
-    measured = np.maximum([*sides, height], _THIN)
-    if instance.occluded:
-        factor = float(np.clip((measured / usual.extent).max(), 1 / 1.6, 1.6))
-        measured = usual.extent * factor
-    return SizePrior(instance.name, measured, usual.placement, usual.axes)
+    if solid.tapers:
+        ratio = _ROUNDISH if usual is None else float(np.divide(*np.sort(usual.extent[:2])))
+        width = max(width, min(ratio * length, _BACK * width))
+    turned = usual is not None and usual.extent[0] < usual.extent[1]
+    seen = np.maximum([*((width, length) if turned else (length, width)), height], _THIN)
+    whole = np.asarray(whole_mask(instance))
+    hidden = float(np.asarray(instance.mask).sum()) < _SHOWN * float(whole.sum())
+    if usual is None:
+        return SizePrior(instance.name, seen, measured=not hidden)
+    if hidden:
+        factor = float(np.clip((seen / usual.extent).max(), 1 / 1.6, 1.6))
+        seen = np.maximum(seen, usual.extent * factor)
+    return SizePrior(instance.name, seen, usual.placement, usual.axes, measured=not hidden)
 
 
 def floor_of(name: str, solids: Mapping[str, Solid], stacking: Mapping[str, Stacking]) -> float:
@@ -98,9 +113,3 @@ def floor_of(name: str, solids: Mapping[str, Solid], stacking: Mapping[str, Stac
         return 0.0
     support = solids[below]
     return max(support.inner if stacking[name].inside else support.top, 0.0)
-
-
-def box_corners(solid: Solid) -> Float[np.ndarray, "2 2"]:
-    """Return the lowest and highest corner of a solid's footprint along the table's axes."""
-    half = np.asarray(solid.across) / 2
-    return np.stack([solid.center - half, solid.center + half])

@@ -15,7 +15,6 @@ from ...render.contact import Body
 from ...render.picture import TOP_DOWN
 from ...render.raster import Item, place, render
 from ...scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
-from .depth_measure import Solid
 from .depth_seating import seated
 from .measure import measured_extent
 from .plane import TablePlane
@@ -24,7 +23,6 @@ from .survey import floor_of, stacking_of, survey
 _PIXELS = 640  # along the table's longer side
 _MARGIN = 0.12  # of the longer side, around the table
 _GROUND = (226, 226, 224)
-_KNOWN = 0.01  # metres: how well depth knows the middle of a thing's footprint
 
 
 def top_view(
@@ -38,7 +36,8 @@ def top_view(
 
     Instances without a model get the box that their mask measures on the plane. All boxes come
     from geometry, so ``repaired`` is empty; the picture is drawn from the same placements. Where
-    depth shows a thing, its model is moved until what is seen of it lies where depth has it.
+    depth shows a thing, its model keeps its size and is moved until what is seen of it lies where
+    depth has it.
 
     Raises:
         SceneError: no tabletop in the picture.
@@ -48,6 +47,7 @@ def top_view(
     plane, solids = known.plane, known.solids
     things = [i for i in instances if i.name != TABLE]
     order = stacking_of(instances, solids, lambda label: False)
+    covered = np.logical_or.reduce([np.asarray(i.mask) for i in things])
     fitted: dict[str, Body] = {}
     footprints: dict[str, np.ndarray] = {}
     for thing in sorted(things, key=lambda i: order[i.name].order):
@@ -59,8 +59,12 @@ def top_view(
             floor = _upper_side(fitted[on], models[on].container) if on in fitted else 0.0
         if thing.name in models:
             yaw = rotations[thing.name].yaw if thing.name in rotations else 0.0
-            body = fit_model(thing, models[thing.name], yaw, plane, floor, solid)
-            fitted[thing.name] = body if solid is None else seated(body, thing, solid, plane)
+            model = models[thing.name]
+            if solid is None:
+                fitted[thing.name] = fit_model(thing, model, yaw, plane, floor)
+            else:
+                others = covered & ~np.asarray(thing.mask)
+                fitted[thing.name] = seated(model, yaw, floor, solid, others, plane)
             footprints[thing.name] = fitted[thing.name].footprint
         else:
             extent, middle = measured_extent(np.asarray(thing.mask), plane)
@@ -106,13 +110,11 @@ def fit_model(
     yaw: float,
     plane: TablePlane,
     floor: float,
-    known: Solid | None = None,
 ) -> Body:
     """Solve x, y and size so that the model's projection fills the instance's box.
 
     ``floor`` is the height above the tabletop on which the model stands. Size may change by a
-    factor; a weak prior keeps it near the model's own. ``known`` is what depth saw of the thing;
-    the model then stays where that is.
+    factor; a weak prior keeps it near the model's own.
     """
     box = target_box(instance)
     solid = _hull_points(np.asarray(model.mesh.vertices, float)) + np.array([0, 0, 0.5])
@@ -123,12 +125,9 @@ def fit_model(
     def residuals(p: np.ndarray) -> np.ndarray:
         pixels = plane.camera.project(turned * np.exp(p[2]) + [p[0], p[1], floor])
         off = np.concatenate([pixels.min(0), pixels.max(0)]) - box
-        away = [] if known is None else (p[:2] - known.center) / _KNOWN
-        return np.concatenate([off / span * 40.0, [p[2] / 0.5], away])
+        return np.concatenate([off / span * 40.0, [p[2] / 0.5]])
 
     start = np.array([foot[0], foot[1] + model.size[1] / 2, 0.0])
-    if known is not None:
-        start[:2] = known.center
     found = least_squares(residuals, start, loss="soft_l1", max_nfev=60).x
     factor = float(np.exp(np.clip(found[2], -1.5, 1.5)))
     scale = np.asarray(model.size) * factor
