@@ -91,6 +91,12 @@ def cutting_mat(look: Look) -> Shape:
     return shape([(mat, _ruled(look, x, y, color, line))], [box_part(x, y, 0.003)])
 
 
+def _between(a: RGB, b: RGB) -> RGB:
+    """Return the colour a little nearer to ``a`` than to ``b``."""
+    red, green, blue = (0.55 * x + 0.45 * y for x, y in zip(a, b, strict=True))
+    return red, green, blue
+
+
 def _ruled(look: Look, x: float, y: float, color: RGB, line: RGB) -> Tile:
     """Return a grid of centimetres, every fifth line strong, in a border with figures."""
     wide, tall = 400, round(400 * y / x)
@@ -98,7 +104,7 @@ def _ruled(look: Look, x: float, y: float, color: RGB, line: RGB) -> Tile:
     left, top = 0.05, 0.05 * x / y
     across, down = int(x * 0.9 / 0.01), int(y * (1 - 2 * top) / 0.01)
     step = (1 - 2 * left) / across, (1 - 2 * top) / down
-    faint = tuple(0.55 * a + 0.45 * b for a, b in zip(color, line, strict=True))
+    faint = _between(color, line)
     for strong in (False, True):
         ink = line if strong else faint
         for k in range(across + 1):

@@ -104,9 +104,9 @@ class TableForm:
             middle = np.array([end, 0.0])
             post = _SQUARE * [self.high, 2 * self.high] + middle
             rings.append(_piece(post, 0.0, post, top))
-            across = np.array([[end, -reach[1]], [end, reach[1]]])
+            front, back = np.array([end, -reach[1]]), np.array([end, reach[1]])
             bars = (0.0, top - self.low)
-            rings += [_board(*across, self.low, z, z + self.low) for z in bars]
+            rings += [_board(front, back, self.low, z, z + self.low) for z in bars]
         return rings
 
     def _pedestal(self, top: float) -> list[Ring]:
