@@ -41,11 +41,11 @@ def calibrated(eye: Eye, data: Path, batches: int, seed: int) -> float:
     The temperature of least cross entropy: Guo et al., "On Calibration of Modern Neural
     Networks", ICML 2017.
     """
-    crops = Crops(data, 256, 8 * batches, seed, 0)
+    crops = Crops(data, 256, seed)
     logits, wished = [], []
     with torch.inference_mode():
         for k in track(range(batches), "calibrating"):
-            batch = collate([crops[8 * k + j] for j in range(8)])
+            batch = collate([crops.crop(8 * k + j) for j in range(8)])
             if not len(batch.looks):
                 continue
             named = eye.names(batch.looks, batch.shown, batch.hints)

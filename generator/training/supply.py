@@ -30,8 +30,8 @@ SEEDS: dict[str, tuple[int, int]] = {
 }
 """Catalogue seeds of each split: what is evaluated on was never trained on.
 
-In "eval" things look as the catalogue makes them; in the others many wear borrowed colours and
-textures, and some scenes are white or dark all over.
+In "eval" all things are the catalogue's and look as it makes them; in the others a sixth belong to
+no category, many wear borrowed colours and textures, and some scenes are white or dark all over.
 """
 
 KEYS = tuple(sorted(CATEGORIES))
@@ -73,14 +73,15 @@ class Supply:
 
 
 def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supply:
-    """Build a supply. ``models`` are spread over all categories; a sixth are of none."""
+    """Build a supply: ``models`` of all categories and (not in "eval") of none, and ``tables``."""
     rng = np.random.default_rng([seed, 11, SEEDS[split][0]])
     low, high = SEEDS[split]
+    strangers = 0 if split == "eval" else models // 6
     order = np.concatenate([rng.permutation(len(KEYS)) for _ in range(1 + models // len(KEYS))])
-    chosen = [int(k) for k in order[: models - models // 6]]
+    chosen = [int(k) for k in order[: models - strangers]]
     made = [_built(rng, KEYS[k], low, high) for k in chosen]
-    made += [stranger(int(rng.integers(low, high)) + 7919 * seed) for _ in range(models // 6)]
-    categories = chosen + [UNKNOWN] * (models // 6)
+    made += [stranger(int(rng.integers(low, high)) + 7919 * seed) for _ in range(strangers)]
+    categories = chosen + [UNKNOWN] * strangers
     stands = [_table(rng, low, high) for _ in range(tables)]
     loose = [patterns.surface(rng) for _ in range(14)]
     loose += [patterns.cloth(rng) for _ in range(8)]

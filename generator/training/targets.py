@@ -17,10 +17,10 @@ from .sample import Sample
 _SMALLEST = 14  # visible pixels in the crop that make a thing worth finding
 _CORE = 0.5  # of the deepest distance from the outline: where a cell may answer for its thing
 _FALL = 0.3  # how fast the wished-for certainty falls off towards the outline
-_MOST = 7  # things of one crop whose masks are learned
+_MOST = {False: 7, True: 14}  # things of a crop, of a whole picture, whose masks are learned
 _CELLS = 2  # cells that answer for each of them
 _USUAL = 0.8  # radians below the horizon, where there is nothing to tell it from
-_NAMED = 4  # things of one sample that are named
+_NAMED = {False: 4, True: 8}  # things of one sample that are named, likewise
 _READABLE = 100  # visible pixels that a name can be read from
 _FINE = 2  # picture pixels a cell of the mask targets
 
@@ -52,13 +52,13 @@ class Crop:
     category: Int[np.ndarray, "n"]
 
 
-def window(sample: Sample, rng: np.random.Generator) -> tuple[int, int, int]:
-    """Choose a square to cut out: (left, top, side); all of it, a part, or around one thing."""
+def window(sample: Sample, rng: np.random.Generator, entire: bool = False) -> tuple[int, int, int]:
+    """Choose a square to cut out: (left, top, side); (nearly) all, a part, or around one thing."""
     height, width = sample.visible.shape
     most, draw = min(height, width), rng.random()
     ids = np.unique(sample.visible)
     ids = ids[ids > 0]
-    if draw < 0.3 or (draw > 0.55 and not len(ids)):
+    if entire or draw < 0.3 or (draw > 0.55 and not len(ids)):
         side = int(most * rng.uniform(0.85, 1.0))
     elif draw < 0.55:
         side = int(most * rng.uniform(0.4, 0.85))
@@ -72,9 +72,9 @@ def window(sample: Sample, rng: np.random.Generator) -> tuple[int, int, int]:
     return int(rng.integers(width - side + 1)), int(rng.integers(height - side + 1)), side
 
 
-def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
+def cut(sample: Sample, size: int, rng: np.random.Generator, entire: bool = False) -> Crop:
     """Cut a random square out of a sample, scaled to ``size`` pixels (a multiple of 32)."""
-    x, y, side = window(sample, rng)
+    x, y, side = window(sample, rng, entire)
     flip = rng.random() < 0.5
     inside = np.s_[y : y + side, x : x + side]
     step = -1 if flip else 1
@@ -86,7 +86,7 @@ def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
     way = cv2.INTER_AREA if side > size else cv2.INTER_LINEAR
     visible = scaled(sample.visible, size, cv2.INTER_NEAREST)
     image = scaled(sample.image, size, way)
-    heat, weight, chosen = _hearts(visible, rng)
+    heat, weight, chosen = _hearts(visible, rng, _MOST[entire])
     grid = size // STRIDE
     cells, boxes, masks = [], [], []
     fine = size // _FINE
@@ -110,7 +110,7 @@ def cut(sample: Sample, size: int, rng: np.random.Generator) -> Crop:
         np.array(cells, np.int64).reshape(-1, 2),
         np.array(boxes, np.float32).reshape(-1, 8),
         np.array(masks, bool).reshape(-1, 2, fine, fine),
-        *closeups(sample, rng),
+        *closeups(sample, rng, _NAMED[entire]),
     )
 
 
@@ -133,7 +133,7 @@ def blank(size: int, rng: np.random.Generator) -> Crop:
 
 
 def closeups(
-    sample: Sample, rng: np.random.Generator, most: int = _NAMED
+    sample: Sample, rng: np.random.Generator, most: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Look closely at some things of a sample: the last four fields of a :class:`Crop`."""
     area = np.bincount(sample.visible.ravel(), minlength=len(sample.full) + 1)[1:]
@@ -188,7 +188,7 @@ def _angles(
 
 
 def _hearts(
-    visible: UInt8[np.ndarray, "s s"], rng: np.random.Generator
+    visible: UInt8[np.ndarray, "s s"], rng: np.random.Generator, most: int
 ) -> tuple[np.ndarray, np.ndarray, list[tuple[int, np.ndarray]]]:
     """Return the wished-for certainty, its weight, and cells (column, row) for some things."""
     grid = visible.shape[0] // STRIDE
@@ -212,7 +212,7 @@ def _hearts(
         picked = core[rng.permutation(len(core))[: _CELLS - 1]]
         best = np.array(np.unravel_index(int(blocks.argmax()), blocks.shape))[None]
         found.append((int(index), np.concatenate([best, picked])[:, ::-1]))
-    order = rng.permutation(len(found))[:_MOST]
+    order = rng.permutation(len(found))[:most]
     return heat, weight, [found[k] for k in order]
 
 

@@ -5,8 +5,9 @@
     python -m generator.training.export --run DIR/run --data DIR/tuning
 
 A run keeps its state in ``--out`` and goes on from it; the learning rate falls along a cosine of
-the share of ``--minutes`` that is spent. ``export`` writes the averaged weights where the embedded
-backend reads them. The encoder starts from EfficientNet-Lite0's ImageNet weights, which
+the share of ``--minutes`` that is spent. Late in the run every other batch holds whole pictures at
+the scale the eye looks with, a quarter as many. ``export`` writes the averaged weights where the
+embedded backend reads them. The encoder starts from EfficientNet-Lite0's ImageNet weights, which
 the ``eye`` extra installs.
 """
 
@@ -46,36 +47,52 @@ _SAVED = 240.0  # seconds between saves
 _FROZEN = 3  # blocks of the encoder that stay ImageNet's: they are the slowest to learn through
 _BLANK = 0.03  # share of pictures without a table
 _CLIP = 5.0  # largest norm of the gradient
+_LATE = 0.6  # share of a run after which it sees whole pictures, and norms keep their statistics
 
 
-class Crops(Dataset[Crop]):
+class Crops:
     """Random crops of the samples in a folder; number ``k`` is the same for the same seed."""
 
-    def __init__(self, folder: Path, size: int, count: int, seed: int, first: int) -> None:
+    def __init__(self, folder: Path, size: int, seed: int) -> None:
         self.paths = sorted(folder.glob("*.shard"))
         if not self.paths:
             raise InputError(
                 f"No shards in {folder}. Render some: python -m generator.training.renders --help"
             )
-        self._size, self._count, self._seed, self._first = size, count, seed, first
+        self._size, self._seed = size, seed
         self._now = {key: k for k, key in enumerate(CATEGORIES)}
 
-    def __len__(self) -> int:
-        return self._count
-
-    def __getitem__(self, k: int) -> Crop:
-        rng = np.random.default_rng([self._seed, self._first + k])
+    def crop(self, k: int, entire: bool = False) -> Crop:
+        """Return crop ``k``; or a picture that is (nearly) entire, twice as large."""
+        rng = np.random.default_rng([self._seed, k])
+        size = 2 * self._size if entire else self._size
         if rng.random() < _BLANK:
-            return blank(self._size, rng)
+            return blank(size, rng)
         reader = self._readers[int(rng.integers(len(self._readers)))]
         sample = reader.read(int(rng.integers(len(reader))), depth=False)
         current = [self._now.get(key, UNKNOWN) for key in reader.keys] + [UNKNOWN]
         category = np.array(current, np.int16)[sample.category]
-        return cut(replace(sample, category=category), self._size, rng)
+        return cut(replace(sample, category=category), size, rng, entire)
 
     @cached_property
     def _readers(self) -> list[ShardReader]:  # opened by the process that reads
         return [ShardReader(path) for path in self.paths]
+
+
+class Steps(Dataset[Batch]):
+    """The batches of a run's steps from ``first`` on; ``late``, every other one is of pictures."""
+
+    def __init__(self, crops: Crops, batch: int, first: int, late: bool) -> None:
+        self._crops, self._batch, self._first, self._late = crops, batch, first, late
+
+    def __len__(self) -> int:
+        return _EPOCH
+
+    def __getitem__(self, k: int) -> Batch:
+        step = self._first + k
+        entire = self._late and step % 2 == 0
+        count = max(1, self._batch // 4) if entire else self._batch
+        return collate([self._crops.crop(step * self._batch + i, entire) for i in range(count)])
 
 
 def collate(crops: list[Crop]) -> Batch:
@@ -172,6 +189,12 @@ class Run:
         marks = {**found, "total": loss}
         return {name: float(value.detach()) for name, value in marks.items()}
 
+    def settle(self) -> None:
+        """Keep the statistics of the norms as they are."""
+        for part in self.eye.modules():
+            if isinstance(part, torch.nn.BatchNorm2d):
+                part.eval()
+
     def save(self) -> None:
         """Write the state; an interrupted write leaves the old one."""
         state = {
@@ -217,13 +240,14 @@ def renamed(
 
 def batches(args: argparse.Namespace, run: Run) -> Iterator[Batch]:
     """Yield batches for ever; which crops they hold depends on the seed and the step alone."""
-    size = args.size
     while True:
-        count = _EPOCH * args.batch  # then look again which shards there are
-        crops = Crops(args.data, size, count, args.seed, run.steps * args.batch)
+        crops = Crops(args.data, args.size, args.seed)  # look again which shards there are
         run.shards |= {path.name for path in crops.paths}
+        late = run.spent >= _LATE * 60 * args.minutes
+        if late:
+            run.settle()
         yield from DataLoader(
-            crops, args.batch, num_workers=args.workers, collate_fn=collate, drop_last=True,
+            Steps(crops, args.batch, run.steps, late), None, num_workers=args.workers,
             prefetch_factor=4 if args.workers else None,
         )  # fmt: skip
 

@@ -105,9 +105,29 @@ def test_a_run_goes_on_where_it_stopped(tmp_path, monkeypatch):
     assert train.Run(tmp_path / "run", 1e-3, "cpu").steps > first.steps
 
 
+def test_late_in_a_run_whole_pictures_take_turns_with_crops(tmp_path):
+    with ShardWriter(tmp_path / "a.shard", list(CATEGORIES)) as shard:
+        shard.add(sample())
+    crops = train.Crops(tmp_path, 64, 0)
+    early, late = (train.Steps(crops, 8, 10, late=x) for x in (False, True))
+    assert [len(early[k].image) for k in range(2)] == [8, 8]
+    assert [tuple(late[k].image.shape) for k in range(2)] == [(2, 3, 128, 128), (8, 3, 64, 64)]
+    torch.testing.assert_close(late[1].image, early[1].image)
+
+
+def test_settled_norms_keep_their_statistics(tmp_path, monkeypatch):
+    monkeypatch.setattr(train, "new_eye", lambda: Eye(len(CATEGORIES) + 1))
+    run = train.Run(tmp_path, 1e-3, "cpu")
+    run.settle()
+    before = {k: v.clone() for k, v in run.eye.state_dict().items() if "running" in k}
+    run.step(train.collate([cut(sample(), 64, np.random.default_rng(0))]), 0.0)
+    after = run.eye.state_dict()
+    assert before and all(torch.equal(after[k], v) for k, v in before.items())
+
+
 def test_an_empty_folder_is_refused(tmp_path):
     with pytest.raises(InputError, match="No shards"):
-        train.Crops(tmp_path, 64, 1, 0, 0)
+        train.Crops(tmp_path, 64, 0)
 
 
 def test_new_categories_start_as_unknown_does():

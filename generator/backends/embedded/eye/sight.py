@@ -34,8 +34,8 @@ _HELD = 0.6  # share of a first find that a closer one must show
 _YIELD = 0.6  # of the first look's certainty, which the closer one must have
 _LEAST = 0.15  # certainty of a thing that is told at all
 _MOST = 90  # cells asked
-_SAME = 0.5  # overlap at which two masks are one thing
-_INSIDE = 0.8  # share of a mask within a surer one that makes it a part
+_SAME = 0.6  # overlap (IoU) at which two masks of the first look are one thing
+_SHARED = 0.35  # share of the smaller of two finds that both claim, at which the surer one stands
 
 
 @dataclass(frozen=True, eq=False)
@@ -157,7 +157,8 @@ def _finds(eye: Eye, maps: Maps, seen: tuple[int, ...]) -> _Finds:
     place = place[score > _FAINT]
     cells = torch.stack([place % heat.shape[3], place // heat.shape[3]], 1)
     finds = _answers(eye, maps, torch.zeros(len(cells), dtype=torch.long), cells)
-    return finds[_distinct(finds.score, finds.masks[:, 0] > 0.5)[:_KEPT]]
+    overlap, _ = _overlaps(finds.masks[:, 0] > 0.5)
+    return finds[_apart(finds.score, overlap > _SAME)[:_KEPT]]
 
 
 def _answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> _Finds:
@@ -170,16 +171,19 @@ def _answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> _Finds:
     return _Finds(heat.sqrt() * quality * shows, masks)
 
 
-def _distinct(score: Tensor, inside: Tensor) -> list[int]:
-    """Return which of the masks (n, h, w), by how sure they are, show a thing of their own."""
-    flat = inside.flatten(1).float()
-    area = flat.sum(1).clamp(min=1)
+def _overlaps(masks: Tensor) -> tuple[Tensor, Tensor]:
+    """Return, of masks (n, h, w), their overlap (IoU) and the share of each that others cover."""
+    flat = masks.flatten(1).float()
+    area = flat.sum(1).clamp(min=1)[:, None]
     both = flat @ flat.T
-    overlap = both / (area[:, None] + area[None] - both)
-    repeats = (overlap > _SAME) | (both > _INSIDE * area[:, None])
+    return both / (area + area.T - both), both / area
+
+
+def _apart(score: Tensor, clash: Tensor) -> list[int]:
+    """Return finds that do not clash (n, n) with a surer one, surest first."""
     kept: list[int] = []
     for k in score.argsort(descending=True).tolist():
-        if score[k] > 0 and not repeats[k, kept].any():
+        if score[k] > 0 and not clash[k, kept].any():
             kept.append(k)
     return kept
 
@@ -230,11 +234,12 @@ def _chosen(eye: Eye, maps: Maps, k: int, score: float, first: Tensor) -> tuple[
 
 
 def _sure(seen: list[_Seen], least: float) -> list[_Seen]:
-    """Keep what is sure enough, one a thing, surest first; what two claim, the surer one has."""
+    """Keep what is sure enough, one a thing, surest first; a little that two claim, it has."""
     if not seen:
         return []
     score = torch.tensor([x.score if x.score >= least else 0.0 for x in seen])
-    kept = _distinct(score, torch.from_numpy(np.stack([x.visible for x in seen])))
+    _, within = _overlaps(torch.from_numpy(np.stack([x.visible for x in seen])))
+    kept = _apart(score, torch.maximum(within, within.T) > _SHARED)
     taken = np.zeros_like(seen[0].visible)
     found = []
     for k in kept:
