@@ -17,7 +17,7 @@ VALUES = ("generator.scene", "generator.geometry", "generator.errors")
 # The first rule whose prefix fits a module decides what of this project it may import.
 RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.errors", ()),
-    ("generator.scene", ("generator.errors",)),
+    ("generator.scene", ("generator.errors", "generator.scene")),
     ("generator.geometry", VALUES),
     ("generator.paper_json", VALUES),
     ("generator.render", (*VALUES, "generator.render")),

@@ -1,0 +1,56 @@
+"""The nouns of the pipeline: frozen values that flow from a text or an image to a scene.
+
+Frames and units, stated once for the whole project
+---------------------------------------------------
+SI metres, kilograms, radians, seconds; quaternions are ``wxyz`` as in MuJoCo.
+
+*World (table) frame*: right-handed, origin on the floor under the table's centre, +x right and
++y away *as seen in the reference image*, +z up. Yaw turns about +z, counter-clockwise seen from
+above.
+
+*Canonical object frame*: +z up, the mesh normalised to the unit box ``[-0.5, 0.5]^3``. ``scale``
+is the object's *extent* along its own axes in metres; ``translation`` is the *centre of its box*.
+
+*Images* are ``uint8`` RGB, row 0 at the top. *Pixel boxes* are ``(x0, y0, x1, y1)``, right and
+bottom exclusive. *Texture coordinates* have u to the right and v upwards (Wavefront OBJ), so
+texture row 0 is v = 1.
+"""
+
+from .arrays import frozen_array
+from .model import ConvexPart, Mesh, Model, PartKind, Physics, SizePrior
+from .picture import USUAL_VIEW, Detection, Instance, Intrinsics, Reference, TopView, View
+from .plan import TABLE, OutlineKind, PlannedObject, PlannedTable, Relation, RelationKind, ScenePlan
+from .result import Object, Placement, Pose, Provenance, Report, Rotation, Scene, Stacking, Table
+
+__all__ = [
+    "TABLE",
+    "USUAL_VIEW",
+    "ConvexPart",
+    "Detection",
+    "Instance",
+    "Intrinsics",
+    "Mesh",
+    "Model",
+    "Object",
+    "OutlineKind",
+    "PartKind",
+    "Physics",
+    "Placement",
+    "PlannedObject",
+    "PlannedTable",
+    "Pose",
+    "Provenance",
+    "Reference",
+    "Relation",
+    "RelationKind",
+    "Report",
+    "Rotation",
+    "Scene",
+    "ScenePlan",
+    "SizePrior",
+    "Stacking",
+    "Table",
+    "TopView",
+    "View",
+    "frozen_array",
+]

@@ -1,0 +1,151 @@
+"""What an object is: its mesh, collision parts, physics and size (Secs. 3.2 and 3.4)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float, Int, UInt8
+
+from ..errors import InputError
+from .arrays import freeze, frozen_array
+
+PartKind = Literal["hull", "box", "cylinder", "ellipsoid"]
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A textured triangle mesh. ``uv`` is per vertex (vertices repeat along seams).
+
+    Faces turn counter-clockwise seen from outside. ``opacity`` below 1 draws it as glass.
+    """
+
+    vertices: Float[np.ndarray, "n 3"]
+    faces: Int[np.ndarray, "m 3"]
+    uv: Float[np.ndarray, "n 2"]
+    texture: UInt8[np.ndarray, "th tw 3"]
+    opacity: float = 1.0
+
+    def __post_init__(self) -> None:
+        vertices = frozen_array(self.vertices, np.float32, (None, 3), "Mesh.vertices")
+        faces = frozen_array(self.faces, np.int32, (None, 3), "Mesh.faces")
+        uv = frozen_array(self.uv, np.float32, (len(vertices), 2), "Mesh.uv")
+        texture = frozen_array(self.texture, np.uint8, (None, None, 3), "Mesh.texture")
+        if not len(vertices) or not len(faces):
+            raise InputError("A mesh needs at least one vertex and one face.")
+        if faces.min() < 0 or faces.max() >= len(vertices):
+            raise InputError(f"Mesh.faces must index its {len(vertices)} vertices.")
+        freeze(self, vertices=vertices, faces=faces, uv=uv, texture=texture)
+
+    @cached_property
+    def bounds(self) -> Float[np.ndarray, "2 3"]:
+        """Lowest and highest corner."""
+        return np.stack([self.vertices.min(0), self.vertices.max(0)]).astype(np.float64)
+
+    @property
+    def extent(self) -> Float[np.ndarray, "3"]:
+        """Size along each axis."""
+        return self.bounds[1] - self.bounds[0]
+
+
+@dataclass(frozen=True, eq=False)
+class ConvexPart:
+    """One convex piece of a collision shape: the convex hull of ``vertices``.
+
+    ``kind`` "box", "cylinder" or "ellipsoid" says that the piece is that primitive, filling the
+    axis-aligned bounds of ``vertices`` (a cylinder runs along ``axis``: 0, 1 or 2). Collision then
+    uses the primitive wherever the object's scale keeps it one.
+    """
+
+    vertices: Float[np.ndarray, "n 3"]
+    kind: PartKind = "hull"
+    axis: Literal[0, 1, 2] = 2
+
+    def __post_init__(self) -> None:
+        vertices = frozen_array(self.vertices, np.float64, (None, 3), "ConvexPart.vertices")
+        if len(vertices) < 4:
+            raise InputError(f"A convex part needs at least 4 points, got {len(vertices)}.")
+        freeze(self, vertices=vertices)
+
+    @property
+    def bounds(self) -> Float[np.ndarray, "2 3"]:
+        """Lowest and highest corner."""
+        return np.stack([self.vertices.min(0), self.vertices.max(0)])
+
+
+@dataclass(frozen=True)
+class Physics:
+    """What an object is made of. ``density`` in kg/m^3, ``friction`` the sliding coefficient.
+
+    ``shell`` None: mass is density times the mesh's volume. Otherwise the object is hollow with
+    walls ``shell`` metres thick: mass is density times surface area times ``shell``.
+    """
+
+    density: float = 600.0
+    friction: float = 0.6
+    shell: float | None = None
+
+    def __post_init__(self) -> None:
+        if not (0 < self.density < 3e4 and 0 < self.friction < 5):
+            raise InputError(f"Physics needs density in (0, 30000) and friction in (0, 5): {self}.")
+        if self.shell is not None and not 0 < self.shell < 1:
+            raise InputError(f"Physics.shell is a wall thickness in (0, 1) m, got {self.shell}.")
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A canonical 3D model m_i (Sec. 3.2): +z up, unit box.
+
+    ``size`` is the commonsense extent in metres along the canonical axes. ``parts`` are convex
+    pieces in the canonical frame; empty means "not known", and assembly decomposes the mesh.
+    ``container`` says that things can be put into it.
+    """
+
+    name: str
+    label: str
+    mesh: Mesh
+    size: Float[np.ndarray, "3"]
+    physics: Physics = Physics()
+    parts: tuple[ConvexPart, ...] = ()
+    category: str = "generic"
+    container: bool = False
+
+    def __post_init__(self) -> None:
+        size = frozen_array(self.size, np.float64, (3,), "Model.size")
+        if (size <= 0).any():
+            raise InputError(f"Model.size must be positive metres, got {size}.")
+        if not np.allclose(self.mesh.bounds, [[-0.5] * 3, [0.5] * 3], atol=1e-3):
+            raise InputError(
+                f"Model {self.name!r}: mesh must fill the unit box [-0.5, 0.5]^3, "
+                f"its bounds are {self.mesh.bounds.tolist()}. Use geometry.to_unit_box."
+            )
+        freeze(self, size=size)
+
+
+@dataclass(frozen=True, eq=False)
+class SizePrior:
+    """A commonsense size (Fig. 22): extent (length, width, height) in metres, and its state.
+
+    ``placement`` is e.g. "lying flat"; ``axes`` says what x, y and z are, e.g. "thickness".
+    ``outline`` is a table's top seen from above, in metres about the middle of its extent, convex
+    and counter-clockwise; None leaves its shape open.
+    ``measured`` says that the extent is this very thing's, read from a depth map, not its kind's.
+    """
+
+    name: str
+    extent: Float[np.ndarray, "3"]
+    placement: str = "as shown"
+    axes: tuple[str, str, str] = ("length", "width", "height")
+    outline: Float[np.ndarray, "k 2"] | None = None
+    measured: bool = False
+
+    def __post_init__(self) -> None:
+        extent = frozen_array(self.extent, np.float64, (3,), "SizePrior.extent")
+        if (extent <= 0).any():
+            raise InputError(f"SizePrior.extent must be positive metres, got {extent}.")
+        freeze(self, extent=extent)
+        if self.outline is not None:
+            outline = frozen_array(self.outline, np.float64, (None, 2), "SizePrior.outline")
+            freeze(self, outline=outline)

@@ -1,0 +1,168 @@
+"""What a picture holds: the reference, what is found in it, its camera (Secs. 3.1 and 3.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from ..errors import InputError
+from .arrays import freeze, frozen_array
+from .plan import ScenePlan
+
+
+@dataclass(frozen=True)
+class Intrinsics:
+    """Focal lengths and principal point of one picture's camera, in its pixels.
+
+    As calibrations state them (OpenCV, ROS): x right, y down, and the *centre* of the top-left
+    pixel at (0, 0), so that a centred principal point is ((width - 1) / 2, (height - 1) / 2).
+    """
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+
+    def __post_init__(self) -> None:
+        numbers = (self.fx, self.fy, self.cx, self.cy)
+        if not np.isfinite(numbers).all() or min(self.fx, self.fy) <= 0:
+            raise InputError(f"Intrinsics need finite numbers, fx and fy positive: {numbers}.")
+
+    def scaled(self, across: float, down: float) -> Intrinsics:
+        """Return the intrinsics of the picture resized by these factors."""
+        cx, cy = (self.cx + 0.5) * across - 0.5, (self.cy + 0.5) * down - 0.5
+        return Intrinsics(self.fx * across, self.fy * down, cx, cy)
+
+
+@dataclass(frozen=True, eq=False)
+class Reference:
+    """The reference image I_ref (Sec. 3). ``plan`` and ``prompt`` are there if a text was.
+
+    Of an RGB-D picture ``depth`` is the distance along the optical axis in metres, 0 where it is
+    unknown, and ``intrinsics`` are the camera's; both are there or neither.
+    """
+
+    image: UInt8[np.ndarray, "h w 3"]
+    prompt: str | None = None
+    plan: ScenePlan | None = None
+    depth: Float[np.ndarray, "h w"] | None = None
+    intrinsics: Intrinsics | None = None
+
+    def __post_init__(self) -> None:
+        freeze(self, image=frozen_array(self.image, np.uint8, (None, None, 3), "Reference.image"))
+        if (self.depth is None) != (self.intrinsics is None):
+            raise InputError("A Reference needs depth and intrinsics together, or neither.")
+        if self.depth is not None:
+            depth = frozen_array(self.depth, np.float32, self.image.shape[:2], "Reference.depth")
+            if depth.min() < 0:
+                raise InputError("Reference.depth is in metres; 0 means unknown, none is below 0.")
+            freeze(self, depth=depth)
+
+
+@dataclass(frozen=True, eq=False)
+class Detection:
+    """One segmented region of an image: label, tight pixel box, mask, score in [0, 1].
+
+    ``full`` is the whole object's mask, what other things hide of it included, if the segmenter
+    can tell; None leaves that to the completion.
+    """
+
+    label: str
+    box: Float[np.ndarray, "4"]
+    mask: Bool[np.ndarray, "h w"]
+    score: float = 1.0
+    full: Bool[np.ndarray, "h w"] | None = None
+
+    def __post_init__(self) -> None:
+        mask = frozen_array(self.mask, np.bool_, (None, None), "Detection.mask")
+        freeze(self, box=frozen_array(self.box, np.float64, (4,), "Detection.box"), mask=mask)
+        if self.full is not None:
+            freeze(self, full=frozen_array(self.full, np.bool_, mask.shape, "Detection.full"))
+
+
+@dataclass(frozen=True, eq=False)
+class Instance:
+    """One object of the reference image (Sec. 3.1).
+
+    ``mask`` (visible pixels, holes filled) and ``box`` are in reference pixels; ``crop`` is the
+    completed, clean RGBA picture of the object alone, and ``crop_box`` the square or rectangle of
+    reference pixels that the crop shows (it may leave the image); ``occluded`` tells whether
+    something was completed.
+    """
+
+    name: str
+    label: str
+    box: Float[np.ndarray, "4"]
+    mask: Bool[np.ndarray, "h w"]
+    crop: UInt8[np.ndarray, "ch cw 4"]
+    crop_box: Float[np.ndarray, "4"]
+    occluded: bool = False
+    score: float = 1.0
+
+    def __post_init__(self) -> None:
+        freeze(
+            self,
+            box=frozen_array(self.box, np.float64, (4,), "Instance.box"),
+            mask=frozen_array(self.mask, np.bool_, (None, None), "Instance.mask"),
+            crop=frozen_array(self.crop, np.uint8, (None, None, 4), "Instance.crop"),
+            crop_box=frozen_array(self.crop_box, np.float64, (4,), "Instance.crop_box"),
+        )
+
+
+@dataclass(frozen=True)
+class View:
+    """The camera of the reference image (Sec. 3.3), in radians.
+
+    ``azimuth`` 0 looks along +y (from the front); positive moves the camera towards +x.
+    ``elevation`` is above the horizon, in (0, pi/2]. ``fov`` is the vertical field of view.
+    ``roll`` turns the camera about its sight: positive dips its right side, and what it shows
+    turns counter-clockwise.
+    """
+
+    azimuth: float
+    elevation: float
+    fov: float
+    roll: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not np.isfinite([self.azimuth, self.elevation, self.fov, self.roll]).all():
+            raise InputError("View holds NaN or infinity; angles are finite radians.")
+        if not 0 < self.elevation <= np.pi / 2 + 1e-9 or not 0 < self.fov < np.pi:
+            raise InputError(
+                f"View needs elevation in (0, pi/2] and fov in (0, pi) radians, got {self}."
+            )
+
+
+USUAL_VIEW = View(azimuth=0.0, elevation=np.deg2rad(55.0), fov=np.deg2rad(35.0))
+"""From the front and above: of a scene that no picture was taken of."""
+
+
+@dataclass(frozen=True, eq=False)
+class TopView:
+    """The table seen from straight above, I_top (Sec. 3.3, TSA).
+
+    Orthographic: +u is world +x, +v (down) is world -y. ``table_box`` and ``boxes`` (by instance
+    name) are pixel boxes in it. ``repaired`` names the instances whose box came from geometry
+    instead of the drawn picture. ``metres_per_pixel`` is there if the scale was measured.
+    """
+
+    image: UInt8[np.ndarray, "h w 3"]
+    table_box: Float[np.ndarray, "4"]
+    boxes: Mapping[str, Float[np.ndarray, "4"]]
+    repaired: tuple[str, ...] = ()
+    metres_per_pixel: float | None = None
+
+    def __post_init__(self) -> None:
+        boxes = {
+            name: frozen_array(box, np.float64, (4,), f"TopView.boxes[{name!r}]")
+            for name, box in self.boxes.items()
+        }
+        object.__setattr__(self, "boxes", boxes)
+        freeze(
+            self,
+            image=frozen_array(self.image, np.uint8, (None, None, 3), "TopView.image"),
+            table_box=frozen_array(self.table_box, np.float64, (4,), "TopView.table_box"),
+        )

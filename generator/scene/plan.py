@@ -1,0 +1,109 @@
+"""What a text asks for (Fig. 12)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal, get_args
+
+import numpy as np
+
+from ..errors import InputError, choices
+from .arrays import frozen_array
+
+TABLE = "table"
+"""Name of the table, as an instance and as a support."""
+
+RelationKind = Literal[
+    "left_of", "right_of", "in_front_of", "behind", "on", "in", "next_to", "center", "edge"
+]
+OutlineKind = Literal["rectangle", "square", "round", "oval", "triangle", "slatted"]
+
+
+@dataclass(frozen=True)
+class Relation:
+    """Where a planned object goes: ``kind`` relative to ``target`` (an object name or "table")."""
+
+    kind: RelationKind
+    target: str = TABLE
+
+
+@dataclass(frozen=True)
+class PlannedObject:
+    """One object a text asks for.
+
+    ``name`` is unique ("mug_1"); ``noun`` is the word used; ``category`` is a catalogue key, or
+    "generic" when no category fits. ``attributes`` maps "color", "material", "size" ("small",
+    "large") and "state" to words. ``size`` is the extent in metres if the text fixed one.
+    """
+
+    name: str
+    noun: str
+    category: str
+    attributes: Mapping[str, str] = field(default_factory=dict)
+    relations: tuple[Relation, ...] = ()
+    size: tuple[float, float, float] | None = None
+
+    def __post_init__(self) -> None:
+        if self.size is not None:
+            _check_extent(self.size, f"PlannedObject {self.name!r}")
+        for relation in self.relations:
+            if relation.kind not in get_args(RelationKind):
+                raise InputError(
+                    f"{self.name!r} has an unknown relation {relation.kind!r}."
+                    + choices(str(relation.kind), get_args(RelationKind))
+                )
+
+
+@dataclass(frozen=True)
+class PlannedTable:
+    """The table a text asks for. ``size`` is (length x, width y, height z) in metres."""
+
+    outline: OutlineKind = "rectangle"
+    material: str = "oak"
+    legs: str = "straight"
+    size: tuple[float, float, float] = (1.2, 0.7, 0.74)
+    color: str | None = None
+
+    def __post_init__(self) -> None:
+        _check_extent(self.size, "PlannedTable")
+        if self.outline not in get_args(OutlineKind):
+            raise InputError(
+                f"Unknown table outline {self.outline!r}."
+                + choices(str(self.outline), get_args(OutlineKind))
+            )
+
+
+@dataclass(frozen=True)
+class ScenePlan:
+    """What a text asks for (Sec. 3, Fig. 8): the table, its objects, a style; no coordinates."""
+
+    prompt: str
+    table: PlannedTable
+    objects: tuple[PlannedObject, ...]
+    style: str = "plain"
+    warnings: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        names = [planned.name for planned in self.objects]
+        if len(set(names)) < len(names) or TABLE in names:
+            raise InputError(f"Planned names must be unique and not {TABLE!r}: {names}.")
+        on = {p.name: [r.target for r in p.relations if r.kind in ("on", "in")]
+              for p in self.objects}  # fmt: skip
+        for planned in self.objects:
+            for target in (relation.target for relation in planned.relations):
+                if target == planned.name or target not in (*names, TABLE):
+                    raise InputError(
+                        f"{planned.name!r} is related to {target!r}." + choices(target, names)
+                    )
+            below = set(on[planned.name])
+            while (deeper := below.union(*(on.get(name, ()) for name in below))) != below:
+                below = deeper
+            if planned.name in below:
+                raise InputError(f"{planned.name!r} stands on itself, by way of {sorted(below)}.")
+
+
+def _check_extent(size: tuple[float, float, float], what: str) -> None:
+    extent = frozen_array(size, np.float64, (3,), f"{what}.size")
+    if (extent <= 0).any():
+        raise InputError(f"{what}: size must be positive metres, got {tuple(size)}.")

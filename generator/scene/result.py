@@ -1,0 +1,240 @@
+"""Where things are, and the scene they make (Secs. 3.3 and 3.4)."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from jaxtyping import Float
+
+from ..errors import InputError, choices
+from .arrays import freeze, frozen_array
+from .model import ConvexPart, Model
+from .picture import USUAL_VIEW, View
+from .plan import TABLE, ScenePlan
+
+
+@dataclass(frozen=True)
+class Rotation:
+    """An estimated yaw r_i (Sec. 3.3, DRO) with its loss, and all (yaw, loss) candidates tried."""
+
+    name: str
+    yaw: float
+    loss: float
+    candidates: tuple[tuple[float, float], ...] = ()
+
+
+@dataclass(frozen=True)
+class Stacking:
+    """What an instance stands on (Fig. 25): ``on`` is a name or "table"; ``inside`` a container.
+
+    ``order`` 1 is the table; a supported thing has a higher order than its support.
+    """
+
+    order: int
+    on: str = TABLE
+    inside: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """Pose and scale of one object: (r_i, t_i, s_i) of Sec. 3, in the world frame."""
+
+    name: str
+    yaw: float
+    translation: Float[np.ndarray, "3"]
+    scale: Float[np.ndarray, "3"]
+    on: str = TABLE
+    inside: bool = False
+
+    def __post_init__(self) -> None:
+        scale = frozen_array(self.scale, np.float64, (3,), "Placement.scale")
+        if (scale <= 0).any() or not np.isfinite(self.yaw):
+            raise InputError(f"Placement {self.name!r}: scale must be positive and yaw finite.")
+        freeze(
+            self,
+            translation=frozen_array(self.translation, np.float64, (3,), "Placement.translation"),
+            scale=scale,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """A rigid pose in the world frame; ``quaternion`` is a unit wxyz."""
+
+    position: Float[np.ndarray, "3"]
+    quaternion: Float[np.ndarray, "4"]
+
+    def __post_init__(self) -> None:
+        quaternion = frozen_array(self.quaternion, np.float64, (4,), "Pose.quaternion")
+        if abs(np.linalg.norm(quaternion) - 1) > 1e-4:
+            raise InputError(f"Pose.quaternion must have length 1, got {quaternion}.")
+        freeze(
+            self,
+            position=frozen_array(self.position, np.float64, (3,), "Pose.position"),
+            quaternion=quaternion,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Object:
+    """One separate body of a scene.
+
+    Its body frame is the canonical frame scaled to metres (origin at the centre of the box).
+    ``parts`` are in that frame in metres, as are ``com`` and ``inertia`` (about ``com``, kg m^2).
+    ``placement`` is what the image said; ``pose`` is where it rests after settling.
+    """
+
+    name: str
+    model: Model
+    placement: Placement
+    parts: tuple[ConvexPart, ...]
+    mass: float
+    com: Float[np.ndarray, "3"]
+    inertia: Float[np.ndarray, "3 3"]
+    friction: float
+    pose: Pose
+
+    def __post_init__(self) -> None:
+        if not 0 < self.mass < 1e3:
+            raise InputError(f"Object {self.name!r}: mass must be in (0, 1000) kg: {self.mass}.")
+        if not 0 < self.friction < 5:
+            raise InputError(f"Object {self.name!r}: friction must be in (0, 5): {self.friction}.")
+        if not self.parts:
+            raise InputError(f"Object {self.name!r}: a body needs at least one convex part.")
+        freeze(
+            self,
+            com=frozen_array(self.com, np.float64, (3,), "Object.com"),
+            inertia=frozen_array(self.inertia, np.float64, (3, 3), "Object.inertia"),
+        )
+
+    @property
+    def label(self) -> str:
+        """The word for it."""
+        return self.model.label
+
+    @property
+    def scale(self) -> Float[np.ndarray, "3"]:
+        """Extent along its own axes in metres."""
+        return self.placement.scale
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """The table: fixed in the world, standing on the floor z = 0 under the origin.
+
+    ``scale`` is its extent in metres, so ``height`` (of the top surface) is ``scale[2]``.
+    ``parts`` are convex pieces in the table's body frame (origin at the centre of its box, at
+    world (0, 0, height / 2)), in metres. ``outline`` is the top's convex outline, world x and y,
+    counter-clockwise.
+    """
+
+    model: Model
+    scale: Float[np.ndarray, "3"]
+    parts: tuple[ConvexPart, ...]
+    outline: Float[np.ndarray, "k 2"]
+    friction: float = 0.6
+
+    def __post_init__(self) -> None:
+        freeze(
+            self,
+            scale=frozen_array(self.scale, np.float64, (3,), "Table.scale"),
+            outline=frozen_array(self.outline, np.float64, (None, 2), "Table.outline"),
+        )
+        if (self.scale <= 0).any() or len(self.outline) < 3 or not self.parts:
+            raise InputError(
+                f"Table needs a positive scale, an outline of 3 points and one convex part, got "
+                f"{self.scale}, {len(self.outline)} and {len(self.parts)}."
+            )
+
+    @property
+    def height(self) -> float:
+        """Height of the top surface above the floor, metres."""
+        return float(self.scale[2])
+
+
+@dataclass(frozen=True)
+class Report:
+    """The recorded physical gate of a scene (lengths in metres, angles in radians).
+
+    penetration: deepest overlap of two collision shapes at the start.
+    drift, tilt: largest move and turn of any object over ``seconds`` of simulation.
+    floating: objects with no contact and a gap below them; fallen: objects that left the table.
+    off_table: objects whose centre of mass is outside the top's outline.
+    moved: the largest correction that separating overlaps needed; settling: by settling.
+    reach: from the best side of the table, the farthest object's distance to that side.
+    """
+
+    penetration: float
+    drift: float
+    tilt: float
+    floating: tuple[str, ...] = ()
+    fallen: tuple[str, ...] = ()
+    off_table: tuple[str, ...] = ()
+    moved: float = 0.0
+    settling: float = 0.0
+    reach: float = 0.0
+    seconds: float = 2.0
+    dropped: tuple[str, ...] = ()
+    failures: tuple[str, ...] = ()
+
+    @property
+    def passed(self) -> bool:
+        """Whether the scene may be published."""
+        return not self.failures
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """Where a scene comes from, enough to make it again. Holds no secret, path or clock time."""
+
+    kind: Literal["text", "image", "compose", "manual"]
+    seed: int
+    prompt: str | None = None
+    source_sha256: str | None = None
+    backends: Mapping[str, Any] = field(default_factory=dict)
+    config: Mapping[str, Any] = field(default_factory=dict)
+    versions: Mapping[str, str] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A complete tabletop scene S = {o_i} (Sec. 3)."""
+
+    name: str
+    table: Table
+    objects: tuple[Object, ...]
+    provenance: Provenance
+    view: View = USUAL_VIEW
+    report: Report | None = None
+    plan: ScenePlan | None = None
+
+    def __post_init__(self) -> None:
+        names = [o.name for o in self.objects]
+        doubles = sorted({n for n in names if names.count(n) > 1})
+        if doubles or TABLE in names:
+            raise InputError(f"Object names must be unique and not {TABLE!r}; repeated: {doubles}.")
+        for name in names:  # they name MuJoCo's bodies; a slash marks what an environment adds
+            if not name or name == "world" or "/" in name or not name.isprintable():
+                raise InputError(
+                    f"An object cannot be called {name!r}; use printable characters without '/', "
+                    "and not 'world', which MuJoCo keeps for itself."
+                )
+
+    def object(self, name: str) -> Object:
+        """Return the object called ``name``."""
+        for candidate in self.objects:
+            if candidate.name == name:
+                return candidate
+        raise InputError(
+            f"Scene {self.name!r} has no object {name!r}."
+            + choices(name, (o.name for o in self.objects))
+        )
+
+    def replace(self, **changes: Any) -> Scene:
+        """Return a copy with some fields replaced."""
+        return dataclasses.replace(self, **changes)
