@@ -23,6 +23,7 @@ from rich.progress import track
 from scipy.optimize import linear_sum_assignment
 
 from generator.backends.embedded.eye.horizon import fit_view
+from generator.backends.embedded.eye.network import REGIONS
 from generator.backends.embedded.eye.sight import Sight, look
 from generator.backends.embedded.eye.weights import load_weights
 from generator.training.sample import Sample
@@ -54,8 +55,8 @@ def mark(sample: Sample, sight: Sight, keys: tuple[str, ...], own: tuple[str, ..
     matched = [(i, j) for i, j in pairs if counts[j]]
     named = [(i, j) for i, j in matched if sample.category[j] >= 0 and sample.upright[j]]
     said = [own[k] if (k := int(t.names.argmax())) < len(own) else "unknown" for t in sight.things]
-    table = np.isin(sample.region, [1, 2])
-    found = sight.region.argmax(0)
+    table = np.isin(sample.region, [REGIONS.index("top"), REGIONS.index("legs")])
+    shown = sight.shows("top", "legs")
     elevation, fov = fit_view(sight.latitude)
     wholes = np.array([t.whole for t in sight.things]).reshape(-1, h, w)
     whole = overlaps(wholes, sample.full.reshape(-1, h, w))
@@ -67,7 +68,7 @@ def mark(sample: Sample, sight: Sight, keys: tuple[str, ...], own: tuple[str, ..
         "whole": [whole[i, j] for i, j in matched],
         "named": len(named),
         "name": sum(said[i] == keys[sample.category[j]] for i, j in named),
-        "table": overlaps(np.isin(found, [1, 2])[None], table[None])[0, 0] if table.any() else None,
+        "table": overlaps(shown[None], table[None])[0, 0] if table.any() else None,
         "top": overlaps((sight.top > 0.5)[None], sample.top[None])[0, 0],
         "elevation": abs(np.rad2deg(elevation - sample.view.elevation)),
         "fov": abs(np.rad2deg(fov - sample.view.fov)),

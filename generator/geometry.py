@@ -100,14 +100,6 @@ def main_parts(mask: Bool[np.ndarray, "h w"], share: float = 0.1) -> Bool[np.nda
     return np.isin(numbers, np.flatnonzero(areas >= share * areas.max()) + 1)
 
 
-def box_iou(a: Float[np.ndarray, "4"], b: Float[np.ndarray, "4"]) -> float:
-    """Return the intersection over union of two pixel boxes."""
-    low, high = np.maximum(a[:2], b[:2]), np.minimum(a[2:], b[2:])
-    inner = float(np.prod(np.clip(high - low, 0, None)))
-    union = float(np.prod(a[2:] - a[:2]) + np.prod(b[2:] - b[:2])) - inner
-    return inner / union if union > 0 else 0.0
-
-
 # ------------------------------------------------------------------------------------- camera
 
 

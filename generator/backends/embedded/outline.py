@@ -59,11 +59,15 @@ def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> tuple[Outli
     lab, factor = working_copy(image)
     height, width = lab.shape[:2]
     top = cv2.resize(top_of(sight).astype(np.float32), (width, height)) > 0.5
-    region = cv2.resize(sight.region.argmax(0).astype(np.uint8), (width, height), interpolation=0)
+
+    def small(mask: np.ndarray) -> np.ndarray:
+        return cv2.resize(mask.astype(np.uint8), (width, height), interpolation=0)
+
+    bare, things = small(sight.shows("top")), small(sight.shows("thing"))
     points, normals = walk(hull_corners(top), _POINTS)
     ends = distance_to(~top, points) < _AWAY
-    inner, outer = _at(region, points - 5 * normals), _at(region, points + 5 * normals)
-    plain = ends & (inner == 1) & (outer != 3)
+    inner, outer = _at(bare, points - 5 * normals), _at(things, points + 5 * normals)
+    plain = ends & (inner == 1) & (outer != 1)
     moved = snap(points, normals, gradient(lab))
     points = np.where(plain[:, None], moved, points)
     hull = cv2.convexHull(points.astype(np.float32))[:, 0].astype(float)

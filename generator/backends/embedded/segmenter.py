@@ -60,7 +60,7 @@ class Segmenter:
             for thing, label in named
             if (mask := refine(image, thing.visible)).any()
         ]
-        table = main_parts(np.isin(sight.region.argmax(0), (1, 2)))
+        table = main_parts(sight.shows("top", "legs"))
         if depth is not None and intrinsics is not None:
             found = confirmed(found, depth, find_depth_plane(depth, intrinsics, table))
         found = sorted(found, key=lambda d: (d.box[3], d.box[0]))

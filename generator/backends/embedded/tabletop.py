@@ -10,7 +10,7 @@ from jaxtyping import UInt8
 from ...scene import PlannedTable, View
 from .cut_plane import is_cut, plane_from_view
 from .eye.horizon import fit_view
-from .eye.sight import Sight, see
+from .eye.sight import see
 from .outline import find_outline, top_of
 from .plane import TablePlane, fit_plane
 
@@ -58,10 +58,6 @@ def _found(
     expected = View(0.0, elevation, fov)
     top = top_of(sight)
     if plan is None and is_cut(top):
-        return plane_from_view(top, view or expected, hidden=_things(sight), length=length)
+        return plane_from_view(top, view or expected, hidden=sight.shows("thing"), length=length)
     outline, factor = find_outline(image, sight)
     return fit_plane(outline, factor, (size[1], size[0]), expected, plan, length, view)
-
-
-def _things(sight: Sight) -> np.ndarray:
-    return sight.region.argmax(0) == 3

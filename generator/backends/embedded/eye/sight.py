@@ -19,7 +19,7 @@ from torch.nn import functional
 
 from .closeups import closeup
 from .frames import Frame
-from .network import STRIDE, Eye, Maps
+from .network import REGIONS, STRIDE, Eye, Maps
 from .weights import Weights, load_weights
 
 SIDE = 544
@@ -64,6 +64,10 @@ class Sight:
     region: Float[np.ndarray, "4 h w"]
     top: Float[np.ndarray, "h w"]
     latitude: Float[np.ndarray, "h w"]
+
+    def shows(self, *kinds: str) -> Bool[np.ndarray, "h w"]:
+        """Return the pixels that most likely show one of these ``REGIONS``."""
+        return np.isin(self.region.argmax(0), [REGIONS.index(kind) for kind in kinds])
 
 
 @dataclass(frozen=True, eq=False)
