@@ -20,6 +20,10 @@ _SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # metres: thicknesses tried
 _APRONS = (0.06, 0.1)
 _GAIN = 0.01  # overlap that a thickness, boards or another kind of legs must gain
 _SHOWN = 0.1  # overlap of the legs below which none show
+_CLEAR = 0.002  # overlap of whole tables that another kind of legs must gain
+_EVEN = 0.03  # overlap worth a difference of one width between how far in legs stand
+_DEPTHS = (0.03, 0.06, 0.1, 0.15, 0.2)  # of the legs behind the rim, in widths of the top
+_STARTS, _TRIES = 3, 400  # searches for the measures of a table, and steps of each
 
 Mask = Bool[np.ndarray, "h w"]
 
@@ -61,21 +65,83 @@ class Fitted:
         return ((canonical - [0, 0, 0.5]) * self.form.size) * self.scale + self.shift
 
 
-def fit_table(outline: Float[np.ndarray, "k 2"], height: float, seen: Silhouette) -> Fitted:
+def fit_table(
+    outline: Float[np.ndarray, "k 2"], height: float, seen: Silhouette, fine: Silhouette
+) -> Fitted:
     """Return the table with a given top (metres) whose silhouette is nearest.
 
-    ``height`` is the usual one; it stays where the picture does not tell it.
+    ``height`` is the usual one; it stays where the picture does not tell it. ``fine`` is the same
+    silhouette with more pixels: what was found in ``seen`` is improved there.
     """
     scale, shift = place_top(outline, seen)
     usual = TableForm(outline, corners_of(outline), height)
-    legs = _Legs(usual, scale, shift, seen)
-    form, overlap = legs.fitted(height)
-    if overlap < _SHOWN:
-        form = usual
-    drawn = (legs.drawn(form) | legs.top) & seen.shown
-    mask = seen.mask & seen.shown
-    whole = (drawn & mask).sum() / max((drawn | mask).sum(), 1)
-    return Fitted(form, scale, shift, float(whole), overlap >= _SHOWN)
+    best, rival = _Legs(usual, scale, shift, seen).fitted(height)
+    if best[1] < _SHOWN:
+        overlap = _whole(_Legs(usual, scale, shift, fine), usual)
+        return Fitted(usual, scale, shift, overlap, False)
+    first, other = (_settled(form, scale, shift, fine, height) for form, _ in (best, rival))
+    return other if other.overlap > first.overlap + _CLEAR else first
+
+
+def _whole(legs: _Legs, form: TableForm) -> float:
+    """Return the overlap of whole silhouettes."""
+    drawn, mask = (legs.drawn(form) | legs.top) & legs.seen.shown, legs.seen.mask & legs.seen.shown
+    return np.count_nonzero(drawn & mask) / max(np.count_nonzero(drawn | mask), 1)
+
+
+def _settled(
+    form: TableForm, scale: float, shift: Float[np.ndarray, "3"], seen: Silhouette, usual: float
+) -> Fitted:
+    """Return the form and its place, both improved together.
+
+    Low legs near the rim look just like high ones further in: of those that agree as well, legs
+    stand as far in from the front as from the side.
+    """
+    width = float(min(form.size[:2]))
+    steps = np.array([0.01, 1.0, 1.0, 0.02, 0.02, 0.02, 0.01, -0.01, 0.05])
+    if seen.cut_below:
+        steps[-1] = 1e-6  # nothing tells the height
+    moved = _pixel_moves(seen.projection)
+
+    def start(inset: tuple[float, float]) -> np.ndarray:
+        raw = replace(form, inset=inset)
+        tried = _Legs(raw, scale, shift, seen).grounded(raw, usual)
+        measures = np.array([*tried.inset, tried.lean, tried.high, tried.low]) / width
+        return np.array([0.0, 0.0, 0.0, *measures, tried.height])
+
+    def made(p: np.ndarray) -> tuple[TableForm, float, Float[np.ndarray, "3"]]:
+        inset = (float(np.clip(p[3], 0, 0.6)) * width, float(np.clip(p[4], 0, 0.6)) * width)
+        high, low = (float(max(v, 0.01)) * width for v in p[6:8])
+        tall = float(np.clip(p[8], *_TALL))
+        tried = replace(
+            form, inset=inset, lean=float(p[5]) * width, high=high, low=low, height=tall
+        )
+        return tried, float(scale * np.exp(p[0])), shift + moved(p[1:3])
+
+    def overlap(p: np.ndarray) -> float:
+        tried, size, place = made(p)
+        return _whole(_Legs(tried, size, place, seen), tried)
+
+    def liked(p: np.ndarray) -> float:
+        return overlap(p) - _EVEN * abs(p[3] - p[4])
+
+    def searched(begin: np.ndarray) -> np.ndarray:
+        options = {"initial_simplex": simplex(begin, tuple(steps)), "maxfev": _TRIES, "xatol": 1e-4}
+        return np.asarray(
+            minimize(lambda p: -liked(p), begin, method="Nelder-Mead", options=options).x
+        )
+
+    deep = [d * width for d in _DEPTHS]
+    places = [form.inset, *((form.inset[0], d) for d in deep), *((d, d) for d in deep)]
+    starts = sorted((start(place) for place in places), key=liked)
+    found = max((searched(begin) for begin in starts[-_STARTS:]), key=liked)
+    return Fitted(*made(found), overlap(found), True)
+
+
+def _pixel_moves(view: Projection) -> Callable[[np.ndarray], Float[np.ndarray, "3"]]:
+    """Return what moves a point at the origin by so many pixels to the right and down."""
+    pixel = float(np.linalg.norm(view.position)) / view.focal
+    return lambda step: pixel * (step[0] * view.rotation[0] + step[1] * view.rotation[1])
 
 
 def place_top(
@@ -91,9 +157,7 @@ def place_top(
     rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
     wanted = np.array([(columns[0] + columns[-1] + 1) / 2, rows[0]])
     scale, shift = (columns[-1] - columns[0]) * pixel / float(np.ptp(flat[:, 0])), np.zeros(3)
-
-    def moved(step: Float[np.ndarray, "2"]) -> Float[np.ndarray, "3"]:
-        return pixel * (step[0] * view.rotation[0] + step[1] * view.rotation[1])
+    moved = _pixel_moves(view)
 
     for _ in range(5):
         at = view.project(flat * scale + shift)
@@ -168,14 +232,13 @@ class _Legs:
         found = max(low, usual) if self.seen.cut_below else low
         return replace(form, height=found)
 
-    def fitted(self, usual: float) -> tuple[TableForm, float]:
-        """Return the best form and its overlap below the top."""
+    def fitted(self, usual: float) -> tuple[tuple[TableForm, float], tuple[TableForm, float]]:
+        """Return the best form with posts and the best other, and their overlaps below the top."""
         kinds = ("posts", "sled", "trestle", "pedestal")
         firsts = [self._best(self._coarse(kind, usual)) for kind in kinds]
         rival = max(firsts[1:], key=lambda f: f[1])
         best, rival = (self._refined(self._boarded(*f)[0], usual) for f in (firsts[0], rival))
-        best = rival if rival[1] > best[1] + _GAIN else best
-        return self._refined(self._boarded(*best)[0], usual)
+        return self._refined(self._boarded(*best)[0], usual), rival
 
     def _boarded(self, form: TableForm, overlap: float) -> tuple[TableForm, float]:
         """Return the form with another slab, or boards under it, if that explains clearly more."""

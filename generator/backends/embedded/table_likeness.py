@@ -20,7 +20,7 @@ from .table_fit import Fitted, Silhouette, fit_table
 from .unshading import estimate_shading
 from .unwrap import unwrap
 
-_WORKING = 240  # longer side of the silhouettes that are compared, pixels
+_COARSE, _FINE = 240, 480  # longer side of the silhouettes that are compared, pixels
 _PLAIN = 14.0  # grey levels of unrest within a hand's breadth, up to which a top is plain
 _BESIDE = 0.01  # of the crop's longer side: how near to a thing its halo lies
 _SHADE = 0.05  # likewise, its shadow
@@ -36,11 +36,11 @@ def model_table(instance: Instance, size: SizePrior, view: View, seed: int, text
     picture does not show any.
     """
     projection = Projection.of_instance(instance, view)
-    seen = _silhouette(instance, projection.resized(_WORKING))
+    seen = [_silhouette(instance, projection.resized(side)) for side in (_COARSE, _FINE)]
     extent = np.clip(size.extent, 0.2, 4.0)
     tops = _usual_tops(*extent[:2]) if size.outline is None else [np.asarray(size.outline)]
     tops = [top * (extent[:2] / np.ptp(top, axis=0)) for top in tops]
-    fits = (fit_table(top, float(extent[2]), seen) for top in tops)
+    fits = (fit_table(top, float(extent[2]), *seen) for top in tops)
     best = max(fits, key=lambda fit: fit.overlap)
     model = best.form.built()
     return dataclasses.replace(model, mesh=_painted(best, model, instance, projection, texture))
