@@ -26,8 +26,8 @@ OutlineShape = Literal["rectangle", "ellipse", "triangle"]
 TABLE_LENGTH = 1.2
 """Length (x extent) in metres of a table of unknown size."""
 
-_ELEVATION_SPREAD = np.deg2rad(5.0)  # of the expected view's usual error
-_FOV_SPREAD = 0.12  # likewise, of the logarithm
+_ELEVATION_SPREAD = np.deg2rad(3.5)  # of the usual error of the view that the eye expects
+_FOV_SPREAD = 0.25  # likewise, of the logarithm
 _EDGE = 1.2  # pixels: how well an edge point is known
 _TRUST = 12.0  # independent edge points that a whole outline counts for
 _RADIUS = 0.3  # of the shorter side: the largest corner radius

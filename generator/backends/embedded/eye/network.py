@@ -34,7 +34,7 @@ HINTS = 3
 """What the namer is told besides: see :func:`hints`."""
 
 _WIDTH = 96
-_MASK = 8  # channels of the mask features and of the layers in between
+_MASK = 16  # channels of the mask features and of the layers in between
 _LAYERS = ((_MASK + 2, _MASK), (_MASK, _MASK), (_MASK, 2))
 _WEIGHTS = sum(i * o + o for i, o in _LAYERS)
 
@@ -90,6 +90,7 @@ class Eye(nn.Module):
         self.merge = nn.ModuleList(_Separable(_WIDTH, _WIDTH) for _ in CHANNELS)
         self.things = nn.Sequential(_Separable(_WIDTH, _WIDTH), _Separable(_WIDTH, _WIDTH))
         self.surfaces = _Separable(_WIDTH, _WIDTH)
+        self.shapes = nn.Sequential(_Separable(_WIDTH, _WIDTH), _Separable(_WIDTH, _WIDTH))
         self.level = _Separable(_WIDTH, _WIDTH)
         self.heat = nn.Conv2d(_WIDTH, 1, 1)
         self.box = nn.Conv2d(_WIDTH, 8, 1)
@@ -127,7 +128,7 @@ class Eye(nn.Module):
             region[:, :-1],
             region[:, -1:],
             self.latitude(self.level(maps[2])),
-            self.mask(surface),
+            self.mask(self.shapes(surface)),
             thing,
         )
 

@@ -90,7 +90,7 @@ class _Finds:
         return _Finds(self.score[kept], self.masks[kept])
 
 
-def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.3) -> Sight:
+def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.4) -> Sight:
     """Read a picture; things less certain than ``least`` are left out.
 
     Raises:
