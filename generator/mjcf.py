@@ -161,9 +161,10 @@ def _light_and_cameras(world: ET.Element, scene: Scene) -> None:
         world, "light", type="directional", pos=_text([0, 0, scene.table.height + 2]),
         dir="0.3 0.4 -1", diffuse=".5 .5 .5", specular=".1 .1 .1",
     )  # fmt: skip
+    points = _points(scene)
     cameras = {
-        "reference": reference_camera(scene),
-        "top": framing_camera(_points(scene), _TOP_VIEW, 960, 720),
+        "reference": framing_camera(points, scene.view, 960, 720),
+        "top": framing_camera(points, _TOP_VIEW, 960, 720),
     }
     for name, camera in cameras.items():
         right, down, _ = camera.rotation

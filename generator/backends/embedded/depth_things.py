@@ -71,13 +71,14 @@ def things_above(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> tuple[Ma
     Things that touch at their full height, or stand on one another, come out as one.
     """
     height, standing, _ = heights_above(depth, plane)
+    return _regions(_standing_pieces(depth, standing), height)
+
+
+def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
+    """Return pieces parted at saddles, a little grown, largest first."""
     kernel = np.ones((3, 3), np.uint8)
-    least = int(_LEAST * depth.size)
-    masks = [
-        part
-        for piece in _standing_pieces(depth, standing)
-        for part in _parted(piece, np.nan_to_num(height), least)
-    ]
+    known, least = np.nan_to_num(height), int(_LEAST * height.size)
+    masks = [part for piece in pieces for part in _parted(piece, known, least)]
     masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
     return tuple(cv2.dilate(m.astype(np.uint8), kernel) > 0 for m in masks)
 
@@ -125,8 +126,9 @@ def confirmed(
     """
     height, standing, lying = heights_above(depth, plane)
     things = [t for d in found if (t := _judged(d, height, standing, lying)) is not None]
-    regions = things_above(depth, plane)
-    things += _missed(things, [*_standing_pieces(depth, standing), *regions], height)
+    pieces = _standing_pieces(depth, standing)
+    regions = _regions(pieces, height)
+    things += _missed(things, [*pieces, *regions], height)
     things = _rejoined(things, depth, plane)
     return _grown(things, regions, depth, plane)
 

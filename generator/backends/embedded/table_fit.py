@@ -18,7 +18,7 @@ from .table_form import LegStyle, TableForm, corners_of
 _TALL = (0.2, 1.4)  # metres: what a table's height may be
 _SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # metres: thicknesses tried
 _APRONS = (0.06, 0.1)
-_GAIN = 0.01  # overlap that a thickness, boards or another kind of legs must gain
+_GAIN = 0.01  # overlap that a thickness or boards must gain
 _SHOWN = 0.1  # overlap of the legs below which none show
 _CLEAR = 0.002  # overlap of whole tables that another kind of legs must gain
 _EVEN = 0.03  # overlap worth a difference of one width between how far in legs stand
