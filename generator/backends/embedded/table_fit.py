@@ -76,7 +76,7 @@ def fit_table(
     scale, shift = place_top(outline, seen)
     usual = TableForm(outline, corners_of(outline), height)
     best, rival = _Legs(usual, scale, shift, seen).fitted(height)
-    if best[1] < _SHOWN:
+    if max(best[1], rival[1]) < _SHOWN:
         overlap = _whole(_Legs(usual, scale, shift, fine), usual)
         return Fitted(usual, scale, shift, overlap, False)
     first, other = (_settled(form, scale, shift, fine, height) for form, _ in (best, rival))
