@@ -8,6 +8,7 @@ import select
 import signal
 import subprocess
 import sys
+import textwrap
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -18,6 +19,7 @@ from typing import Any
 import cv2
 import numpy as np
 import pytest
+from command import command
 from test_bundle import rewrite
 from toy import toy_object, toy_scene
 
@@ -45,12 +47,6 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def left_over(store: Path) -> list[str]:
     return [p.name for p in store.rglob("*")] if store.exists() else []
-
-
-def command(*args: str) -> int:
-    with pytest.raises(SystemExit) as stop:
-        cli.main(list(args))
-    return int(stop.value.code or 0)
 
 
 def plain(color: Any = 255, height: int = 240, width: int = 360) -> np.ndarray:
@@ -373,6 +369,49 @@ def test_a_real_interrupt_of_the_command(stage: str, store: Path) -> None:
     assert said[-1] == "interrupted; nothing was published"
     assert all(line.startswith("[") for line in said[:-1])
     assert left_over(store) == []
+
+
+@pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
+def test_an_interrupt_that_python_would_lose_is_heeded() -> None:
+    lost = """
+        import signal, sys, time
+        from generator import cli
+
+        class Falling:
+            def __del__(self):
+                signal.raise_signal(signal.SIGINT)
+
+        def run(arguments):
+            try:
+                Falling()  # Python prints this interrupt as ignored, and goes on
+                time.sleep(60)
+            except KeyboardInterrupt:
+                return 130
+            return 0
+
+        cli.run = run
+        cli.main()
+        """
+    ended = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(lost)], capture_output=True, timeout=50
+    )
+    assert (ended.returncode, ended.stderr) == (130, b"")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
+def test_a_second_interrupt_does_not_disturb_the_end() -> None:
+    twice = """
+        import atexit, signal
+        from generator import cli
+
+        atexit.register(signal.raise_signal, signal.SIGINT)
+        cli.run = lambda arguments: 130
+        cli.main()
+        """
+    ended = subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(twice)], capture_output=True, timeout=50
+    )
+    assert (ended.returncode, ended.stderr) == (130, b"")
 
 
 # ------------------------------------------------------------------------------------- environment

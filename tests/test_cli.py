@@ -7,21 +7,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command import command
 from PIL import Image
 from toy import toy_scene
 
-from generator import bundle, cli
+from generator import bundle
 from generator.errors import SceneError
 from generator.physics.gate import judge
 from generator.render.picture import render_scene
 
 TEXT = "a desk with a mug and a book"
-
-
-def run(*args: str) -> int:
-    with pytest.raises(SystemExit) as stop:
-        cli.main(list(args))
-    return int(stop.value.code or 0)
 
 
 @pytest.fixture(autouse=True)
@@ -34,42 +29,42 @@ def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_compose_inspect_verify_view_and_remove(
     store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run("compose", TEXT, "--name", "reading", "--json") == 0
+    assert command("compose", TEXT, "--name", "reading", "--json") == 0
     made = json.loads(capsys.readouterr().out)
     bundle = Path(made["bundle"])
     assert bundle.parent == store
     assert made["passed"]
     assert sorted(o["label"] for o in made["objects"]) == ["book", "mug"]
 
-    assert run("inspect", "reading", "--json") == 0
+    assert command("inspect", "reading", "--json") == 0
     assert json.loads(capsys.readouterr().out)["objects"] == made["objects"]
 
-    assert run("verify", "reading") == 0
+    assert command("verify", "reading") == 0
     assert "sound" in capsys.readouterr().out
 
     picture = tmp_path / "view.png"
-    assert run("view", "reading", "--picture", str(picture)) == 0
+    assert command("view", "reading", "--picture", str(picture)) == 0
     assert Image.open(picture).size == (960, 720)
 
-    assert run("cache", "list", "--json") == 0
+    assert command("cache", "list", "--json") == 0
     assert str(bundle) in capsys.readouterr().out
-    assert run("cache", "rm", "reading") == 0
+    assert command("cache", "rm", "reading") == 0
     assert not bundle.exists()
 
 
 def test_a_damaged_bundle_fails_verification(
     store: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run("compose", TEXT, "--name", "reading") == 0
+    assert command("compose", TEXT, "--name", "reading") == 0
     (bundle,) = store.glob("reading-*")
     mesh = next((bundle / "meshes").glob("*.obj"))
     content = bytearray(mesh.read_bytes())
     content[len(content) // 2] ^= 1
     mesh.write_bytes(bytes(content))
     capsys.readouterr()
-    assert run("verify", str(bundle)) == 1
+    assert command("verify", str(bundle)) == 1
     assert mesh.name in capsys.readouterr().out
-    assert run("inspect", str(bundle)) == 4
+    assert command("inspect", str(bundle)) == 4
 
 
 @pytest.mark.parametrize(
@@ -87,7 +82,7 @@ def test_a_damaged_bundle_fails_verification(
 def test_errors_are_one_line_and_an_exit_code(
     args: tuple[str, ...], code: int, words: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run(*args) == code
+    assert command(*args) == code
     *progress, message = capsys.readouterr().err.strip().splitlines()
     assert message.startswith("error: ")
     assert words in message
@@ -101,7 +96,7 @@ def test_an_interrupt_leaves_nothing(
         raise KeyboardInterrupt
 
     monkeypatch.setattr("generator.bundle.folder.encode_png", interrupt)
-    assert run("compose", TEXT) == 130
+    assert command("compose", TEXT) == 130
     assert "nothing was published" in capsys.readouterr().err
     assert not store.exists() or list(store.iterdir()) == []
 
@@ -111,7 +106,7 @@ def test_an_unwritable_folder_is_a_storage_error(
 ) -> None:
     blocked = tmp_path / "file"
     blocked.write_text("")
-    assert run("compose", TEXT, "--out", str(blocked / "scenes")) == 5
+    assert command("compose", TEXT, "--out", str(blocked / "scenes")) == 5
     assert "cannot be written" in capsys.readouterr().err
 
 
@@ -120,34 +115,34 @@ def test_a_scene_error_has_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None
         raise SceneError("no room")
 
     monkeypatch.setattr("generator.compose.compose", fail)
-    assert run("compose", TEXT) == 6
+    assert command("compose", TEXT) == 6
 
 
 def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run("--help") == 0
+    assert command("--help") == 0
     shown = capsys.readouterr().out
-    for command in ("generate", "compose", "inspect", "verify", "view", "compare", "cache"):
-        assert command in shown
+    for name in ("generate", "compose", "inspect", "verify", "view", "compare", "cache"):
+        assert name in shown
 
 
-@pytest.mark.parametrize("command", [("verify",), ("cache", "rm")])
+@pytest.mark.parametrize("words", [("verify",), ("cache", "rm")])
 def test_checking_or_removing_nothing_is_a_mistake(
-    command: tuple[str, ...], capsys: pytest.CaptureFixture[str]
+    words: tuple[str, ...], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert run(*command) == 2
+    assert command(*words) == 2
     assert "at least one bundle" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("command", ["generate", "compose"])
+@pytest.mark.parametrize("name", ["generate", "compose"])
 def test_a_name_that_is_no_folders_is_refused_before_any_work(
-    command: str, monkeypatch: pytest.MonkeyPatch
+    name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def work(*args, **kwargs):
         raise AssertionError("work began")
 
     monkeypatch.setattr("generator.compose.compose", work)
     monkeypatch.setattr("generator.pipeline.generate", work)
-    assert run(command, TEXT, "--name", "../reading") == 6
+    assert command(name, TEXT, "--name", "../reading") == 6
 
 
 def test_a_picture_that_cannot_be_written_is_a_storage_error(
@@ -155,8 +150,8 @@ def test_a_picture_that_cannot_be_written_is_a_storage_error(
 ) -> None:
     blocked = tmp_path / "file"
     blocked.write_text("")
-    assert run("compose", TEXT, "--name", "reading") == 0
-    assert run("view", "reading", "--picture", str(blocked / "view.png")) == 5
+    assert command("compose", TEXT, "--name", "reading") == 0
+    assert command("view", "reading", "--picture", str(blocked / "view.png")) == 5
     assert "cannot be written" in capsys.readouterr().err
 
 
@@ -173,7 +168,7 @@ def test_compare_writes_a_sheet_and_figures(
         segments=bundle.Segments(names, names, (shot.ids + 1).astype(np.uint8)),
     )
     sheet = tmp_path / "sheet.png"
-    assert run("compare", str(path), "--out", str(sheet), "--json") == 0
+    assert command("compare", str(path), "--out", str(sheet), "--json") == 0
     facts = json.loads(capsys.readouterr().out)
     assert [o["name"] for o in facts["objects"]] == list(names[1:])
     assert facts["mean_iou"] > 0.85
@@ -182,15 +177,15 @@ def test_compare_writes_a_sheet_and_figures(
 
     other = tmp_path / "dark.png"
     Image.fromarray(np.asarray(shot.image) // 2).save(other)
-    assert run("compare", str(other), str(path), "--out", str(sheet)) == 0
+    assert command("compare", str(other), str(path), "--out", str(sheet)) == 0
     assert "cube_1" in capsys.readouterr().out
     assert sheet.read_bytes() != first
-    assert run("compare", str(path), "--out", str(other / "sheet.png")) == 5
+    assert command("compare", str(path), "--out", str(other / "sheet.png")) == 5
 
 
 def test_compare_needs_a_bundle_with_a_picture(capsys: pytest.CaptureFixture[str]) -> None:
-    assert run("compose", TEXT, "--name", "reading") == 0
-    assert run("compare", "reading") == 2
+    assert command("compose", TEXT, "--name", "reading") == 0
+    assert command("compare", "reading") == 2
     assert "tabletopgen generate" in capsys.readouterr().err
-    assert run("compare") == 2
-    assert run("compare", "a", "b", "c") == 2
+    assert command("compare") == 2
+    assert command("compare", "a", "b", "c") == 2

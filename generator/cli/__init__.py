@@ -14,7 +14,7 @@ from ..errors import (
     StorageError,
     TabletopError,
 )
-from . import cache, looking, making
+from . import cache, interrupts, looking, making
 
 EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (InputError, 2),
@@ -44,25 +44,27 @@ for command in (
     app.command(command)
 
 
-def main(args: list[str] | None = None) -> None:
-    """Run the command line; every expected error becomes one line and an exit code."""
-    arguments = sys.argv[1:] if args is None else args
+def run(arguments: list[str]) -> int:
+    """Run the command line; every expected error becomes one line, and an exit code is returned."""
     try:
         if arguments[:1] == ["cache"]:
-            code = cache.app.cli(
+            return cache.app.cli(
                 prog="tabletopgen cache", args=arguments[1:], use_underscores=False
             )
-        else:
-            code = app.cli(
-                prog="tabletopgen",
-                description=DESCRIPTION,
-                args=arguments,
-                use_underscores=False,
-            )
+        return app.cli(
+            prog="tabletopgen", description=DESCRIPTION, args=arguments, use_underscores=False
+        )
     except TabletopError as error:
         print(f"error: {error}", file=sys.stderr)
-        code = next(number for kind, number in EXIT_CODES if isinstance(error, kind))
+        return next(number for kind, number in EXIT_CODES if isinstance(error, kind))
     except KeyboardInterrupt:
         print("interrupted; nothing was published", file=sys.stderr)
-        code = 130
+        return 130
+
+
+def main() -> None:
+    """Run the process's command line and end it with the exit code."""
+    interrupts.heed()
+    code = run(sys.argv[1:])
+    interrupts.ignore()
     raise SystemExit(code)

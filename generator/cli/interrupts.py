@@ -1,0 +1,43 @@
+"""Ctrl-C: heeded wherever it arrives, and once only."""
+
+from __future__ import annotations
+
+import _thread
+import signal
+import sys
+import threading
+
+AGAIN = 0.05  # seconds until a lost interrupt is sent again
+
+
+def heed() -> None:
+    """Send an interrupt again that arrived where Python cannot raise it.
+
+    In a destructor, or a callback of the import system, Python prints a ``KeyboardInterrupt`` as
+    ignored and goes on, so that Ctrl-C would be without effect.
+    """
+    others = sys.unraisablehook
+
+    def hook(ignored: sys.UnraisableHookArgs) -> None:
+        if ignored.exc_type is not KeyboardInterrupt:
+            others(ignored)
+            return
+        timer = threading.Timer(AGAIN, _interrupt)
+        timer.daemon = True
+        timer.start()
+
+    sys.unraisablehook = hook
+
+
+def _interrupt() -> None:
+    """Interrupt the main thread, also while it waits in the system where that can be done."""
+    main = threading.main_thread().ident
+    if main is not None and hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(main, signal.SIGINT)
+    else:
+        _thread.interrupt_main()
+
+
+def ignore() -> None:
+    """Ignore interrupts from here on: the command is over and only has to end."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
