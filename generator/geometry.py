@@ -229,6 +229,16 @@ def framing_camera(
 # ------------------------------------------------------------------------------------ outlines
 
 
+def hull_points(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
+    """Return the corners of a convex hull; of a flat set, which has none, every point once."""
+    from scipy.spatial import ConvexHull, QhullError
+
+    try:
+        return points[ConvexHull(points).vertices]
+    except QhullError:
+        return np.unique(points, axis=0)
+
+
 def convex_outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
     """Return the convex hull of 2D points, counter-clockwise (Andrew's monotone chain)."""
     unique = np.unique(np.round(np.asarray(points, float), 9), axis=0)

@@ -17,11 +17,12 @@ from dataclasses import dataclass
 import numpy as np
 import torch
 from jaxtyping import Bool, Float
-from scipy.spatial import ConvexHull, KDTree, QhullError
+from scipy.spatial import KDTree
 from torch import Tensor
 from torch.nn import functional
 
 from ..errors import InputError
+from ..geometry import hull_points
 from ..scene import Mesh
 from .crop import MARGIN
 from .shading import sample_texture
@@ -71,13 +72,6 @@ def single_thread() -> Iterator[None]:
         yield
     finally:
         torch.set_num_threads(threads)
-
-
-def _hull_corners(vertices: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
-    try:
-        return vertices[ConvexHull(vertices).vertices]
-    except QhullError:  # flat: every vertex may be extreme
-        return np.unique(vertices, axis=0)
 
 
 def _covered(
@@ -143,7 +137,7 @@ def sample_surface(
         tensor(color),
         total / count,
         torch.as_tensor(covered),
-        tensor(_hull_corners(vertices)),
+        tensor(hull_points(vertices)),
     )
 
 

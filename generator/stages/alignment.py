@@ -35,12 +35,15 @@ class AlignmentConfig:
 
     tau: tolerance of the aspect ratio in the RMA-Score (Eq. 6; the paper's 0.25).
     size_limit: an object's scale stays within this factor of its commonsense size, both ways.
+    guess_limit: the same in a picture that came without a text: names, and with them commonsense
+        sizes, are guesses there.
     table_limit: an anchor that would make the table this much larger or smaller than its
         commonsense size is passed over.
     """
 
     tau: float = 0.25
     size_limit: float = 1.6
+    guess_limit: float = 4.0
     table_limit: float = 2.0
 
 
@@ -186,15 +189,16 @@ def align(
     anchor, alpha = _scale(top, scores, physical, yaws, sizes, config, warnings)
     modelled = reference.plan is None and TABLE in models
     usual = np.asarray(models[TABLE].size) if modelled else sizes[TABLE].extent
-    table_scale = _table_scale(top, alpha, usual)
+    table_scale = _table_scale(top, alpha, usual, modelled)
     stacking = dict(reasoner.stacking_order(reference, instances, view))
+    limit = config.guess_limit if reference.plan is None else config.size_limit
     scales = {}
     for n in names:
         box = np.asarray(top.boxes[n])
         extent = own_extent((box[2:] - box[:2]) * alpha, yaws[n], physical[n])
         if sizes[n].measured:
             extent[2] = physical[n][2]
-        scales[n] = _limited(n, extent, sizes[n].extent, config.size_limit, warnings)
+        scales[n] = _limited(n, extent, sizes[n].extent, limit, warnings)
     placements = _place(names, top, alpha, table_scale, yaws, scales, models, stacking)
     return Alignment(
         anchor, alpha, table_scale, placements, top_view, stacking, scores, tuple(warnings)
@@ -232,13 +236,17 @@ def _scale(
 
 
 def _table_scale(
-    top: TopView, alpha: float, usual: Float[np.ndarray, "3"]
+    top: TopView, alpha: float, usual: Float[np.ndarray, "3"], modelled: bool
 ) -> Float[np.ndarray, "3"]:
-    """Rescale the table to its box; its height follows at most a little (people keep theirs)."""
+    """Rescale the table to its box.
+
+    A table modelled from the picture keeps its proportions; the height of another follows at most
+    a little (people keep theirs).
+    """
     box = np.asarray(top.table_box)
     across = (box[2:] - box[:2]) * alpha
     factor = float(np.sqrt(across.prod() / np.prod(usual[:2])))
-    return np.array([*across, usual[2] * np.clip(factor, 0.85, 1.15)])
+    return np.array([*across, usual[2] * (factor if modelled else np.clip(factor, 0.85, 1.15))])
 
 
 def _limited(
@@ -248,8 +256,11 @@ def _limited(
     limit: float,
     warnings: list[str],
 ) -> Float[np.ndarray, "3"]:
-    """Return the extent scaled so that its volume's root stays within ``limit`` of the usual."""
-    factor = float(np.cbrt(np.prod(extent) / np.prod(usual)))
+    """Return the extent scaled to stay within ``limit`` of the usual, by the two longest sides.
+
+    The third may be as thin as a picture shows it.
+    """
+    factor = float(np.sqrt(np.prod(np.sort(extent)[1:]) / np.prod(np.sort(usual)[1:])))
     allowed = float(np.clip(factor, 1 / limit, limit))
     if not np.isclose(allowed, factor):
         warnings.append(

@@ -43,9 +43,15 @@ def paint(
     elevation: float = 52.0,
     fov: float = 36.0,
     size: tuple[int, int] = (640, 480),
+    table: float = 1.0,
 ) -> Picture:
-    """Paint a table with things (category, x, y, z above the top; metres); angles in degrees."""
-    plan = PlannedTable(outline, material, "straight", SIZES[outline])
+    """Paint a table with things (category, x, y, z above the top; metres); angles in degrees.
+
+    ``table`` times the usual size is the table's.
+    """
+    length, width, height = SIZES[outline]
+    across = (table * length, table * width, height)
+    plan = PlannedTable(outline, material, "straight", across)
     model = build_table(plan, 0)
     extent = np.asarray(plan.size)
     items = [place(model.mesh, extent, np.array([0, 0, extent[2] / 2]), UPRIGHT, 0)]

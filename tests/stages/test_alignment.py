@@ -9,6 +9,7 @@ import pytest
 from shapes import sphere_mesh
 from toy import cube_mesh
 
+from generator.backends.embedded.planner import plan_scene
 from generator.geometry import rotated_extent
 from generator.render.contact import Body, resting_height
 from generator.scene import (
@@ -18,6 +19,7 @@ from generator.scene import (
     Model,
     Reference,
     Rotation,
+    ScenePlan,
     SizePrior,
     Stacking,
     TopView,
@@ -175,13 +177,18 @@ def instance(name: str, x0: float = 0, y0: float = 0, x1: float = 10, y1: float 
     return Instance(name, name.rsplit("_", 1)[0], box, mask, crop, box)
 
 
-def run(answers: Answers, sizes: dict[str, tuple[float, float, float]]):
+def run(
+    answers: Answers,
+    sizes: dict[str, tuple[float, float, float]],
+    plan: ScenePlan | None = None,
+    usual: dict[str, tuple[float, float, float]] | None = None,
+):
     backend: Any = answers
     instances = tuple(instance(n) for n in sizes)
     models = {n: Model(n, n, cube_mesh(), np.array(s)) for n, s in sizes.items()}
-    priors = {n: SizePrior(n, np.array(s)) for n, s in sizes.items()}
+    priors = {n: SizePrior(n, np.array(s)) for n, s in (usual or sizes).items()}
     rotations = {n: Rotation(n, 0.0, 0.0) for n in sizes}
-    return align(Reference(IMAGE), instances, models, priors, rotations, VIEW,
+    return align(Reference(IMAGE, plan=plan), instances, models, priors, rotations, VIEW,
                  backend, backend, backend)  # fmt: skip
 
 
@@ -205,7 +212,8 @@ def test_the_anchor_gives_scale_table_and_places():
     result = run(Answers(TOP, ON), SIZES)
     assert result.anchor == "box_1"
     assert result.metres_per_pixel == pytest.approx(0.002)
-    np.testing.assert_allclose(result.table_scale[:2], [1.2, 0.7])
+    # Modelled from the picture at 1.5 m, the table keeps its proportions.
+    np.testing.assert_allclose(result.table_scale, [1.2, 0.7, 0.74 * np.sqrt(0.8)])
     box, pen, cup = result.placements
     np.testing.assert_allclose(box.translation[:2], [0.225, 0.1])
     np.testing.assert_allclose(pen.translation[:2], [-0.43, -0.205])
@@ -215,12 +223,24 @@ def test_the_anchor_gives_scale_table_and_places():
     assert cup.translation[2] == pytest.approx(height + 0.2 + 0.05, abs=1e-3)
 
 
-def test_a_size_far_from_the_usual_is_limited_and_told():
-    boxes = {**TOP.boxes, "cup_1": np.array([400, 100, 600, 300.0])}
-    result = run(Answers(TopView(IMAGE, TOP.table_box, boxes), ON), SIZES)
+@pytest.mark.parametrize(
+    ("text", "limit"), [("a desk with a box, a pen and a cup", 1.6), (None, 4)]
+)
+def test_a_size_far_from_the_usual_is_limited_and_told(text, limit):
+    boxes = {**TOP.boxes, "cup_1": np.array([400, 100, 620, 320.0])}
+    plan = None if text is None else plan_scene(text, 0)
+    result = run(Answers(TopView(IMAGE, TOP.table_box, boxes), ON), SIZES, plan)
     cup = result.placements[2]
-    assert np.cbrt(np.prod(cup.scale) / np.prod(SIZES["cup_1"])) == pytest.approx(1.6)
+    assert np.cbrt(np.prod(cup.scale) / np.prod(SIZES["cup_1"])) == pytest.approx(limit)
     assert any("cup_1" in w for w in result.warnings)
+
+
+def test_a_thing_as_thin_as_a_picture_shows_it_is_not_blown_up():
+    # The pen's model is 14 cm long and a hundredth of its usual height.
+    models = {**SIZES, "pen_1": (0.14, 0.01, 0.0001)}
+    result = run(Answers(TOP, ON), models, plan_scene("a desk with a pen", 0), usual=SIZES)
+    np.testing.assert_allclose(result.placements[1].scale[0], 0.14, rtol=1e-3)
+    assert not result.warnings
 
 
 def test_an_anchor_that_makes_the_table_absurd_is_passed_over():

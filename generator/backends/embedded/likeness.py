@@ -14,10 +14,10 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
-from scipy import optimize, spatial
+from scipy import optimize
 
 from ...catalogue import Category, build
-from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
+from ...geometry import hull_points, parts_to_unit_box, rotation_z, to_unit_box
 from ...scene import ConvexPart, Mesh, Model
 from . import baking
 from .framing import frame_to_mask, simplex
@@ -94,7 +94,7 @@ class _Search:
     def __init__(self, model: Model, mask: np.ndarray, small: Projection, round_: bool) -> None:
         self.model, self.mask, self.small, self.round = model, mask, small, round_
         self._points = model.mesh.vertices.astype(float)
-        self._hull = self._points[spatial.ConvexHull(self._points).vertices]
+        self._hull = hull_points(self._points)
 
     def pose(self, parameters: np.ndarray) -> Likeness:
         """Return the likeness at (yaw, log width stretch, log height stretch)."""

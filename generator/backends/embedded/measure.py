@@ -6,8 +6,12 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
-from ...geometry import mask_box
+from ...catalogue import CATEGORIES, build
+from ...geometry import hull_points, mask_box, rotation_z
+from ...scene import Instance
 from .plane import TablePlane
+
+_TURNS = 24
 
 
 def foot_band(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "n 2"]:
@@ -52,3 +56,42 @@ def _outline_depth(mask: Bool[np.ndarray, "h w"], plane: TablePlane) -> float:
     side = cv2.convexHull(near.astype(np.float32))[:, 0].astype(float)
     points = plane.to_table(side)
     return 2.0 * float(np.nanmax(points[:, 1]) - np.nanmin(points[:, 1]))
+
+
+def whole_box(instance: Instance) -> Float[np.ndarray, "4"]:
+    """Return the pixel box of the whole thing: of its completed crop where it was hidden."""
+    own = np.asarray(instance.box, float)
+    alpha = instance.crop[..., 3] > 127
+    if not instance.occluded or not alpha.any():
+        return own
+    x0, y0, x1, y1 = instance.crop_box
+    shape = np.array([alpha.shape[1], alpha.shape[0]] * 2)
+    box = mask_box(alpha) / shape * np.array([x1 - x0, y1 - y0] * 2) + [x0, y0, x0, y0]
+    return np.concatenate([np.minimum(box[:2], own[:2]), np.maximum(box[2:], own[2:])])
+
+
+def usual_solid(key: str) -> Float[np.ndarray, "n 3"]:
+    """Return the outer points of a category's usual thing, metres, standing on z = 0."""
+    points = hull_points(build(key, 0).mesh.vertices.astype(float))
+    return (points + np.array([0.0, 0.0, 0.5])) * CATEGORIES[key].size
+
+
+def apparent_scale(
+    box: Float[np.ndarray, "4"], solid: Float[np.ndarray, "n 3"], plane: TablePlane
+) -> tuple[float, float]:
+    """Return how many times its usual size a thing looks, and by how much its shape differs.
+
+    ``solid`` are points of the thing at its usual size, metres, upright on z = 0. It stands on the
+    table where the pixel ``box`` has its foot, and is turned until its own pixel box is most like
+    it in shape. The difference is that of the two logarithms of width over height.
+    """
+    near = plane.camera.on_plane(np.array([[(box[0] + box[2]) / 2, box[3]]]), 0.0)[0]
+    best = (1.0, np.inf)
+    for yaw in np.arange(_TURNS) * 2 * np.pi / _TURNS:
+        turned = solid @ rotation_z(yaw).T
+        turned[:, :2] += near[:2] - [np.mean([turned[:, 0].min(), turned[:, 0].max()]),
+                                     turned[:, 1].min()]  # fmt: skip
+        wide, tall = np.log((box[2:] - box[:2]) / np.ptp(plane.camera.project(turned), axis=0))
+        if abs(wide - tall) < best[1]:
+            best = (float(np.exp((wide + tall) / 2)), float(abs(wide - tall)))
+    return best

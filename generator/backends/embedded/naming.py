@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from jaxtyping import Float
@@ -12,8 +12,12 @@ from ...catalogue import CATEGORIES, Category, category
 from ...errors import InputError
 
 _SURE = 0.35  # probability from which a thing gets its category's name
-_LEADING = 0.6  # probability from which a thing helps to tell the table's scale
-_SPREAD = 0.35  # of a thing's usual size, log: one standard deviation
+_SPREAD = 0.3  # of a thing's usual size, log: one standard deviation
+_SHAPES = 0.4  # of its proportions in the picture, log
+_TABLES = 0.35  # of a table's usual size, log
+_SHIFTS = np.linspace(-0.7, 0.7, 29)
+_UNLIKE = 0.003  # likelihood of a size and shape that the category does not have
+_ANY = 0.3  # and of any, for a thing of no category
 _RARE = 1e-4  # probability that no category falls below
 
 
@@ -25,33 +29,38 @@ def known(word: str) -> Category | None:
         return None
 
 
-def table_scale(
-    names: Float[np.ndarray, "n k"], keys: Sequence[str], spans: Float[np.ndarray, "n"]
-) -> float:
-    """Return by how much measured sizes must grow so that surely named things have their usual one.
+def weighed(
+    names: Float[np.ndarray, "n k"],
+    looks: Sequence[Mapping[int, tuple[float, float]]],
+) -> Float[np.ndarray, "n k"]:
+    """Return the probabilities after a look at sizes and shapes, on the likeliest table.
+
+    All things share one table, so that one scale must do for all: it is chosen to make the names
+    likeliest together. A category that was not looked at is as likely as one that is unlike.
 
     Args:
-        names: probabilities of each thing over ``keys`` and, last, "unknown".
-        keys: category keys.
-        spans: each thing's measured size, metres: the cube root of its extents' product.
+        names: probabilities of each thing over the categories and, last, "unknown".
+        looks: by category index, what ``apparent_scale`` returns on a table of usual size.
     """
-    ratios = [
-        np.log(_usual_span(keys[int(p.argmax())]) / span)
-        for p, span in zip(names, spans, strict=True)
-        if p.argmax() < len(keys) and p.max() > _LEADING and span > 0
-    ]
-    return float(np.exp(np.clip(np.median(ratios), np.log(0.5), np.log(2.0)))) if ratios else 1.0
+    joint = [names * _likely(names, looks, shift) for shift in _SHIFTS]
+    evidence = [np.log(j.sum(1)).sum() for j in joint] - 0.5 * (_SHIFTS / _TABLES) ** 2
+    best = joint[int(np.argmax(evidence))]
+    return best / best.sum(1, keepdims=True)
 
 
-def weighed(
-    names: Float[np.ndarray, "n k"], keys: Sequence[str], spans: Float[np.ndarray, "n"]
+def _likely(
+    names: Float[np.ndarray, "n k"],
+    looks: Sequence[Mapping[int, tuple[float, float]]],
+    shift: float,
 ) -> Float[np.ndarray, "n k"]:
-    """Return the probabilities after a look at the sizes (metres), which must be near the usual."""
-    usual = np.array([_usual_span(key) for key in keys])
-    off = np.log(np.maximum(spans, 1e-4))[:, None] - np.log(usual)[None]
-    likely = np.concatenate([np.exp(-0.5 * (off / _SPREAD) ** 2), np.full((len(names), 1), 0.3)], 1)
-    joint = names * np.maximum(likely, 1e-3)
-    return joint / joint.sum(1, keepdims=True)
+    """Return how likely sizes and shapes are, by category, on a table of log scale ``shift``."""
+    likely = np.full(names.shape, _UNLIKE)
+    likely[:, -1] = _ANY
+    for row, seen in zip(likely, looks, strict=True):
+        for column, (scale, off) in seen.items():
+            size = (np.log(scale) + shift) / _SPREAD
+            row[column] = max(np.exp(-0.5 * (size**2 + (off / _SHAPES) ** 2)), _UNLIKE)
+    return likely
 
 
 def free_labels(names: Float[np.ndarray, "n k"], keys: Sequence[str]) -> list[str | None]:
@@ -89,7 +98,3 @@ def assigned(
     likely = np.maximum(names[:, columns], _RARE)
     cost = -np.log(likely) - np.log(np.clip(scores, 0.05, 1.0))[:, None]
     return [(int(i), int(j)) for i, j in zip(*linear_sum_assignment(cost), strict=True)]
-
-
-def _usual_span(key: str) -> float:
-    return float(np.cbrt(np.prod(CATEGORIES[key].size)))

@@ -17,12 +17,13 @@ from ...scene import (
     Stacking,
     View,
 )
-from .measure import measured_extent
+from .measure import apparent_scale, measured_extent, usual_solid, whole_box
 from .naming import known
 from .planner import plan_scene
 from .segmenter import GENERIC
 from .survey import Survey, solid_size, stacking_of, survey
 
+_TAU = 0.25  # tolerance of proportions, as in the RMA-Score
 _HEIGHT = 0.74
 """Metres: the usual height of a table, where nothing tells it."""
 
@@ -50,7 +51,7 @@ class Reasoner:
     ) -> Mapping[str, SizePrior]:
         """Return catalogue sizes for words it knows, and measured sizes for the rest.
 
-        The table's length is what makes known things their usual size, within what tables are.
+        The table is as long as makes most known things their usual size, within what tables are.
         Where depth shows a thing, its size is measured.
         """
         seen = survey(reference, instances)
@@ -58,18 +59,24 @@ class Reasoner:
         stacking = stacking_of(instances, solids, _holds)
         usual: dict[str, SizePrior] = {}
         measured: dict[str, np.ndarray] = {}
+        looks: list[tuple[float, float]] = []
         for instance in instances:
             if instance.name == TABLE:
                 continue
             prior = _usual_size(reference, instance)
             if instance.name in solids:
                 prior = solid_size(instance, solids, stacking, prior)
+            elif prior is not None:
+                category = known(instance.label)
+                if category is not None:
+                    solid = usual_solid(category.key)
+                    looks.append(apparent_scale(whole_box(instance), solid, plane))
             else:
                 measured[instance.name], _ = measured_extent(np.asarray(instance.mask), plane)
             if prior is not None:
                 usual[instance.name] = prior
         metric = reference.plan is not None or reference.depth is not None
-        factor = 1.0 if metric else _table_factor(usual, measured)
+        factor = 1.0 if metric else _table_factor(looks)
         sizes = {TABLE: _table_size(reference, seen, factor)}
         for instance in instances:
             if instance.name != TABLE:
@@ -109,10 +116,17 @@ def _usual_size(reference: Reference, instance: Instance) -> SizePrior | None:
     return None if found is None else SizePrior(instance.name, np.array(found.size), state)
 
 
-def _table_factor(usual: Mapping[str, SizePrior], measured: Mapping[str, np.ndarray]) -> float:
-    """Return by how much the measured sizes must grow to match the usual ones, in [0.6, 1.6]."""
-    ratios = [np.cbrt(np.prod(usual[n].extent) / np.prod(measured[n])) for n in usual]
-    return float(np.clip(np.median(ratios), 0.6, 1.6)) if ratios else 1.0
+def _table_factor(looks: list[tuple[float, float]]) -> float:
+    """Return by how much a usual table must grow so that known things have their usual size.
+
+    ``looks`` are what ``apparent_scale`` returns on the usual table. The factor is the median,
+    weighed by how well shapes agree as in Eq. 6; the usual table is one more voice among them.
+    """
+    voices = np.array([*looks, (1.0, 0.0)])
+    voices = voices[np.argsort(-voices[:, 0], kind="stable")]
+    weight = np.cumsum(1 / (1 + (voices[:, 1] / _TAU) ** 2))
+    middle = int(np.searchsorted(weight, weight[-1] / 2))
+    return float(np.clip(1 / voices[middle, 0], 0.5, 2.0))
 
 
 def _table_size(reference: Reference, seen: Survey, factor: float) -> SizePrior:

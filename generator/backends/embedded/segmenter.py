@@ -15,8 +15,8 @@ from .depth_plane import find_depth_plane
 from .depth_things import confirmed
 from .eye.sight import Sight, Thing, see
 from .eye.weights import load_weights
-from .measure import measured_extent
-from .naming import assigned, free_labels, shape_word, table_scale, weighed
+from .measure import apparent_scale, usual_solid
+from .naming import assigned, free_labels, shape_word, weighed
 from .outline import top_of
 from .tabletop import find_tabletop
 
@@ -25,6 +25,7 @@ GENERIC = "object"
 
 _SURE = 0.4  # certainty from which a thing is told without having been asked for
 _ASKED = 0.2  # and if a word asks for it
+_LOOKED = 0.03  # probability from which a category's size and shape are compared
 _SMALLEST = 1.5e-4  # of the picture, a thing
 _BAND = 0.012  # of the picture's longer side: how far GrabCut may move a mask's rim
 
@@ -103,9 +104,12 @@ def _named(
         scores = np.array([t.score for t in things])
         return [(things[i], wanted[j]) for i, j in assigned(names, keys, scores, wanted)]
     plane = find_tabletop(image)
-    extents = [measured_extent(t.whole, plane)[0] for t in things]
-    spans = np.cbrt(np.prod(extents, axis=1))
-    labels = free_labels(weighed(names, keys, spans * table_scale(names, keys, spans)), keys)
+    looks = []
+    for thing, likely in zip(things, names[:, :-1], strict=True):
+        box = mask_box(thing.whole)
+        looks.append({int(k): apparent_scale(box, usual_solid(keys[k]), plane)
+                      for k in np.flatnonzero(likely > _LOOKED)})  # fmt: skip
+    labels = free_labels(weighed(names, looks), keys)
     return [(t, label or _shape(t)) for t, label in zip(things, labels, strict=True)]
 
 

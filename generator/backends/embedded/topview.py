@@ -8,15 +8,14 @@ import cv2
 import numpy as np
 from jaxtyping import Float, UInt8
 from scipy.optimize import least_squares
-from scipy.spatial import ConvexHull, QhullError
 
-from ...geometry import Camera, mask_box, rotation_z, view_rotation, yaw_quaternion
+from ...geometry import Camera, hull_points, rotation_z, view_rotation, yaw_quaternion
 from ...render.contact import Body
 from ...render.picture import TOP_DOWN
 from ...render.raster import Item, place, render
 from ...scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
 from .depth_seating import seated
-from .measure import measured_extent
+from .measure import measured_extent, whole_box
 from .plane import TablePlane
 from .survey import floor_of, stacking_of, survey
 
@@ -37,7 +36,8 @@ def top_view(
     Instances without a model get the box that their mask measures on the plane. All boxes come
     from geometry, so ``repaired`` is empty; the picture is drawn from the same placements. Where
     depth shows a thing, its model keeps its size and is moved until what is seen of it lies where
-    depth has it.
+    depth has it. Of a picture that came without a text the scale is that of the table: it was sized
+    by everything that stands on it, whose names are guesses one by one.
 
     Raises:
         SceneError: no tabletop in the picture.
@@ -75,7 +75,7 @@ def top_view(
     table = np.asarray(plane.size) / 2
     image = _draw(np.asarray(reference.image), things, plane, fitted, half, scale)
     table_box = _pixel_box(np.stack([-table, table]), half, scale)
-    metric = None if reference.depth is None else 1 / scale
+    metric = 1 / scale if reference.plan is None else None
     return TopView(image, table_box, boxes, metres_per_pixel=metric)
 
 
@@ -92,18 +92,6 @@ def _upper_side(below: Body, container: bool) -> float:
     return float(below.position[2] + share * below.scale[2])
 
 
-def target_box(instance: Instance) -> Float[np.ndarray, "4"]:
-    """Return the pixel box of the whole thing: of its completed crop where it was hidden."""
-    own = np.asarray(instance.box, float)
-    alpha = instance.crop[..., 3] > 127
-    if not instance.occluded or not alpha.any():
-        return own
-    x0, y0, x1, y1 = instance.crop_box
-    shape = np.array([alpha.shape[1], alpha.shape[0]] * 2)
-    box = mask_box(alpha) / shape * np.array([x1 - x0, y1 - y0] * 2) + [x0, y0, x0, y0]
-    return np.concatenate([np.minimum(box[:2], own[:2]), np.maximum(box[2:], own[2:])])
-
-
 def fit_model(
     instance: Instance,
     model: Model,
@@ -116,8 +104,8 @@ def fit_model(
     ``floor`` is the height above the tabletop on which the model stands. Size may change by a
     factor; a weak prior keeps it near the model's own.
     """
-    box = target_box(instance)
-    solid = _hull_points(np.asarray(model.mesh.vertices, float)) + np.array([0, 0, 0.5])
+    box = whole_box(instance)
+    solid = hull_points(np.asarray(model.mesh.vertices, float)) + np.array([0, 0, 0.5])
     turned = (solid * np.asarray(model.size)) @ rotation_z(yaw).T
     foot = plane.camera.on_plane(np.array([[(box[0] + box[2]) / 2, box[3]]]), floor)[0]
     span = max(float(np.hypot(*(box[2:] - box[:2]))), 1.0)
@@ -133,13 +121,6 @@ def fit_model(
     scale = np.asarray(model.size) * factor
     center = np.array([found[0], found[1], floor + scale[2] / 2])
     return Body(model.mesh, scale, yaw, center)
-
-
-def _hull_points(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
-    try:
-        return points[ConvexHull(points).vertices]
-    except QhullError:  # a flat mesh has no hull; all its points will do
-        return points
 
 
 # --------------------------------------------------------------------------------------- drawing
