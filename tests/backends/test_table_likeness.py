@@ -10,6 +10,7 @@ import pytest
 import shapely
 
 from generator.backends.embedded.completion import complete
+from generator.backends.embedded.free_outline import as_seen
 from generator.backends.embedded.outline import Outline, walk
 from generator.backends.embedded.pixels import hull_corners, mask_iou
 from generator.backends.embedded.plane import TablePlane, fit_plane
@@ -54,14 +55,20 @@ def overlap(a: np.ndarray, b: np.ndarray) -> float:
     return one.intersection(other).area / one.union(other).area
 
 
-def found_plane(top: np.ndarray, view: View, told: View) -> TablePlane:
+NOTHING = np.zeros((HEIGHT, WIDTH), bool)
+
+
+def found_plane(
+    top: np.ndarray, view: View, told: View, hidden: np.ndarray = NOTHING
+) -> TablePlane:
     """Find the plane of a top (metres) from its picture."""
     camera = Camera.looking_at(np.zeros(3), view, 3.0, WIDTH, HEIGHT)
     pixels = camera.project(np.column_stack([top, np.zeros(len(top))]))
     mask = np.zeros((HEIGHT, WIDTH), np.uint8)
     cv2.fillPoly(mask, [np.round((pixels - 0.5) * 16).astype(np.int32)], 1, cv2.LINE_8, 4)
-    hull = hull_corners(mask > 0)
-    return fit_plane(Outline(hull, walk(hull, 240)[0]), 1.0, (WIDTH, HEIGHT), told)
+    hull = hull_corners((mask > 0) & ~hidden)
+    outline = Outline(hull, walk(hull, 240)[0], hidden)
+    return as_seen(fit_plane(outline, 1.0, (WIDTH, HEIGHT), told), outline, 1.0)
 
 
 @pytest.mark.parametrize("name", [*TOPS])
@@ -85,6 +92,15 @@ def test_only_what_no_shape_explains_is_drawn_freely(name, free):
     plane = found_plane(TOPS[name], VIEW, VIEW)
     assert (plane.edge is not None) == free
     assert plane.mask(0.05).sum() > plane.mask().sum() > plane.mask(-0.05).sum()
+
+
+def test_a_corner_behind_a_thing_is_still_a_corner():
+    whole = found_plane(TOPS["rectangle"], VIEW, VIEW)
+    corner = whole.outline[np.lexsort((whole.outline[:, 0], whole.outline[:, 1] // 4))[0]]
+    y, x = np.mgrid[:HEIGHT, :WIDTH] + 0.5
+    thing = (np.abs(x - corner[0]) < WIDTH / 12) & (np.abs(y - corner[1]) < HEIGHT / 12)
+    seen = found_plane(TOPS["rectangle"], VIEW, VIEW, thing)
+    assert seen.edge is None and overlap(seen.top(), TOPS["rectangle"]) > 0.9
 
 
 # ------------------------------------------------------------------------------ the whole table

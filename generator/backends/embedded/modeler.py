@@ -26,7 +26,7 @@ _COARSE = 100  # of those that catalogue shapes are searched with
 _WORKING = 200  # longer side of the silhouettes that are compared, pixels
 _SURE = 0.82  # silhouette overlap from which a label is believed at once
 _ALIKE = 0.6  # and below which a catalogue shape is not what the picture shows
-_TRUST = 0.18  # in between, a label is believed unless a solid overlaps that much better
+_TRUST = 0.12  # in between, a label is believed unless a solid overlaps that much better
 
 
 @dataclass(frozen=True)

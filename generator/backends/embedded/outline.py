@@ -27,6 +27,7 @@ _SURE, _FILLED = 0.75, 0.7  # a top's mean probability, and the share of its hul
 _REACH = 3.0  # pixels that a point may be moved to find an edge
 _NEAR = 1.5  # pixels: how soon a farther edge counts for less
 _AWAY = 4.0  # pixels within which the patch itself must end
+_RIM = 6  # pixels around a thing that count as hidden by it
 _LEAST = 0.35  # of the points: with fewer in plain sight, the hidden ones count as well
 
 
@@ -34,11 +35,13 @@ _LEAST = 0.35  # of the points: with fewer in plain sight, the hidden ones count
 class Outline:
     """The outline of the whole top, counter-clockwise on screen, in working pixels.
 
-    ``hull`` closes it; ``points`` are those of its edge points that say where it is.
+    ``hull`` closes it; ``points`` are those of its edge points that say where it is; ``hidden`` is
+    what things cover.
     """
 
     hull: Float[np.ndarray, "k 2"]
     points: Float[np.ndarray, "n 2"]
+    hidden: Bool[np.ndarray, "h w"]
 
 
 def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "a b 3"], float]:
@@ -72,7 +75,8 @@ def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> tuple[Outli
     points = np.where(plain[:, None], moved, points)
     hull = cv2.convexHull(points.astype(np.float32))[:, 0].astype(float)
     kept = plain if plain.mean() > _LEAST else ends | plain
-    return Outline(hull, points[kept] if kept.sum() > 20 else points), factor
+    hidden = cv2.dilate(things, np.ones((2 * _RIM + 1, 2 * _RIM + 1), np.uint8)) > 0
+    return Outline(hull, points[kept] if kept.sum() > 20 else points, hidden), factor
 
 
 def top_of(sight: Sight) -> Bool[np.ndarray, "h w"]:

@@ -15,7 +15,7 @@ from .projection import Projection
 from .unshading import estimate_shading
 from .unwrap import Atlas, face_normals, unwrap
 
-PROJECT = 0.8
+PROJECT = 0.72
 """Silhouette overlap from which pixels are projected; below, only colours are carried over."""
 
 _ALIKE = 30.0  # grey levels by which a texture's mirrored places differ at most

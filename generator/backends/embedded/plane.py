@@ -8,7 +8,7 @@ single view leaves open: a rectangle seen head-on does not tell field of view fr
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Literal
 
 import cv2
@@ -17,7 +17,7 @@ import shapely
 from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
-from ...geometry import Camera, convex_outline, view_direction, view_rotation
+from ...geometry import Camera, view_direction, view_rotation
 from ...scene import OutlineKind, PlannedTable, View
 from .outline import Outline
 
@@ -26,14 +26,13 @@ OutlineShape = Literal["rectangle", "ellipse", "triangle"]
 TABLE_LENGTH = 1.2
 """Length (x extent) in metres of a table of unknown size."""
 
+RADIUS = 0.3
+"""The largest corner radius, of the shorter side."""
+
 _ELEVATION_SPREAD = np.deg2rad(3.5)  # of the usual error of the view that the eye expects
 _FOV_SPREAD = 0.25  # likewise, of the logarithm
 _EDGE = 1.2  # pixels: how well an edge point is known
 _TRUST = 12.0  # independent edge points that a whole outline counts for
-_RADIUS = 0.3  # of the shorter side: the largest corner radius
-_EXPLAINED = 0.975  # overlap seen from above below which no shape explains an outline
-_RAYS = 64  # corners of such an outline
-_BLUNT = 0.02  # of the length: radius of its sharpest corners
 
 
 @dataclass(frozen=True)
@@ -197,7 +196,7 @@ class _Fit:
 
 
 def _radius(parameters: Float[np.ndarray, "8"]) -> float:
-    return float(_RADIUS / (1 + np.exp(-parameters[7])) * min(1.0, np.exp(parameters[6])))
+    return float(RADIUS / (1 + np.exp(-parameters[7])) * min(1.0, np.exp(parameters[6])))
 
 
 def _camera(parameters: Float[np.ndarray, "8"], width: int, height: int) -> Camera:
@@ -345,8 +344,7 @@ def fit_plane(
     fits = (_fit(outline, kind, frame, plan, expected, view) for kind in kinds)
     best = min(fits, key=lambda fit: fit.cost)
     metres = length or (plan.size[0] if plan else TABLE_LENGTH)
-    plane = _plane(best, metres, *size, factor)
-    return plane if plan is not None else _as_seen(plane, outline.hull / factor)
+    return _plane(best, metres, *size, factor)
 
 
 def _plane(fit: _Fit, length: float, width: int, height: int, factor: float) -> TablePlane:
@@ -358,32 +356,3 @@ def _plane(fit: _Fit, length: float, width: int, height: int, factor: float) -> 
     points = outline_points(shape, flipped, size, radius)
     outline = camera.project(np.column_stack([points, np.zeros(len(points))]))
     return TablePlane(view, camera, shape, flipped, size, radius, outline, fit.error / factor)
-
-
-def _as_seen(plane: TablePlane, hull: Float[np.ndarray, "k 2"]) -> TablePlane:
-    """Return the tabletop with the outline that was seen (pixels) if its shape is none of ours.
-
-    Its frame and size are then those of the outline itself; its length stays.
-    """
-    seen = shapely.Polygon(convex_outline(plane.to_table(hull)))
-    ideal = shapely.Polygon(plane.top())
-    if seen.intersection(ideal).area > _EXPLAINED * seen.union(ideal).area:
-        return plane
-    blunt = _BLUNT * plane.size[0]  # takes off the spikes that single points make
-    edge = _around(seen.buffer(-blunt).buffer(blunt), _RAYS)
-    low, high = edge.min(0), edge.max(0)
-    middle, factor = (low + high) / 2, plane.size[0] / float(high[0] - low[0])
-    edge = (edge - middle) * factor
-    position = (plane.camera.position - [*middle, 0.0]) * factor
-    camera = replace(plane.camera, position=position)
-    outline = camera.project(np.column_stack([edge, np.zeros(len(edge))]))
-    size = (plane.size[0], float(high[1] - low[1]) * factor)
-    radius = min(plane.radius * factor, _RADIUS * min(size))
-    return replace(plane, camera=camera, size=size, radius=radius, outline=outline, edge=edge)
-
-
-def _around(polygon: shapely.Polygon, count: int) -> Float[np.ndarray, "k 2"]:
-    """Return the convex outline through ``count`` points evenly along a polygon's rim."""
-    along = np.linspace(0, 1, count, endpoint=False)
-    points = shapely.line_interpolate_point(polygon.exterior, along, normalized=True)
-    return convex_outline(shapely.get_coordinates(points))

@@ -11,6 +11,7 @@ from ...scene import PlannedTable, View
 from .cut_plane import is_cut, plane_from_view
 from .eye.horizon import fit_view
 from .eye.sight import see
+from .free_outline import as_seen
 from .outline import find_outline, top_of
 from .plane import TablePlane, fit_plane
 
@@ -60,4 +61,5 @@ def _found(
     if plan is None and is_cut(top):
         return plane_from_view(top, view or expected, hidden=sight.shows("thing"), length=length)
     outline, factor = find_outline(image, sight)
-    return fit_plane(outline, factor, (size[1], size[0]), expected, plan, length, view)
+    plane = fit_plane(outline, factor, (size[1], size[0]), expected, plan, length, view)
+    return plane if plan is not None else as_seen(plane, outline, factor)
