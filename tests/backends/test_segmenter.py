@@ -19,9 +19,7 @@ THINGS = [("mug", -0.3, 0.1, 0.0), ("bowl", 0.0, -0.12, 0.0), ("apple", 0.3, 0.1
     [
         ("rectangle", "oak"),
         ("square", "walnut"),
-        pytest.param(
-            "round", "marble", marks=pytest.mark.xfail(reason="veins are taken for things")
-        ),
+        ("round", "marble"),
     ],
 )
 def test_every_thing_is_found_tightly(outline, material):

@@ -173,6 +173,17 @@ def test_a_white_top_stays_plain():
     assert np.abs(again.image[upper].astype(float) - shown.image[upper]).mean() < 8
 
 
+def test_a_striped_top_keeps_its_stripes():
+    truth = form("rectangle", 0.7)
+    stripes = np.repeat(np.array([[90, 60, 40], [190, 140, 90]] * 4, np.uint8)[:, None], 8, 1)
+    stripes = np.kron(stripes, np.ones((16, 16, 1), np.uint8)).astype(np.uint8)
+    shown, again, _ = rebuilt(painted(truth.built(), stripes), truth.outline)
+    upper = (shown.ids == 1) & (again.ids == 1) & (np.arange(HEIGHT)[:, None] < HEIGHT // 2)
+    low, high = np.quantile(again.image[upper].mean(1), [0.1, 0.9])
+    assert high - low >= 40
+    assert np.abs(again.image[upper].astype(float) - shown.image[upper]).mean() < 14
+
+
 def test_what_stood_on_a_top_leaves_no_mark():
     x, y = (v.ravel() for v in np.meshgrid(np.linspace(0, 1.2, 120), np.linspace(0, 0.7, 70)))
     points = np.column_stack([x, y, np.zeros(len(x))])

@@ -5,9 +5,6 @@ Only pixels leave this module: what follows sees no more of the layout than of a
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-import cv2
 import numpy as np
 from jaxtyping import UInt8
 
@@ -15,7 +12,7 @@ from ...geometry import framing_camera, yaw_quaternion
 from ...layout import build_models, lay_out
 from ...render.raster import place, render
 from ...render.shading import Light
-from ...scene import Mesh, ScenePlan, View
+from ...scene import ScenePlan, View
 
 WIDTH, HEIGHT = 960, 720
 """Size of a painted picture in pixels."""
@@ -35,7 +32,7 @@ def draw(plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
     layout, table = lay_out(plan, models, seed + 1)
     center = np.array([0.0, 0.0, float(table.size[2]) / 2])
     upright = yaw_quaternion(0.0)
-    items = [place(calm(table.mesh), table.size, center, upright, 0)]
+    items = [place(table.mesh, table.size, center, upright, 0)]
     for number, p in enumerate(layout.placements, start=1):
         mesh = models[p.name].mesh
         items.append(place(mesh, p.scale, p.translation, yaw_quaternion(p.yaw), number))
@@ -43,18 +40,6 @@ def draw(plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
     points = np.concatenate([item.vertices for item in items])
     camera = framing_camera(points, view, WIDTH, HEIGHT, margin=0.05)
     return render(items, camera, light=_light(rng), supersample=2).image
-
-
-def calm(mesh: Mesh, keep: float = 0.5) -> Mesh:
-    """Return a mesh whose texture keeps only a share of its pattern, tile by tile.
-
-    The pictures are read by an eye without learned features; a faint grain says "wood" to it as
-    well as a strong one, and is less easily taken for an object's edge.
-    """
-    texture = mesh.texture.astype(float)
-    ground = cv2.blur(texture, (31, 31), borderType=cv2.BORDER_REPLICATE)
-    faint = ground + keep * (texture - ground)
-    return replace(mesh, texture=np.clip(faint + 0.5, 0, 255).astype(np.uint8))
 
 
 def _light(rng: np.random.Generator) -> Light:
