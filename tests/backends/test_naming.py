@@ -33,6 +33,11 @@ def test_one_table_scale_must_do_for_all():
     assert naming.free_labels(odd, KEYS) == [None, "mug", "mug"]
 
 
+def test_a_thing_that_the_frame_cuts_keeps_its_name():
+    names = np.array([[0.6, 0.1, 0.2, 0.1]])
+    np.testing.assert_allclose(naming.weighed(names, [None]), names)
+
+
 def test_unknown_things_get_no_category():
     assert naming.free_labels(np.array([[0.2, 0.2, 0.2, 0.4]]), KEYS) == [None]
 

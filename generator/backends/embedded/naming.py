@@ -11,13 +11,13 @@ from scipy.optimize import linear_sum_assignment
 from ...catalogue import CATEGORIES, Category, category
 from ...errors import InputError
 
-_SURE = 0.35  # probability from which a thing gets its category's name
+_SURE = 0.45  # probability from which a thing gets its category's name
 _SPREAD = 0.3  # of a thing's usual size, log: one standard deviation
 _SHAPES = 0.4  # of its proportions in the picture, log
 _TABLES = 0.35  # of a table's usual size, log
 _SHIFTS = np.linspace(-0.7, 0.7, 29)
 _UNLIKE = 0.003  # likelihood of a size and shape that the category does not have
-_ANY = 0.3  # and of any, for a thing of no category
+_ANY = 0.6  # and of any, for a thing of no category
 _RARE = 1e-4  # probability that no category falls below
 
 
@@ -31,7 +31,7 @@ def known(word: str) -> Category | None:
 
 def weighed(
     names: Float[np.ndarray, "n k"],
-    looks: Sequence[Mapping[int, tuple[float, float]]],
+    looks: Sequence[Mapping[int, tuple[float, float]] | None],
 ) -> Float[np.ndarray, "n k"]:
     """Return the probabilities after a look at sizes and shapes, on the likeliest table.
 
@@ -40,7 +40,8 @@ def weighed(
 
     Args:
         names: probabilities of each thing over the categories and, last, "unknown".
-        looks: by category index, what ``apparent_scale`` returns on a table of usual size.
+        looks: by category index, what ``apparent_scale`` returns on a table of usual size; None for
+            a thing that the frame cuts.
     """
     joint = [names * _likely(names, looks, shift) for shift in _SHIFTS]
     evidence = [np.log(j.sum(1)).sum() for j in joint] - 0.5 * (_SHIFTS / _TABLES) ** 2
@@ -50,13 +51,16 @@ def weighed(
 
 def _likely(
     names: Float[np.ndarray, "n k"],
-    looks: Sequence[Mapping[int, tuple[float, float]]],
+    looks: Sequence[Mapping[int, tuple[float, float]] | None],
     shift: float,
 ) -> Float[np.ndarray, "n k"]:
     """Return how likely sizes and shapes are, by category, on a table of log scale ``shift``."""
     likely = np.full(names.shape, _UNLIKE)
     likely[:, -1] = _ANY
     for row, seen in zip(likely, looks, strict=True):
+        if seen is None:
+            row[:] = 1.0
+            continue
         for column, (scale, off) in seen.items():
             size = (np.log(scale) + shift) / _SPREAD
             row[column] = max(np.exp(-0.5 * (size**2 + (off / _SHAPES) ** 2)), _UNLIKE)

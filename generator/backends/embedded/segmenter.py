@@ -18,14 +18,18 @@ from .eye.weights import load_weights
 from .measure import apparent_scale, usual_solid
 from .naming import assigned, free_labels, shape_word, weighed
 from .outline import top_of
+from .plane import TablePlane
 from .tabletop import find_tabletop
 
 GENERIC = "object"
 """The label that asks for anything on the table."""
 
-_SURE = 0.4  # certainty from which a thing is told without having been asked for
-_ASKED = 0.2  # and if a word asks for it
+SURE = 0.4
+"""Certainty from which a thing is told without having been asked for."""
+
+_ASKED = 0.2  # certainty that is enough if a word asks for it
 _LOOKED = 0.03  # probability from which a category's size and shape are compared
+_CUT = 0.004  # of the longer side: what comes as near to the frame goes on beyond it
 _SMALLEST = 1.5e-4  # of the picture, a thing
 _BAND = 0.012  # of the picture's longer side: how far GrabCut may move a mask's rim
 
@@ -54,7 +58,7 @@ class Segmenter:
         image = np.ascontiguousarray(image)
         sight = see(image)
         wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
-        things = _on_table(sight, _ASKED if wanted else _SURE)
+        things = _on_table(sight, _ASKED if wanted else SURE)
         named = _named(image, things, wanted)
         found = [
             Detection(label, mask_box(mask), mask, thing.score, thing.whole | mask)
@@ -103,14 +107,27 @@ def _named(
     if wanted:
         scores = np.array([t.score for t in things])
         return [(things[i], wanted[j]) for i, j in assigned(names, keys, scores, wanted)]
-    plane = find_tabletop(image)
-    looks = []
-    for thing, likely in zip(things, names[:, :-1], strict=True):
-        box = mask_box(thing.whole)
-        looks.append({int(k): apparent_scale(box, usual_solid(keys[k]), plane)
-                      for k in np.flatnonzero(likely > _LOOKED)})  # fmt: skip
+    looks = looks_of(things, find_tabletop(image), keys)
     labels = free_labels(weighed(names, looks), keys)
     return [(t, label or _shape(t)) for t, label in zip(things, labels, strict=True)]
+
+
+def looks_of(
+    things: Sequence[Thing], plane: TablePlane, keys: Sequence[str]
+) -> list[dict[int, tuple[float, float]] | None]:
+    """Return how large and how much alike a thing looks, by the index of each likely category."""
+    looks = []
+    for thing in things:
+        box = mask_box(thing.whole)
+        height, width = thing.whole.shape
+        if min(box[0], box[1], width - box[2], height - box[3]) < _CUT * max(height, width):
+            looks.append(None)
+            continue
+        likely = np.flatnonzero(thing.names[:-1] > _LOOKED)
+        looks.append(
+            {int(k): apparent_scale(box, usual_solid(keys[int(k)]), plane) for k in likely}
+        )
+    return looks
 
 
 def _shape(thing: Thing) -> str:
