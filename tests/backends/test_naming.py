@@ -29,6 +29,10 @@ def test_one_table_scale_must_do_for_all():
     names = np.tile([0.5, 0.1, 0.3, 0.1], (3, 1))
     small = naming.weighed(names, [{0: (0.6, 0.0)}] * 3)
     assert naming.free_labels(small, KEYS) == ["mug"] * 3
+    assert (
+        naming.free_labels(naming.weighed(names, [{0: (0.3, 0.0)}] * 3, metric=True), KEYS)
+        == [None] * 3
+    )
     odd = naming.weighed(names, [{0: (0.4, 0.0)}, {0: (1.0, 0.0)}, {0: (1.0, 0.0)}])
     assert naming.free_labels(odd, KEYS) == [None, "mug", "mug"]
 

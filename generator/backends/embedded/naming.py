@@ -32,6 +32,7 @@ def known(word: str) -> Category | None:
 def weighed(
     names: Float[np.ndarray, "n k"],
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
+    metric: bool = False,
 ) -> Float[np.ndarray, "n k"]:
     """Return the probabilities after a look at sizes and shapes, on the likeliest table.
 
@@ -42,9 +43,11 @@ def weighed(
         names: probabilities of each thing over the categories and, last, "unknown".
         looks: by category index, what ``apparent_scale`` returns on a table of usual size; None for
             a thing that the frame cuts.
+        metric: whether the table's scale was measured, so that there is none to choose.
     """
-    joint = [names * _likely(names, looks, shift) for shift in _SHIFTS]
-    evidence = [np.log(j.sum(1)).sum() for j in joint] - 0.5 * (_SHIFTS / _TABLES) ** 2
+    shifts = np.zeros(1) if metric else _SHIFTS
+    joint = [names * _likely(names, looks, shift) for shift in shifts]
+    evidence = [np.log(j.sum(1)).sum() for j in joint] - 0.5 * (shifts / _TABLES) ** 2
     best = joint[int(np.argmax(evidence))]
     return best / best.sum(1, keepdims=True)
 

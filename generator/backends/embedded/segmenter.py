@@ -59,15 +59,18 @@ class Segmenter:
         sight = see(image)
         wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
         things = _on_table(sight, _ASKED if wanted else SURE)
-        named = _named(image, things, wanted)
+        table = main_parts(sight.shows("top", "legs"))
+        measured = None
+        if depth is not None and intrinsics is not None:
+            measured = find_depth_plane(depth, intrinsics, table)
+        named = _named(image, things, wanted, measured)
         found = [
             Detection(label, mask_box(mask), mask, thing.score, thing.whole | mask)
             for thing, label in named
             if (mask := refine(image, thing.visible)).any()
         ]
-        table = main_parts(sight.shows("top", "legs"))
-        if depth is not None and intrinsics is not None:
-            found = confirmed(found, depth, find_depth_plane(depth, intrinsics, table))
+        if depth is not None and measured is not None:
+            found = confirmed(found, depth, measured)
         found = sorted(found, key=lambda d: (d.box[3], d.box[0]))
         for thing in found:
             table &= ~thing.mask
@@ -97,9 +100,15 @@ def _foot_line(mask: Bool[np.ndarray, "h w"]) -> int:
 
 
 def _named(
-    image: UInt8[np.ndarray, "h w 3"], things: Sequence[Thing], wanted: tuple[str, ...]
+    image: UInt8[np.ndarray, "h w 3"],
+    things: Sequence[Thing],
+    wanted: tuple[str, ...],
+    measured: TablePlane | None,
 ) -> list[tuple[Thing, str]]:
-    """Return the things with their labels; of those asked for by name, no more than asked."""
+    """Return the things with their labels; of those asked for by name, no more than asked.
+
+    ``measured`` is the tabletop's plane in metres, where depth shows it.
+    """
     if not things:
         return []
     keys = load_weights().categories
@@ -107,8 +116,8 @@ def _named(
     if wanted:
         scores = np.array([t.score for t in things])
         return [(things[i], wanted[j]) for i, j in assigned(names, keys, scores, wanted)]
-    looks = looks_of(things, find_tabletop(image), keys)
-    labels = free_labels(weighed(names, looks), keys)
+    looks = looks_of(things, measured or find_tabletop(image), keys)
+    labels = free_labels(weighed(names, looks, metric=measured is not None), keys)
     return [(t, label or _shape(t)) for t, label in zip(things, labels, strict=True)]
 
 
