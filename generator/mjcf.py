@@ -19,7 +19,7 @@ import numpy as np
 from jaxtyping import Float, UInt8
 
 from .errors import SceneError
-from .geometry import Camera, framing_camera, quaternion_matrix
+from .geometry import framing_camera, quaternion_matrix
 from .scene import TABLE, ConvexPart, Mesh, Object, Scene, View
 
 if TYPE_CHECKING:
@@ -91,11 +91,6 @@ def compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
             f"MuJoCo cannot build the scene {name!r}: {said}. Make the scene again, or give that "
             "body a sound shape and inertia."
         ) from error
-
-
-def reference_camera(scene: Scene, width: int = 960, height: int = 720) -> Camera:
-    """Return the camera of the scene's view that shows the whole table and every object."""
-    return framing_camera(_points(scene), scene.view, width, height)
 
 
 # ------------------------------------------------------------------------------------- encoding
