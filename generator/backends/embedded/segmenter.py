@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
+from ...errors import SceneError
 from ...geometry import main_parts, mask_box
 from ...scene import TABLE, Detection, Intrinsics
 from .depth_plane import find_depth_plane
@@ -28,6 +29,7 @@ SURE = 0.4
 """Certainty from which a thing is told without having been asked for."""
 
 _ASKED = 0.2  # certainty that is enough if a word asks for it
+_MOST = 64  # things of a picture
 _LOOKED = 0.03  # probability from which a category's size and shape are compared
 _CUT = 0.004  # of the longer side: what comes as near to the frame goes on beyond it
 _SMALLEST = 1.5e-4  # of the picture, a thing
@@ -53,12 +55,16 @@ class Segmenter:
 
         Raises:
             BackendError: the eye's weights are missing or damaged.
-            SceneError: no tabletop in the picture.
+            SceneError: no tabletop in the picture, or more things on it than can be told apart.
         """
         image = np.ascontiguousarray(image)
         sight = see(image)
         wanted = tuple(w for w in labels if w not in (TABLE, GENERIC))
         things = _on_table(sight, _ASKED if wanted else SURE)
+        if len(things) > _MOST:
+            raise SceneError(
+                f"More than {_MOST} things on the table. Cut the picture into parts with fewer."
+            )
         table = main_parts(sight.shows("top", "legs"))
         measured = None
         if depth is not None and intrinsics is not None:

@@ -28,12 +28,12 @@ SIDE = 544
 _CLOSE = 192  # side of the closer looks
 _ROOM = 1.6  # side of a closer look over the longer side of the thing's box
 _FAINT = 0.1  # certainty below which a cell is not asked
-_KEPT = 30  # finds looked at again
+_KEPT = 72  # finds looked at again
 _CHOICES = 4  # cells of a closer look that are asked
 _HELD = 0.6  # share of a first find that a closer one must show
 _YIELD = 0.6  # of the first look's certainty, which the closer one must have
 _LEAST = 0.15  # certainty of a thing that is told at all
-_MOST = 90  # cells asked
+_MOST = 200  # cells asked
 _SAME = 0.6  # overlap (IoU) at which two masks of the first look are one thing
 _SHARED = 0.35  # share of the smaller of two finds that both claim, at which the surer one stands
 
