@@ -76,6 +76,28 @@ def things_alone() -> np.ndarray:
     return cv2.rectangle(image, (180, 90), (230, 155), (30, 60, 200), -1)
 
 
+def screenshot() -> np.ndarray:
+    image = plain(245, 360, 640)
+    cv2.rectangle(image, (30, 45), (400, 330), (255, 255, 255), -1)
+    cv2.rectangle(image, (30, 45), (400, 60), (40, 90, 160), -1)
+    cv2.rectangle(image, (420, 45), (620, 200), (30, 30, 30), -1)
+    for row in range(80, 320, 13):
+        cv2.putText(image, "lorem ipsum dolor sit amet", (40, row), 0, 0.3, (30, 30, 30), 1)
+    return image
+
+
+def face() -> np.ndarray:
+    image = plain((120, 140, 160), 320, 320)
+    cv2.ellipse(image, (160, 260), (130, 100), 0, 0, 360, (60, 70, 120), -1)
+    cv2.ellipse(image, (160, 140), (75, 95), 0, 0, 360, (224, 180, 150), -1)
+    cv2.ellipse(image, (160, 80), (82, 55), 0, 180, 360, (70, 45, 30), -1)
+    for x in (130, 190):
+        cv2.ellipse(image, (x, 130), (14, 7), 0, 0, 360, (255, 255, 255), -1)
+        cv2.circle(image, (x, 130), 6, (60, 40, 30), -1)
+    cv2.ellipse(image, (160, 185), (25, 9), 0, 0, 180, (170, 60, 70), -1)
+    return image
+
+
 @pytest.mark.parametrize(
     ("image", "says"),
     [
@@ -88,8 +110,22 @@ def things_alone() -> np.ndarray:
         (plain(255, 64, 2000), "8 times"),
         (bare_table(), "Nothing found on the table"),
         (things_alone(), "No table|Nothing found"),
+        (screenshot(), "No table"),
+        (face(), "No table"),
     ],
-    ids=["white", "black", "brown", "noise", "gradient", "tiny", "wide", "bare", "no table"],
+    ids=[
+        "white",
+        "black",
+        "brown",
+        "noise",
+        "gradient",
+        "tiny",
+        "wide",
+        "bare",
+        "no table",
+        "screenshot",
+        "face",
+    ],
 )
 def test_pictures_without_a_laid_table_are_refused(image: np.ndarray, says: str) -> None:
     with pytest.raises((InputError, SceneError), match=says):

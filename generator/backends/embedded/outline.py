@@ -16,14 +16,15 @@ from jaxtyping import Bool, Float, UInt8
 from ...errors import SceneError
 from ...geometry import main_parts
 from .eye.sight import Sight
-from .pixels import distance_to, hull_corners
+from .pixels import distance_to, hull_corners, mask_iou
 
 WORKING_SIZE = 640
 """Longest side, in pixels, of the copy of the picture that is analysed."""
 
 _POINTS = 240  # along the outline
 _SMALLEST = 0.015  # of the picture: a smaller top is none
-_SURE, _FILLED = 0.75, 0.7  # a top's mean probability, and the share of its hull that it fills
+_SURE, _FILLED = 0.8, 0.7  # a top's mean probability, and the share of its hull that it fills
+_AGREED = 0.75  # overlap of what shows of the top with the pixels that show a tabletop
 _REACH = 3.0  # pixels that a point may be moved to find an edge
 _NEAR = 1.5  # pixels: how soon a farther edge counts for less
 _AWAY = 4.0  # pixels within which the patch itself must end
@@ -86,7 +87,9 @@ def top_of(sight: Sight) -> Bool[np.ndarray, "h w"]:
         SceneError: the eye sees none: too small, ragged or doubtful a patch is no tabletop.
     """
     top = main_parts(sight.top > 0.5)
-    if top.sum() >= _SMALLEST * top.size and sight.top[top].mean() > _SURE:
+    shown, bare = sight.shows("top"), top & ~sight.shows("thing")
+    agreed = mask_iou(shown, bare)
+    if top.sum() >= _SMALLEST * top.size and sight.top[top].mean() > _SURE and agreed > _AGREED:
         hull = np.zeros(top.shape, np.uint8)
         cv2.fillConvexPoly(hull, np.round(hull_corners(top)).astype(np.int32), 1)
         if top.sum() > _FILLED * hull.sum():
