@@ -152,6 +152,13 @@ def test_a_shape_that_nobody_told_is_tried_out():
     assert rim.max() < 0.9, "an oval has no corners"
 
 
+def test_legs_that_lean_beyond_the_top_keep_their_thickness():
+    leaning = form("rectangle", 0.7, inset=(0.03, 0.03), lean=0.3, high=0.04, low=0.008)
+    for ring in leaning.pieces():
+        np.testing.assert_allclose(np.ptp(ring[:, :, :2], axis=1), [[0.008] * 2, [0.04] * 2])
+    assert leaning.built().size == pytest.approx(leaning.size)
+
+
 def test_three_legs_for_a_triangle_four_for_the_rest():
     counts = {name: len(corners_of(top)) for name, top in TOPS.items()}
     assert counts == {name: 3 if "triangle" in name else 4 for name in TOPS}

@@ -12,7 +12,8 @@ from ...geometry import convex_outline
 from .outline import Outline
 from .plane import RADIUS, TablePlane
 
-_EXPLAINED = 0.975  # overlap seen from above below which no shape explains an outline
+_EXPLAINED = 0.975  # overlap seen from above from which a shape explains an outline
+_LIKELY, _CLOSE = 0.93, 2.0  # or from which it does if its edge is met within these pixels
 _GRID = 160  # points along each side that the overlap is counted with
 _RAYS = 64  # corners of such an outline
 _BLUNT = 0.02  # of the length: radius of its sharpest corners
@@ -26,7 +27,8 @@ def as_seen(plane: TablePlane, outline: Outline, factor: float) -> TablePlane:
     picture pixel.
     """
     seen = shapely.Polygon(convex_outline(plane.to_table(outline.hull / factor)))
-    if _agreement(plane, seen, outline, factor) > _EXPLAINED:
+    least = _LIKELY if plane.error * factor < _CLOSE else _EXPLAINED
+    if _agreement(plane, seen, outline, factor) > least:
         return plane
     blunt = _BLUNT * plane.size[0]  # takes off the spikes that single points make
     edge = _around(seen.buffer(-blunt).buffer(blunt), _RAYS)

@@ -67,13 +67,18 @@ class TableForm:
         return np.sign(corners) * np.maximum(np.abs(corners) - self.inset, self.high / 2)
 
     def pieces(self) -> list[Ring]:
-        """Return the legs' convex pieces: lower and upper ring, the floor at z = 0."""
+        """Return the legs' convex pieces: lower and upper ring, the floor at z = 0.
+
+        What would stick out beyond the top's box is moved into it.
+        """
         top = self.height - self.thickness
         made = {"sled": self._sled, "trestle": self._trestle, "pedestal": self._pedestal}
         rings = made[self.legs](top) if self.legs in made else self._posts(top)
         low, high = self.outline.min(0), self.outline.max(0)
         for ring in rings:
-            ring[..., :2] = np.clip(ring[..., :2], low, high)
+            flat = ring[..., :2]
+            under, over = low - flat.min(1, keepdims=True), flat.max(1, keepdims=True) - high
+            ring[..., :2] = np.clip(flat + under.clip(0) - over.clip(0), low, high)
         return rings
 
     def _posts(self, top: float) -> list[Ring]:

@@ -10,6 +10,7 @@ import dataclasses
 
 import cv2
 import numpy as np
+import shapely
 from jaxtyping import Bool, Float, Int, UInt8
 
 from ...catalogue.outlines import ellipse, rectangle, rounded_polygon
@@ -21,6 +22,7 @@ from .unshading import estimate_shading
 from .unwrap import unwrap
 
 _COARSE, _FINE = 240, 480  # longer side of the silhouettes that are compared, pixels
+_EDGE = 0.02  # of the length: how far from the edge of a top its colours are its own
 _PLAIN = 14.0  # grey levels of unrest within a hand's breadth, up to which a top is plain
 _BESIDE = 0.01  # of the crop's longer side: how near to a thing its halo lies
 _SHADE = 0.05  # likewise, its shadow
@@ -101,6 +103,7 @@ def _painted(
     on_top = (mesh.vertices[mesh.faces, 2] > slab).all(1)[atlas.face]
     clear = visible & own[:, 1]
     upper = clear & on_top & (surface.normal[:, 2] > 0.9)
+    upper &= _within(surface.point[:, :2], on_top)
     texels = np.full(colors.shape, 200.0)
     if upper.sum() > 40:
         near = baking.sample(_near_things(instance, mask)[..., None], pixels)[:, 0] > 0.5
@@ -112,6 +115,16 @@ def _painted(
         if (clear & part).sum() > 40:
             texels[part] = np.median(colors[clear & part], 0)
     return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels))
+
+
+def _within(
+    points: Float[np.ndarray, "t 2"], on_top: Bool[np.ndarray, "t"]
+) -> Bool[np.ndarray, "t"]:
+    """Tell which places are away from the top's edge, where the picture already shows its side."""
+    top = shapely.convex_hull(shapely.MultiPoint(points[on_top]))
+    low, high = points[on_top].min(0), points[on_top].max(0)
+    inner = top.buffer(-_EDGE * float((high - low).max()))
+    return np.asarray(shapely.contains_xy(inner, points))
 
 
 def _bare(instance: Instance, mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
