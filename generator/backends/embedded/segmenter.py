@@ -65,7 +65,7 @@ class Segmenter:
             raise SceneError(
                 f"More than {_MOST} things on the table. Cut the picture into parts with fewer."
             )
-        table = main_parts(sight.shows("top", "legs"))
+        table = table_of(image, sight)
         measured = None
         if depth is not None and intrinsics is not None:
             measured = find_depth_plane(depth, intrinsics, table)
@@ -81,6 +81,11 @@ class Segmenter:
         for thing in found:
             table &= ~thing.mask
         return (Detection(TABLE, mask_box(table), table), *found)
+
+
+def table_of(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> Bool[np.ndarray, "h w"]:
+    """Return the pixels that show the table: what the eye takes for it, drawn onto the edges."""
+    return refine(image, main_parts(sight.shows("top", "legs")))
 
 
 def _on_table(sight: Sight, least: float) -> list[Thing]:
