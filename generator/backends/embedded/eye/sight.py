@@ -30,11 +30,13 @@ _ROOM = 1.6  # side of a closer look over the longer side of the thing's box
 _FAINT = 0.1  # certainty below which a cell is not asked
 _KEPT = 72  # finds looked at again
 _CHOICES = 4  # cells of a closer look that are asked
-_HELD = 0.6  # share of a first find that a closer one must show
+_HELD = 0.75  # share of a first find that a closer one must show
 _YIELD = 0.6  # of the first look's certainty, which the closer one must have
 _LEAST = 0.15  # certainty of a thing that is told at all
 _MOST = 200  # cells asked
 _SAME = 0.6  # overlap (IoU) at which two masks of the first look are one thing
+_PART = 0.7  # share of a find within another from which it may be a part of it
+_ALIKE = 0.7  # share of the part's certainty that the whole must have
 _SHARED = 0.35  # share of the smaller of two finds that both claim, at which the surer one stands
 
 
@@ -243,7 +245,8 @@ def _sure(seen: list[_Seen], least: float) -> list[_Seen]:
         return []
     score = torch.tensor([x.score if x.score >= least else 0.0 for x in seen])
     _, within = _overlaps(torch.from_numpy(np.stack([x.visible for x in seen])))
-    kept = _apart(score, torch.maximum(within, within.T) > _SHARED)
+    shared = torch.maximum(within, within.T)
+    kept = _apart(_wholes_first(score, within, shared > _SHARED), shared > _SHARED)
     taken = np.zeros_like(seen[0].visible)
     found = []
     for k in kept:
@@ -251,6 +254,23 @@ def _sure(seen: list[_Seen], least: float) -> list[_Seen]:
         taken |= visible
         found.append(_Seen(seen[k].score, visible, seen[k].whole))
     return found
+
+
+def _wholes_first(score: Tensor, within: Tensor, clash: Tensor) -> Tensor:
+    """Return scores (n) by which a thing comes before its part, if both are about as sure.
+
+    ``within`` (n, n) is the share of each find that others cover. Surer finds that stand apart from
+    each other within a third are two things, not parts of one.
+    """
+    first = score.clone()
+    for k in range(len(score)):
+        held = (within[:, k] > _PART) & (within[k] < _PART) & (score >= score[k]) & (score > 0)
+        parts = held.nonzero()[:, 0]
+        if len(parts) and clash[parts][:, parts].all():
+            surest = float(score[parts].max())
+            if float(score[k]) > _ALIKE * surest:
+                first[k] = surest + 1e-4
+    return first
 
 
 def _named(
