@@ -29,6 +29,7 @@ _LOW = 0.006  # metres: nothing lower than this counts as a thing
 _KNOWN = 0.3  # share of a thing's pixels that depth must know to judge it
 _FLAT = 0.15  # share of them that stand above the table, below which a thing is flat
 _SURE = 0.6  # certainty from which a flat thing is believed to be one
+_CERTAIN = 0.75  # certainty from which what seems to hover is a thing with a hidden foot
 _KEPT = 0.6  # share of a mask that the tabletop around it must leave
 _GROWN = 4.0  # a mask grows by at most this factor
 _HOVER = 0.03  # metres above the table at which the foot of something standing on nothing hovers
@@ -173,7 +174,7 @@ def _rejoined(
     left: dict[int, Detection] = dict(enumerate(things))
     for part in order:
         upper = solids[part]
-        if upper is None or upper.bottom < _HOVER:
+        if upper is None or upper.bottom < _HOVER or things[part].score >= _CERTAIN:
             continue
         others = {k: s for k in left if k != part and (s := solids[k]) is not None}
         if any(_carries(s, upper) for s in others.values()):

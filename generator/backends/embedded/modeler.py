@@ -14,6 +14,7 @@ from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
 from . import baking
 from .choosing import best_solid
+from .framing import proportion_gap
 from .likeness import Likeness, fit_likeness
 from .naming import known
 from .painting import PROJECT, painted
@@ -26,6 +27,7 @@ _COARSE = 100  # of those that catalogue shapes are searched with
 _WORKING = 200  # longer side of the silhouettes that are compared, pixels
 _SURE = 0.82  # silhouette overlap from which a label is believed at once
 _ALIKE = 0.6  # and below which a catalogue shape is not what the picture shows
+_UNLIKE = 0.4  # gap to measured proportions above which a label is not believed
 _TRUST = 0.12  # in between, a label is believed unless a solid overlaps that much better
 
 
@@ -49,7 +51,9 @@ class Modeler:
                 category, self.seed, instance.crop, small_mask(instance, coarse), coarse,
                 instance.occluded,
             )  # fmt: skip
-            if found.iou >= _SURE:
+            if size.measured and proportion_gap(found.extent, size.extent) > _UNLIKE:
+                found = None  # a book does not stand as a box does
+            elif found.iou >= _SURE:
                 return likeness_model(found, instance, projection, size, self.texture)
         small = projection.resized(_WORKING)
         mask = small_mask(instance, small)
