@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 from scipy.optimize import linear_sum_assignment
 
 from ...catalogue import CATEGORIES, Category, category
@@ -18,6 +18,8 @@ _TABLES = 0.35  # of a table's usual size, log
 _SHIFTS = np.linspace(-0.7, 0.7, 29)
 _UNLIKE = 0.003  # likelihood of a size and shape that the category does not have
 _ANY = 0.6  # and of any, for a thing of no category
+_LIKE = 0.2  # probability from which a doubtful thing looks like a word
+_NEVER = 1e3  # cost of a pair that is none
 _RARE = 1e-4  # probability that no category falls below
 
 
@@ -93,8 +95,11 @@ def assigned(
     keys: Sequence[str],
     scores: Float[np.ndarray, "n"],
     wanted: Sequence[str],
+    doubtful: Bool[np.ndarray, "n"] | None = None,
 ) -> list[tuple[int, int]]:
     """Give each wanted word to one thing, all together as likely as possible.
+
+    ``doubtful`` things, which may be parts of others, are given only words that they look like.
 
     Returns:
         Pairs (thing, index into ``wanted``); words or things may be left over.
@@ -104,4 +109,7 @@ def assigned(
     columns = [at.get(c.key, len(keys)) if c else len(keys) for c in found]
     likely = np.maximum(names[:, columns], _RARE)
     cost = -np.log(likely) - np.log(np.clip(scores, 0.05, 1.0))[:, None]
-    return [(int(i), int(j)) for i, j in zip(*linear_sum_assignment(cost), strict=True)]
+    if doubtful is not None:
+        cost[doubtful[:, None] & (likely < _LIKE)] = _NEVER
+    pairs = zip(*linear_sum_assignment(cost), strict=True)
+    return [(int(i), int(j)) for i, j in pairs if cost[i, j] < _NEVER]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -30,6 +31,7 @@ SURE = 0.4
 
 _ASKED = 0.2  # certainty that is enough if a word asks for it
 _MOST = 64  # things of a picture
+_HIDDEN = 0.5  # share of its certainty that something within another thing counts with
 _LOOKED = 0.03  # probability from which a category's size and shape are compared
 _CUT = 0.004  # of the longer side: what comes as near to the frame goes on beyond it
 _SMALLEST = 1.5e-4  # of the picture, a thing
@@ -69,7 +71,7 @@ class Segmenter:
         measured = None
         if depth is not None and intrinsics is not None:
             measured = find_depth_plane(depth, intrinsics, table)
-        named = _named(image, things, wanted, measured)
+        named = _asked(things, sight.inner, wanted) if wanted else _named(image, things, measured)
         found = [
             Detection(label, mask_box(mask), mask, thing.score, thing.whole | mask)
             for thing, label in named
@@ -110,23 +112,43 @@ def _foot_line(mask: Bool[np.ndarray, "h w"]) -> int:
     return int(rows[-1] - (rows[-1] - rows[0]) / 6) if len(rows) else 0
 
 
-def _named(
-    image: UInt8[np.ndarray, "h w 3"],
-    things: Sequence[Thing],
-    wanted: tuple[str, ...],
-    measured: TablePlane | None,
+def _asked(
+    things: Sequence[Thing], inner: Sequence[Thing], wanted: tuple[str, ...]
 ) -> list[tuple[Thing, str]]:
-    """Return the things with their labels; of those asked for by name, no more than asked.
+    """Return the things that were asked for, with their words, no more than asked.
 
-    ``measured`` is the tabletop's plane in metres, where depth shows it.
+    What lies within another thing counts if it looks like what is asked for; the other thing's
+    mask loses it.
     """
+    every = [*things, *inner]
+    if not every:
+        return []
+    keys = load_weights().categories
+    names = np.stack([t.names for t in every]).astype(float)
+    scores = np.array([t.score for t in things] + [_HIDDEN * t.score for t in inner])
+    doubtful = np.arange(len(every)) >= len(things)
+    pairs = assigned(names, keys, scores, wanted, doubtful)
+    lost = [every[i].visible for i, _ in pairs if doubtful[i]]
+    gone = np.logical_or.reduce(lost) if lost else None
+    return [
+        (every[i] if doubtful[i] or gone is None else _without(every[i], gone), wanted[j])
+        for i, j in pairs
+    ]
+
+
+def _without(thing: Thing, gone: Bool[np.ndarray, "h w"]) -> Thing:
+    """Return a thing of which ``gone`` does not show."""
+    return dataclasses.replace(thing, visible=thing.visible & ~gone)
+
+
+def _named(
+    image: UInt8[np.ndarray, "h w 3"], things: Sequence[Thing], measured: TablePlane | None
+) -> list[tuple[Thing, str]]:
+    """Return the things with their labels; ``measured`` is the plane in metres that depth shows."""
     if not things:
         return []
     keys = load_weights().categories
     names = np.stack([t.names for t in things]).astype(float)
-    if wanted:
-        scores = np.array([t.score for t in things])
-        return [(things[i], wanted[j]) for i, j in assigned(names, keys, scores, wanted)]
     looks = looks_of(things, measured or find_tabletop(image), keys)
     labels = free_labels(weighed(names, looks, metric=measured is not None), keys)
     return [(t, label or _shape(t)) for t, label in zip(things, labels, strict=True)]

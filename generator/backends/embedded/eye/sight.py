@@ -37,6 +37,7 @@ _MOST = 200  # cells asked
 _SAME = 0.6  # overlap (IoU) at which two masks of the first look are one thing
 _PART = 0.65  # share of a find within another from which it may be a part of it
 _ALIKE = 0.7  # share of the part's certainty that the whole must have
+_INNER = 0.3  # certainty of a find within another
 _SHARED = 0.35  # share of the smaller of two finds that both claim, at which the surer one stands
 
 
@@ -59,13 +60,15 @@ class Sight:
 
     ``region``: probabilities of background, the table's upper side, the rest of the table, and
     things. ``top``: probability that the tabletop is there, things on it or not. ``latitude``:
-    each pixel's angle below the horizon, radians.
+    each pixel's angle below the horizon, radians. ``inner`` are finds within one of ``things``:
+    what is in or on it, or parts of it; only who expects something there can tell.
     """
 
     things: tuple[Thing, ...]
     region: Float[np.ndarray, "4 h w"]
     top: Float[np.ndarray, "h w"]
     latitude: Float[np.ndarray, "h w"]
+    inner: tuple[Thing, ...] = ()
 
     def shows(self, *kinds: str) -> Bool[np.ndarray, "h w"]:
         """Return the pixels that most likely show one of these ``REGIONS``."""
@@ -105,17 +108,23 @@ def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.4) -> Sight:
     with torch.inference_mode():
         maps = weights.eye(_tensor(_padded(small)))
         finds = _finds(weights.eye, maps, small.shape[:2])
-        seen = _sure(_closer(weights.eye, image, finds, factor), least)
+        seen, inner = _closer(weights.eye, image, finds, factor)
+        inner += seen
+        seen = _sure(seen, least)
+        inner = _within(inner, seen)
 
         def full(x: Tensor) -> np.ndarray:
             return _enlarged(x, small.shape[:2], (height, width))
 
         top = full(maps.top[0].sigmoid())[0]
-        names = _named(weights, image, [x.visible for x in seen], float((top > 0.5).sum()))
+        every = seen + inner
+        names = _named(weights, image, [x.visible for x in every], float((top > 0.5).sum()))
     things = tuple(
-        Thing(x.score, x.visible, x.whole, name) for x, name in zip(seen, names, strict=True)
+        Thing(x.score, x.visible, x.whole, name) for x, name in zip(every, names, strict=True)
     )
-    return Sight(things, full(maps.region[0].softmax(0)), top, full(maps.latitude[0])[0])
+    told, within = things[: len(seen)], things[len(seen) :]
+    region, latitude = full(maps.region[0].softmax(0)), full(maps.latitude[0])[0]
+    return Sight(told, region, top, latitude, within)
 
 
 def see(image: UInt8[np.ndarray, "h w 3"]) -> Sight:
@@ -153,16 +162,16 @@ def _enlarged(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.nda
     return functional.interpolate(big[None], size=size, mode="bilinear")[0].numpy()
 
 
-def _finds(eye: Eye, maps: Maps, seen: tuple[int, ...]) -> _Finds:
-    """Ask the cells that are surest to lie within things, and keep one find a thing."""
-    heat = maps.heat[:1].sigmoid()
+def _finds(eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0) -> _Finds:
+    """Ask look ``owner``'s cells that are surest to lie within things; keep one find a thing."""
+    heat = maps.heat[owner : owner + 1].sigmoid()
     peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
     peaks[..., -(-seen[0] // STRIDE) :, :] = 0
     peaks[..., -(-seen[1] // STRIDE) :] = 0
     score, place = peaks[0, 0].flatten().topk(min(_MOST, peaks.numel()))
     place = place[score > _FAINT]
     cells = torch.stack([place % heat.shape[3], place // heat.shape[3]], 1)
-    finds = _answers(eye, maps, torch.zeros(len(cells), dtype=torch.long), cells)
+    finds = _answers(eye, maps, torch.full((len(cells),), owner), cells)
     overlap, _ = _overlaps(finds.masks[:, 0] > 0.5)
     return finds[_apart(finds.score, overlap > _SAME)[:_KEPT]]
 
@@ -196,21 +205,33 @@ def _apart(score: Tensor, clash: Tensor) -> list[int]:
 
 def _closer(
     eye: Eye, image: UInt8[np.ndarray, "h w 3"], finds: _Finds, factor: float
-) -> list[_Seen]:
-    """Look at all finds again from near; where that shows nothing surer, the first look stands."""
+) -> tuple[list[_Seen], list[_Seen]]:
+    """Look at all finds again from near; where that shows nothing surer, the first look stands.
+
+    Returns also what else shows within them from near.
+    """
     if not len(finds.score):
-        return []
+        return [], []
     frames = [_frame(masks, factor) for masks in finds.masks]
     maps = eye(_tensor(*[frame.cut(image) for frame in frames]))
-    seen = []
+
+    def full(frame: Frame, score: float, masks: Tensor) -> _Seen:
+        fine = functional.interpolate(masks[None], size=(_CLOSE, _CLOSE), mode="bilinear")[0]
+        visible, whole = frame.spread(fine.numpy(), image.shape[:2])
+        return _Seen(score, visible, visible | whole)
+
+    seen, inner = [], []
     for k, frame in enumerate(frames):
         carried = [frame.carried(m, factor, STRIDE, STRIDE) for m in finds.masks[k].numpy()]
         first = torch.from_numpy(np.stack(carried))
         score, masks = _chosen(eye, maps, k, float(finds.score[k]), first)
-        fine = functional.interpolate(masks[None], size=(_CLOSE, _CLOSE), mode="bilinear")[0]
-        visible, whole = frame.spread(fine.numpy(), image.shape[:2])
-        seen.append(_Seen(score, visible, visible | whole))
-    return seen
+        seen.append(full(frame, score, masks))
+        others = _finds(eye, maps, (_CLOSE, _CLOSE), k)
+        drawn = others.masks[:, 0] > 0.5
+        held = (drawn & (first[0] > 0.5)).sum((1, 2)) / drawn.sum((1, 2)).clamp(min=1)
+        wanted = ((others.score > _INNER) & (held > _PART)).nonzero()[:, 0].tolist()
+        inner += [full(frame, float(others.score[j]), others.masks[j]) for j in wanted]
+    return seen, inner
 
 
 def _frame(masks: Tensor, factor: float) -> Frame:
@@ -254,6 +275,25 @@ def _sure(seen: list[_Seen], least: float) -> list[_Seen]:
         taken |= visible
         found.append(_Seen(seen[k].score, visible, seen[k].whole))
     return found
+
+
+def _within(found: list[_Seen], told: list[_Seen]) -> list[_Seen]:
+    """Return the finds that lie within one that is told, surest first and apart from each other."""
+    kept: list[_Seen] = []
+    for x in sorted(found, key=lambda x: -x.score):
+        area = int(x.visible.sum())
+        if x.score < _INNER or not area:
+            continue
+        held = any(
+            (x.visible & t.visible).sum() > _PART * area and area < _PART * t.visible.sum()
+            for t in told
+        )
+        shared = (
+            (x.visible & o.visible).sum() / max(min(area, int(o.visible.sum())), 1) for o in kept
+        )
+        if held and all(share < _SHARED for share in shared):
+            kept.append(x)
+    return kept
 
 
 def _wholes_first(score: Tensor, within: Tensor, clash: Tensor) -> Tensor:
