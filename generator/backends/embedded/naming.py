@@ -18,7 +18,7 @@ _TABLES = 0.35  # of a table's usual size, log
 _SHIFTS = np.linspace(-0.7, 0.7, 29)
 _UNLIKE = 0.003  # likelihood of a size and shape that the category does not have
 _ANY = 0.6  # and of any, for a thing of no category
-_LIKE = 0.05  # probability from which a doubtful thing looks like a word
+_LIKE = 0.03  # probability from which a doubtful thing looks like a word
 _NEVER = 1e3  # cost of a pair that is none
 _RARE = 1e-4  # probability that no category falls below
 

@@ -29,7 +29,7 @@ GENERIC = "object"
 SURE = 0.4
 """Certainty from which a thing is told without having been asked for."""
 
-_ASKED = 0.2  # certainty that is enough if a word asks for it
+_ASKED = 0.15  # certainty that is enough if a word asks for it
 _MOST = 64  # things of a picture
 _HIDDEN = 0.5  # share of its certainty that something within another thing counts with
 _LOOKED = 0.03  # probability from which a category's size and shape are compared

@@ -37,7 +37,7 @@ _MOST = 200  # cells asked
 _SAME = 0.6  # overlap (IoU) at which two masks of the first look are one thing
 _PART = 0.65  # share of a find within another from which it may be a part of it
 _ALIKE = 0.7  # share of the part's certainty that the whole must have
-_INNER = 0.15  # certainty of a find within another
+_INNER = 0.08  # certainty of a find within another
 _SHARED = 0.35  # share of the smaller of two finds that both claim, at which the surer one stands
 
 
