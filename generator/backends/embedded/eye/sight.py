@@ -267,13 +267,14 @@ def _sure(seen: list[_Seen], least: float) -> list[_Seen]:
     score = torch.tensor([x.score if x.score >= least else 0.0 for x in seen])
     _, within = _overlaps(torch.from_numpy(np.stack([x.visible for x in seen])))
     shared = torch.maximum(within, within.T)
-    kept = _apart(_wholes_first(score, within, shared > _SHARED), shared > _SHARED)
+    score = _wholes_first(score, within, shared > _SHARED)
+    kept = _apart(score, shared > _SHARED)
     taken = np.zeros_like(seen[0].visible)
     found = []
     for k in kept:
         visible = seen[k].visible & ~taken
         taken |= visible
-        found.append(_Seen(seen[k].score, visible, seen[k].whole))
+        found.append(_Seen(float(score[k]), visible, seen[k].whole))
     return found
 
 
@@ -297,7 +298,7 @@ def _within(found: list[_Seen], told: list[_Seen]) -> list[_Seen]:
 
 
 def _wholes_first(score: Tensor, within: Tensor, clash: Tensor) -> Tensor:
-    """Return scores (n) by which a thing comes before its part, if both are about as sure.
+    """Return scores (n) that make a thing as sure as its part, if it is about as sure itself.
 
     ``within`` (n, n) is the share of each find that others cover. Surer finds that stand apart from
     each other within a third are two things, not parts of one.
