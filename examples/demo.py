@@ -9,9 +9,8 @@ import argparse
 import time
 from pathlib import Path
 
-import gymnasium as gym
 import numpy as np
-from expert import film_strip, play
+from expert import film_strip, play_until_solved
 from PIL import Image
 
 from generator.errors import TabletopError
@@ -40,21 +39,11 @@ def build(name: str, source: str | Path, out: Path) -> tuple[Generation, Path, f
 
 def move_something(bundle: Path, strip: Path) -> str:
     """Let the expert try a few targets on one bundle; return a line for the report."""
-    env = gym.make(
-        "tabletopgen_env:TabletopGen/PickPlace-v0",
-        scenes=str(bundle),
-        render_mode="rgb_array",
-        render_size=(240, 320),
-    )
-    try:
-        for seed in range(TRIES):
-            success, instruction, frames = play(env, seed)
-            Image.fromarray(film_strip(frames)).save(strip)
-            if success:
-                return f'the Panda did "{instruction}" in {(len(frames) - 1) / 20:.1f} s'
-        return f"the Panda did not succeed in {TRIES} tries"
-    finally:
-        env.close()
+    success, instruction, frames = play_until_solved(str(bundle), TRIES)
+    Image.fromarray(film_strip(frames)).save(strip)
+    if success:
+        return f'the Panda did "{instruction}" in {(len(frames) - 1) / 20:.1f} s'
+    return f"the Panda did not succeed in {TRIES} tries"
 
 
 def main() -> None:

@@ -31,6 +31,26 @@ def play(env: gym.Env, seed: int, **options: Any) -> tuple[bool, str, list[Any]]
     return bool(info["success"]), info["instruction"], frames
 
 
+def play_until_solved(
+    scenes: str, tries: int, size: tuple[int, int] = (240, 320)
+) -> tuple[bool, str, list[Any]]:
+    """Run episodes until the expert solves one, at most ``tries``; return the last as ``play``."""
+    env = gym.make(
+        "tabletopgen_env:TabletopGen/PickPlace-v0",
+        scenes=scenes,
+        render_mode="rgb_array",
+        render_size=size,
+    )
+    try:
+        for seed in range(tries):
+            success, instruction, frames = play(env, seed)
+            if success:
+                break
+        return success, instruction, frames
+    finally:
+        env.close()
+
+
 def film_strip(frames: list[np.ndarray], count: int = 6) -> np.ndarray:
     """Lay ``count`` evenly spaced frames side by side."""
     picks = np.linspace(0, len(frames) - 1, count).round().astype(int)

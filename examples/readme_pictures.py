@@ -9,9 +9,9 @@ import argparse
 from pathlib import Path
 
 import cv2
-import gymnasium as gym
 import numpy as np
-from expert import film_strip, play
+from demo import TEXT
+from expert import film_strip, play_until_solved
 from PIL import Image
 
 from assets_cache import store
@@ -19,7 +19,6 @@ from generator.figures import preview
 from generator.pipeline import generate
 from generator.render.sheet import grid
 
-TEXT = "a craft desk with a toy car, a red mug, two paint bottles, a bowl and an orange"
 WIDTH = 1260
 TRIES = 8
 
@@ -28,29 +27,20 @@ def across(images: list[np.ndarray], width: int = WIDTH) -> np.ndarray:
     """Lay pictures side by side at one height, ``width`` pixels in all."""
     shares = np.array([image.shape[1] / image.shape[0] for image in images])
     height = round(width / float(shares.sum()))
+    ends = np.round(np.cumsum(shares) / shares.sum() * width).astype(int)
     cells = [
-        cv2.resize(image, (round(height * share), height), interpolation=cv2.INTER_AREA)
-        for image, share in zip(images, shares, strict=True)
+        cv2.resize(image, (int(side), height), interpolation=cv2.INTER_AREA)
+        for image, side in zip(images, np.diff(ends, prepend=0), strict=True)
     ]
     return np.concatenate(cells, axis=1)
 
 
 def at_work(scenes: str, size: tuple[int, int]) -> list[np.ndarray]:
     """Return pictures of the first episode that the expert solves."""
-    env = gym.make(
-        "tabletopgen_env:TabletopGen/PickPlace-v0",
-        scenes=scenes,
-        render_mode="rgb_array",
-        render_size=size,
-    )
-    try:
-        for seed in range(TRIES):
-            success, _, frames = play(env, seed)
-            if success:
-                return frames
+    success, _, frames = play_until_solved(scenes, TRIES, size)
+    if not success:
         raise SystemExit(f"The expert solved none of {TRIES} episodes on {scenes}.")
-    finally:
-        env.close()
+    return frames
 
 
 def main() -> None:
