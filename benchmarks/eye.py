@@ -154,6 +154,7 @@ def main() -> None:
     text += "".join(f"| {name} | {value} |\n" for name, value in rows)
     print(text)
     if args.out:
+        args.out.mkdir(parents=True, exist_ok=True)
         (args.out / "eye.md").write_text(text)
 
 

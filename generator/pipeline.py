@@ -23,7 +23,7 @@ from .scene import (
 )
 from .stages.alignment import Alignment, AlignmentConfig, align
 from .stages.assembly import AssemblyConfig, assemble
-from .stages.extraction import extract
+from .stages.extraction import ExtractionConfig, extract
 from .stages.modeling import make_models
 from .stages.reference import (
     DepthSource,
@@ -49,6 +49,7 @@ class Config:
     """Settings of every stage; the defaults are the paper's unless a stage says otherwise."""
 
     reference: ReferenceConfig = field(default_factory=ReferenceConfig)
+    extraction: ExtractionConfig = field(default_factory=ExtractionConfig)
     rotation: RotationConfig = field(default_factory=RotationConfig)
     alignment: AlignmentConfig = field(default_factory=AlignmentConfig)
     assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
@@ -127,7 +128,9 @@ def generate(
     )
 
     step()  # Sec. 3.1: list, detect, segment, complete
-    instances = extract(reference, b.reasoner, b.segmenter, b.imager)
+    reference, instances = extract(
+        reference, b.reasoner, b.segmenter, b.imager, seed, config.extraction
+    )
 
     step()  # Sec. 3.3: the camera's azimuth and elevation; Fig. 22: commonsense sizes
     view = b.reasoner.estimate_view(reference, _table(instances))
@@ -147,15 +150,14 @@ def generate(
         b.imager, b.segmenter, b.reasoner, config.alignment,
     )  # fmt: skip
 
+    warnings = _hidden(reference, instances) + alignment.warnings
     step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
     scene = assemble(
         {key: model for key, model in models.items() if key != TABLE},
         alignment.placements,
         models[TABLE],
         alignment.table_scale,
-        provenance=_provenance(
-            source, depth, intrinsics, reference, b, config, seed, alignment.warnings
-        ),
+        provenance=_provenance(source, depth, intrinsics, reference, b, config, seed, warnings),
         name=name or scene_name(reference.prompt),
         config=config.assembly,
         view=view,
@@ -169,6 +171,15 @@ def _table(instances: tuple[Instance, ...]) -> Instance:
         if instance.name == TABLE:
             return instance
     raise InputError("No table was found in the picture. Show the whole tabletop.")
+
+
+def _hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple[str, ...]:
+    """Return a warning if fewer things were found than planned."""
+    planned = len(reference.plan.objects) if reference.plan else 0
+    found = len(instances) - 1
+    if found >= planned:
+        return ()
+    return (f"Found {found} of the {planned} things asked for in the picture drawn of them.",)
 
 
 def _stepper(progress: Progress | None) -> Callable[[], None]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -21,38 +22,86 @@ SPECK = 1e-4
 GAP = 0.02
 """A hole below this share of its region is filled; larger ones (a handle) are real."""
 
+_APART = 1_000_003  # between the seeds of two drawings
+
+
+@dataclass(frozen=True)
+class ExtractionConfig:
+    """``drawings``: how often a plan is drawn at most, until all that it asks for shows."""
+
+    drawings: int = 3
+
 
 def extract(
-    reference: Reference, reasoner: Reasoner, segmenter: Segmenter, imager: Imager
-) -> tuple[Instance, ...]:
+    reference: Reference,
+    reasoner: Reasoner,
+    segmenter: Segmenter,
+    imager: Imager,
+    seed: int = 0,
+    config: ExtractionConfig | None = None,
+) -> tuple[Reference, tuple[Instance, ...]]:
     """Return the table, named "table", and then every thing on it, named ``<label>_<k>``.
+
+    Image models forget or hide some of what a plan asks for. If fewer things are found than
+    planned, the plan is drawn again with another seed; the drawing that shows most stays. The
+    reference returned is that drawing's; a picture's own is never changed.
 
     Raises:
         SceneError: no table in the picture, or nothing stands on it.
     """
+    plan = reference.plan
+    best, found = reference, _found(reference, reasoner, segmenter)
+    for k in range(1, (config or ExtractionConfig()).drawings):
+        if plan is None or len(found.things) >= len(plan.objects):
+            break
+        drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
+        again = _found(drawn, reasoner, segmenter)
+        if len(again.things) > len(found.things):
+            best, found = drawn, again
+    return best, _completed(best, found.checked(), imager)
+
+
+@dataclass(frozen=True, eq=False)
+class _Found:
+    """What a segmenter found, cleaned: tables and things."""
+
+    tables: tuple[Detection, ...]
+    things: tuple[Detection, ...]
+
+    def checked(self) -> tuple[Detection, ...]:
+        """Return the largest table and the things, or say what is missing."""
+        if not self.tables:
+            raise SceneError(
+                "No table found in the picture. Show the whole tabletop on a plain, light ground."
+            )
+        if not self.things:
+            raise SceneError(
+                "Nothing found on the table. Use a picture with at least one thing that differs in "
+                "colour from the tabletop."
+            )
+        return max(self.tables, key=lambda d: int(d.mask.sum())), *self.things
+
+
+def _found(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _Found:
     labels = tuple(reasoner.list_objects(reference))
     if TABLE not in labels:
         labels = (TABLE, *labels)
     image = np.asarray(reference.image)
     found = segmenter.segment(image, labels, reference.depth, reference.intrinsics)
     kept = tuple(c for d in found if (c := clean(d)) is not None)
-    tables = [d for d in kept if d.label == TABLE]
-    things = [d for d in kept if d.label != TABLE]
-    if not tables:
-        raise SceneError(
-            "No table found in the picture. Show the whole tabletop on a plain, light ground."
-        )
-    if not things:
-        raise SceneError(
-            "Nothing found on the table. Use a picture with at least one thing that differs in "
-            "colour from the tabletop."
-        )
-    table = max(tables, key=lambda d: int(d.mask.sum()))
-    ordered = [table, *things]
-    names = [TABLE, *unique_names([d.label for d in things])]
+    return _Found(
+        tuple(d for d in kept if d.label == TABLE), tuple(d for d in kept if d.label != TABLE)
+    )
+
+
+def _completed(
+    reference: Reference, found: tuple[Detection, ...], imager: Imager
+) -> tuple[Instance, ...]:
+    """Return what was found (the table first), each cut out, whole, with a name of its own."""
+    names = [TABLE, *unique_names([d.label for d in found[1:]])]
     instances = []
-    for name, detection in zip(names, ordered, strict=True):
-        others = tuple(d for d in ordered if d is not detection)
+    for name, detection in zip(names, found, strict=True):
+        others = tuple(d for d in found if d is not detection)
         completed = imager.complete(reference, detection, others)
         instances.append(dataclasses.replace(completed, name=name))
     return tuple(instances)

@@ -6,6 +6,7 @@ python -m generator.training.export --run DIR/run --data DIR/tuning
 from __future__ import annotations
 
 import argparse
+import json
 from pathlib import Path
 
 import numpy as np
@@ -88,7 +89,8 @@ def main() -> None:
     args = parser.parse_args()
     eye, categories, steps, seconds = averaged(args.run)
     temperature = calibrated(eye, args.data, args.batches, args.seed)
-    save_weights(PATH, eye.state_dict(), categories, temperature)
+    notes = {"categories": json.dumps(list(categories)), "temperature": f"{temperature:.4f}"}
+    save_weights(PATH, eye.state_dict(), notes)
     PATH.with_name("CARD.md").write_text(card(args.run, eye, categories, temperature))
     print(f"{PATH.name}: {steps} steps, {seconds / 60:.0f} min, temperature {temperature:.2f}")
 

@@ -92,7 +92,8 @@ def test_weights_go_to_disk_and_back(tmp_path):
     torch.manual_seed(0)
     eye = Eye(3)
     path = tmp_path / "eye.safetensors"
-    weights.save_weights(path, eye.state_dict(), ("mug", "bowl"), 1.5)
+    notes = {"categories": '["mug", "bowl"]', "temperature": "1.5"}
+    weights.save_weights(path, eye.state_dict(), notes)
     found = weights.load_weights(path)
     assert found.categories == ("mug", "bowl") and found.temperature == 1.5
     torch.testing.assert_close(found.eye.box.weight, eye.box.weight, rtol=1e-3, atol=1e-4)
@@ -104,5 +105,13 @@ def test_missing_and_damaged_weights_say_how_to_restore_them(tmp_path):
         weights.load_weights(tmp_path / "gone.safetensors")
     damaged = tmp_path / "damaged.safetensors"
     damaged.write_bytes(b"\x10\0\0\0\0\0\0\0garbage")
-    with pytest.raises(BackendError, match="cannot be used"):
-        weights.load_weights(damaged)
+    for load in (weights.load_weights, weights.load_judge):
+        with pytest.raises(BackendError, match="cannot be used"):
+            load(damaged)
+    with pytest.raises(BackendError, match=r"generator\.training\.judging"):
+        weights.load_judge(tmp_path / "gone.safetensors")
+    other = tmp_path / "other.safetensors"
+    weights.save_weights(other, {"heat": torch.zeros(2)}, {})
+    for load in (weights.load_weights, weights.load_judge):
+        with pytest.raises(BackendError, match="cannot be used"):
+            load(other)

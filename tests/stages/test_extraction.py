@@ -9,8 +9,21 @@ import pytest
 
 from generator.errors import SceneError
 from generator.geometry import mask_box
-from generator.scene import Detection, Instance, Reference
-from generator.stages.extraction import clean, extract, fill_holes, unique_names
+from generator.scene import (
+    Detection,
+    Instance,
+    PlannedObject,
+    PlannedTable,
+    Reference,
+    ScenePlan,
+)
+from generator.stages.extraction import (
+    ExtractionConfig,
+    clean,
+    extract,
+    fill_holes,
+    unique_names,
+)
 
 IMAGE = np.full((100, 120, 3), 255, np.uint8)
 
@@ -46,7 +59,7 @@ class Answers:
 
 def run(*found: Detection) -> tuple[tuple[Instance, ...], Answers]:
     answers: Any = Answers(*found)
-    return extract(Reference(IMAGE), answers, answers, answers), answers
+    return extract(Reference(IMAGE), answers, answers, answers)[1], answers
 
 
 def test_table_comes_first_and_names_are_unique_and_file_safe():
@@ -93,3 +106,52 @@ def test_names_of_odd_labels():
         "a_b_1",
         "a_b_2",
     ]
+
+
+class Painter(Answers):
+    """An imager that shows as many mugs as ``shown`` says, drawing after drawing."""
+
+    def __init__(self, *shown: int) -> None:
+        super().__init__()
+        self.shown = shown
+        self.seeds: list[int] = []
+
+    def draw(self, plan: ScenePlan, seed: int) -> np.ndarray:
+        self.seeds.append(seed)
+        return np.full_like(IMAGE, len(self.seeds))
+
+    def segment(
+        self, image: np.ndarray, labels: tuple[str, ...], *measured: object
+    ) -> tuple[Detection, ...]:
+        count = self.shown[int(image[0, 0, 0])]
+        mugs = [detection("mug", 10 + 20 * k, 10, 20 + 20 * k, 20) for k in range(count)]
+        return detection("table", 0, 30, 120, 80), *mugs
+
+
+def drawn(config: ExtractionConfig, *shown: int) -> tuple[Reference, int, list[int]]:
+    """Return the reference chosen for a plan of two mugs, the things found, the seeds drawn."""
+    painter: Any = Painter(*shown)
+    mugs = tuple(PlannedObject(f"mug_{k}", "mug", "mug") for k in (1, 2))
+    plan = ScenePlan("two mugs", PlannedTable(), mugs)
+    first = Reference(np.zeros_like(IMAGE), "two mugs", plan)
+    chosen, instances = extract(first, painter, painter, painter, 7, config)
+    return chosen, len(instances) - 1, painter.seeds
+
+
+def test_a_drawing_that_shows_all_is_not_drawn_again():
+    chosen, count, seeds = drawn(ExtractionConfig(), 2, 2, 2)
+    assert (int(chosen.image[0, 0, 0]), count, seeds) == (0, 2, [])
+
+
+def test_a_drawing_that_hides_something_is_drawn_again_until_all_shows():
+    chosen, count, seeds = drawn(ExtractionConfig(), 1, 2, 2)
+    assert (int(chosen.image[0, 0, 0]), count, len(seeds)) == (1, 2, 1)
+    assert chosen.prompt == "two mugs" and chosen.plan is not None
+
+
+def test_the_drawing_that_shows_most_stays_and_drawings_are_limited():
+    chosen, count, seeds = drawn(ExtractionConfig(drawings=3), 0, 1, 1)
+    assert (int(chosen.image[0, 0, 0]), count) == (1, 1)
+    assert len(set(seeds)) == len(seeds) == 2 and 7 not in seeds
+    with pytest.raises(SceneError, match="Nothing found"):
+        drawn(ExtractionConfig(drawings=1), 0, 1)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -26,12 +25,11 @@ from .tabletop import find_tabletop
 GENERIC = "object"
 """The label that asks for anything on the table."""
 
-SURE = 0.4
+SURE = 0.5
 """Certainty from which a thing is told without having been asked for."""
 
 _ASKED = 0.15  # certainty that is enough if a word asks for it
 _MOST = 64  # things of a picture
-_HIDDEN = 0.5  # share of its certainty that something within another thing counts with
 _LOOKED = 0.03  # probability from which a category's size and shape are compared
 _CUT = 0.004  # of the longer side: what comes as near to the frame goes on beyond it
 _SMALLEST = 1.5e-4  # of the picture, a thing
@@ -71,7 +69,7 @@ class Segmenter:
         measured = None
         if depth is not None and intrinsics is not None:
             measured = find_depth_plane(depth, intrinsics, table)
-        named = _asked(things, sight.inner, wanted) if wanted else _named(image, things, measured)
+        named = _asked(things, wanted) if wanted else _named(image, things, measured)
         found = [
             Detection(label, mask_box(mask), mask, thing.score, thing.whole | mask)
             for thing, label in named
@@ -112,33 +110,17 @@ def _foot_line(mask: Bool[np.ndarray, "h w"]) -> int:
     return int(rows[-1] - (rows[-1] - rows[0]) / 6) if len(rows) else 0
 
 
-def _asked(
-    things: Sequence[Thing], inner: Sequence[Thing], wanted: tuple[str, ...]
-) -> list[tuple[Thing, str]]:
+def _asked(things: Sequence[Thing], wanted: tuple[str, ...]) -> list[tuple[Thing, str]]:
     """Return the things that were asked for, with their words, no more than asked.
 
-    What lies within another thing counts if it looks like what is asked for; the other thing's
-    mask loses it.
+    What the eye doubts must look like its word.
     """
-    every = [*things, *inner]
-    if not every:
+    if not things:
         return []
-    keys = load_weights().categories
-    names = np.stack([t.names for t in every]).astype(float)
-    scores = np.array([t.score for t in things] + [_HIDDEN * t.score for t in inner])
-    doubtful = np.arange(len(every)) >= len(things)
-    pairs = assigned(names, keys, scores, wanted, doubtful)
-    lost = [every[i].visible for i, _ in pairs if doubtful[i]]
-    gone = np.logical_or.reduce(lost) if lost else None
-    return [
-        (every[i] if doubtful[i] or gone is None else _without(every[i], gone), wanted[j])
-        for i, j in pairs
-    ]
-
-
-def _without(thing: Thing, gone: Bool[np.ndarray, "h w"]) -> Thing:
-    """Return a thing of which ``gone`` does not show."""
-    return dataclasses.replace(thing, visible=thing.visible & ~gone)
+    names = np.stack([t.names for t in things]).astype(float)
+    scores = np.array([t.score for t in things])
+    pairs = assigned(names, load_weights().categories, scores, wanted, scores < SURE)
+    return [(things[i], wanted[j]) for i, j in pairs]
 
 
 def _named(

@@ -8,17 +8,22 @@ from functools import cache
 from pathlib import Path
 
 import torch
+from torch import nn
 
 from ....errors import BackendError
+from .judge import Judge
 from .network import Eye
 
 PATH = Path(__file__).with_name("eye.safetensors")
 """The weights the package ships, half precision, with categories and temperature beside them."""
 
+JUDGE_PATH = Path(__file__).with_name("judge.safetensors")
+"""The weights of the judge of what the eye finds, half precision."""
+
 _RESTORE = (
     "Install the package again, restore the file from the repository "
     "(git checkout -- generator/backends/embedded/eye), or train it: "
-    "python -m generator.training.train --help"
+    "python -m generator.training.{} --help"
 )
 
 
@@ -36,33 +41,41 @@ class Weights:
 
 @cache
 def load_weights(path: Path = PATH) -> Weights:
-    """Read the weights; the last read stay loaded.
+    """Read the eye's weights; the last read stay loaded.
 
     Raises:
         BackendError: the file is missing, damaged or of another network.
     """
-    from safetensors import SafetensorError, safe_open
-
-    if not path.is_file():
-        raise BackendError(f"The eye's weights {path.name!r} are missing. {_RESTORE}")
+    restore = _RESTORE.format("train")
+    state, notes = _read(path, restore)
     try:
-        with safe_open(path, framework="pt") as file:
-            notes = file.metadata() or {}
-            categories = tuple(json.loads(notes["categories"]))
-            state = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
+        categories, temperature = tuple(json.loads(notes["categories"])), notes["temperature"]
         eye = Eye(len(categories) + 1)
-        eye.load_state_dict({k: v.to(eye.state_dict()[k].dtype) for k, v in state.items()})
-    except (SafetensorError, KeyError, ValueError, RuntimeError, OSError) as error:
-        message = f"The eye's weights {path.name!r} cannot be used ({error}). {_RESTORE}"
-        raise BackendError(message) from error
-    eye.eval().requires_grad_(False)
-    eye.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
-    return Weights(eye, categories, float(notes["temperature"]))
+        _fill(eye, state)
+        eye.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
+        return Weights(eye, categories, float(temperature))
+    except (KeyError, ValueError, RuntimeError) as error:
+        raise _useless(path, error, restore) from error
 
 
-def save_weights(
-    path: Path, state: dict[str, torch.Tensor], categories: tuple[str, ...], temperature: float
-) -> None:
+@cache
+def load_judge(path: Path = JUDGE_PATH) -> Judge:
+    """Read the judge's weights; the last read stay loaded.
+
+    Raises:
+        BackendError: the file is missing, damaged or of another network.
+    """
+    restore = _RESTORE.format("judging")
+    state, _ = _read(path, restore)
+    judge = Judge()
+    try:
+        _fill(judge, state)
+    except (KeyError, RuntimeError) as error:
+        raise _useless(path, error, restore) from error
+    return judge
+
+
+def save_weights(path: Path, state: dict[str, torch.Tensor], notes: dict[str, str]) -> None:
     """Write weights in half precision; an interrupted write leaves the old file."""
     from safetensors.torch import save_file
 
@@ -70,8 +83,30 @@ def save_weights(
         k: (v.half() if v.is_floating_point() else v).detach().cpu().contiguous()
         for k, v in state.items()
     }
-    notes = {"categories": json.dumps(list(categories)), "temperature": f"{temperature:.4f}"}
     partial = path.with_suffix(".partial")
     save_file(small, partial, metadata=notes)
     partial.chmod(0o644)
     partial.replace(path)
+
+
+def _read(path: Path, restore: str) -> tuple[dict[str, torch.Tensor], dict[str, str]]:
+    from safetensors import SafetensorError, safe_open
+
+    if not path.is_file():
+        raise BackendError(f"The eye's weights {path.name!r} are missing. {restore}")
+    try:
+        with safe_open(path, framework="pt") as file:
+            state = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
+            return state, file.metadata() or {}
+    except (SafetensorError, ValueError, OSError) as error:
+        raise _useless(path, error, restore) from error
+
+
+def _fill(network: nn.Module, state: dict[str, torch.Tensor]) -> None:
+    own = network.state_dict()
+    network.load_state_dict({k: v.to(own[k].dtype) for k, v in state.items()})
+    network.eval().requires_grad_(False)
+
+
+def _useless(path: Path, error: Exception, restore: str) -> BackendError:
+    return BackendError(f"The eye's weights {path.name!r} cannot be used ({error}). {restore}")

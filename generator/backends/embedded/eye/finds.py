@@ -1,0 +1,78 @@
+"""Asking the network's cells what they see: which lie within things, and the things' masks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from jaxtyping import UInt8
+from torch import Tensor
+from torch.nn import functional
+
+from .network import STRIDE, Eye, Maps
+
+FAINT = 0.1
+"""Certainty below which a cell is not asked."""
+
+_KEPT = 72  # finds of a look, the surest
+_MOST = 200  # cells asked
+_SAME = 0.6  # overlap (IoU) at which two masks of a look are one thing
+
+
+@dataclass(frozen=True, eq=False)
+class Finds:
+    """Things in cells of one look, surest first: how sure, mask probabilities (n, 2, h, w)."""
+
+    score: Tensor
+    masks: Tensor
+
+    def __getitem__(self, kept: list[int]) -> Finds:
+        return Finds(self.score[kept], self.masks[kept])
+
+
+def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
+    """Return uint8 pictures of one size as a batch (b, 3, h, w) in [0, 1]."""
+    batch = torch.from_numpy(np.stack(images)).permute(0, 3, 1, 2).float() / 255
+    return batch.contiguous(memory_format=torch.channels_last)
+
+
+def ask(eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0) -> Finds:
+    """Ask look ``owner``'s cells that are surest to lie within things; keep one find a thing."""
+    heat = maps.heat[owner : owner + 1].sigmoid()
+    peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
+    peaks[..., -(-seen[0] // STRIDE) :, :] = 0
+    peaks[..., -(-seen[1] // STRIDE) :] = 0
+    score, place = peaks[0, 0].flatten().topk(min(_MOST, peaks.numel()))
+    place = place[score > FAINT]
+    cells = torch.stack([place % heat.shape[3], place // heat.shape[3]], 1)
+    finds = answers(eye, maps, torch.full((len(cells),), owner), cells)
+    overlap, _ = overlaps(finds.masks[:, 0] > 0.5)
+    return finds[apart(finds.score, overlap > _SAME)[:_KEPT]]
+
+
+def answers(eye: Eye, maps: Maps, owner: Tensor, cells: Tensor) -> Finds:
+    """Return what cells answer; sure is who lies within a thing and drew all of it."""
+    box = maps.box[owner, :, cells[:, 1], cells[:, 0]].exp()
+    masks = eye.masks(maps, owner, cells, (box[:, :2] + box[:, 2:4]).amax(1)).sigmoid()
+    heat = maps.heat[owner, 0, cells[:, 1], cells[:, 0]].sigmoid()
+    quality = eye.quality(maps, owner, cells, masks[:, 0]).sigmoid()
+    shows = (masks[:, 0] > 0.5).sum((1, 2)) > 1
+    return Finds(heat.sqrt() * quality * shows, masks)
+
+
+def overlaps(masks: Tensor) -> tuple[Tensor, Tensor]:
+    """Return, of masks (n, h, w), their overlap (IoU) and the share of each that others cover."""
+    flat = masks.flatten(1).float()
+    area = flat.sum(1).clamp(min=1)[:, None]
+    both = flat @ flat.T
+    return both / (area + area.T - both), both / area
+
+
+def apart(score: Tensor, clash: Tensor) -> list[int]:
+    """Return finds that do not clash (n, n) with a surer one, surest first."""
+    kept: list[int] = []
+    for k in score.argsort(descending=True).tolist():
+        if score[k] > 0 and not clash[k, kept].any():
+            kept.append(k)
+    return kept
