@@ -18,7 +18,7 @@ from pathlib import Path
 
 import numpy as np
 import torch
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, UInt8
 from rich.progress import track
 from torch.nn import functional
 
@@ -26,7 +26,6 @@ from ..backends.embedded.eye.judge import Judge, Panel, clues_of
 from ..backends.embedded.eye.sight import glance_at
 from ..backends.embedded.eye.weights import JUDGE_PATH, load_weights, save_weights
 from ..errors import InputError
-from .sample import Sample
 from .shards import ShardReader
 
 _RIGHT = 0.5  # overlap (IoU) with a thing from which a find shows it
@@ -67,19 +66,28 @@ class Lesson:
         return cls(**{key: np.concatenate(part) for key, part in parts.items()})
 
 
-def lesson(sample: Sample) -> Lesson:
-    """Return what one sample teaches: the eye looks at it, the sample says what is there."""
-    glance = glance_at(load_weights(), np.ascontiguousarray(sample.image))
+def lesson(
+    image: UInt8[np.ndarray, "h w 3"],
+    visible: UInt8[np.ndarray, "h w"],
+    full: Bool[np.ndarray, "n h w"],
+) -> Lesson:
+    """Return what one picture teaches: the eye looks at it, ``Sample`` says what there is to see.
+
+    Args:
+        image: sRGB.
+        visible: which thing each pixel shows, from 1; 0 none.
+        full: each thing's whole mask.
+    """
+    glance = glance_at(load_weights(), np.ascontiguousarray(image))
     clues = clues_of(glance.finds, glance.region)
-    count = len(sample.full)
-    area = np.bincount(sample.visible.ravel(), minlength=count + 1)[1:]
-    shows = (area >= _PIXELS) & (area >= _SHARE * np.maximum(sample.full.sum((1, 2)), 1))
-    overlap = np.zeros((len(glance.finds), count + 1))
+    count = len(full)
+    area = np.bincount(visible.ravel(), minlength=count + 1)[1:]
+    shows = (area >= _PIXELS) & (area >= _SHARE * np.maximum(full.sum((1, 2)), 1))
+    overlap = np.zeros((len(glance.finds), count + 1))  # the first column: no thing
     for row, find in zip(overlap, glance.finds, strict=True):
-        shared = np.bincount(sample.visible[find.visible], minlength=count + 1)[1:]
+        shared = np.bincount(visible[find.visible], minlength=count + 1)[1:]
         row[1:] = shared / (area + find.visible.sum() - shared)
-    thing = overlap.argmax(1) if len(overlap) else np.zeros(0, int)
-    right = overlap.max(1, initial=0) >= _RIGHT
+    thing, right = overlap.argmax(1), overlap.max(1) >= _RIGHT
     counts = ~right | np.append(True, shows)[thing]
     i, j = clues.pairs.T
     apart = right[i] & right[j] & (thing[i] != thing[j])
@@ -93,7 +101,7 @@ def taught(path: Path, work: Path) -> Path:
         torch.set_num_threads(1)
         reader = ShardReader(path)
         samples = (reader.read(k, depth=False) for k in range(len(reader)))
-        Lesson.joined([lesson(sample) for sample in samples]).save(target)
+        Lesson.joined([lesson(s.image, s.visible, s.full) for s in samples]).save(target)
     return target
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import torch
+from painted import paint
 
 from generator.backends.embedded.eye.judge import ALONE, BOTH, Clues, Find, Judge, clues_of
-from generator.training.judging import Lesson, learned
+from generator.training.judging import Lesson, learned, lesson
 
 REGION = np.full((4, 40, 60), 0.25)
 
@@ -76,3 +77,14 @@ def test_a_lesson_is_learned_and_kept(tmp_path):
         apart = judge.both(torch.from_numpy(both)).mean(0).numpy() > 0
     assert (sure == (alone[:, 0] > 0)).mean() > 0.95
     assert (apart == told.apart).mean() > 0.9
+
+
+def test_a_picture_teaches_which_finds_show_a_thing():
+    painted = paint("rectangle", "oak", [("mug", -0.25, 0.0, 0.0), ("book", 0.25, 0.0, 0.0)])
+    visible = np.clip(painted.ids, 0, None).astype(np.uint8)
+    full = np.stack([visible == 1, visible == 2])
+    told = lesson(painted.image, visible, full)
+    assert told.right.sum() >= 2 and told.counts.all()
+    assert not lesson(painted.image, np.zeros_like(visible), full[:0]).right.any()
+    hidden = np.stack([np.ones_like(visible, bool), visible == 2])  # hardly any of it shows
+    assert not lesson(painted.image, visible, hidden).counts.all()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float
@@ -70,10 +72,13 @@ def whole_box(instance: Instance) -> Float[np.ndarray, "4"]:
     return np.concatenate([np.minimum(box[:2], own[:2]), np.maximum(box[2:], own[2:])])
 
 
+@lru_cache(maxsize=256)
 def usual_solid(key: str) -> Float[np.ndarray, "n 3"]:
-    """Return the outer points of a category's usual thing, metres, standing on z = 0."""
+    """Return the outer points of a category's usual thing, metres, standing on z = 0; read-only."""
     points = hull_points(build(key, 0).mesh.vertices.astype(float))
-    return (points + np.array([0.0, 0.0, 0.5])) * CATEGORIES[key].size
+    solid = (points + np.array([0.0, 0.0, 0.5])) * CATEGORIES[key].size
+    solid.flags.writeable = False
+    return solid
 
 
 def apparent_scale(

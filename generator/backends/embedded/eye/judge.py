@@ -113,86 +113,130 @@ class Judge(nn.Module):
 
 def clues_of(finds: Sequence[Find], region: Float[np.ndarray, "r h w"]) -> Clues:
     """Return what is known of the finds of one picture; ``region`` as in ``Sight``."""
-    count, step = len(finds), -(-max(region.shape[1:]) // _COARSE)
-    if not count:
-        return Clues(
-            np.zeros((0, ALONE), np.float32),
-            np.zeros((0, 2), int),
-            np.zeros((0, BOTH), np.float32),
-        )
-    near = np.s_[:, ::step, ::step]
-    visible = np.stack([f.visible for f in finds])[near].reshape(count, -1).astype(np.float32)
-    whole = np.stack([f.whole for f in finds])[near].reshape(count, -1).astype(np.float32)
-    below = region[near].reshape(len(region), -1)
-    area = np.maximum(visible.sum(1), 1)
-    shared = visible @ visible.T
-    within = shared / area[:, None]  # of the row's find, how much the column's covers
-    behind = whole @ visible.T / area[None]  # of the column's find, what the row's whole covers
-    overlap = shared / (area[:, None] + area[None] - shared)
-    for matrix in (within, behind, overlap):
-        np.fill_diagonal(matrix, 0)
-    names = np.stack([f.names for f in finds])
-    score = np.array([f.score for f in finds])
-    larger = area[None] > area[:, None]
-    surest = names[:, :-1].max(1)
-
-    def most(shares: Float[np.ndarray, "n n"]) -> list[Float[np.ndarray, "n"]]:
-        """Return each find's largest share, and how sure and how well named that other find is."""
-        other, share = shares.argmax(1), shares.max(1)
-        touches = share > _TOUCH / 2
-        return [share, np.where(touches, score[other], 0), np.where(touches, surest[other], 0)]
-
-    holder, held = most(within * larger), most(within.T * ~larger)
-    rival, hidden = most(overlap), most(behind * ~larger)
-    wide, tall = _sides([f.visible for f in finds])
-    alone = np.stack(
+    if not finds:
+        nothing = np.zeros((0, ALONE), np.float32), np.zeros((0, BOTH), np.float32)
+        return Clues(nothing[0], np.zeros((0, 2), int), nothing[1])
+    step = -(-max(region.shape[1:]) // _COARSE)
+    shares = _Shares.of(finds, step)
+    scores, names = np.array([f.score for f in finds]), np.stack([f.names for f in finds])
+    below = region[:, ::step, ::step].reshape(len(region), -1)
+    alone = np.column_stack(
         [
-            _logit(score),
+            _logit(scores),
             _logit(np.array([f.first for f in finds])),
-            surest,
+            names[:, :-1].max(1),
             names[:, -1],
             -(names * np.log(names + 1e-9)).sum(1) / 3,
-            np.log(area / below.shape[1]) / 3,
-            np.log(wide / tall),
-            area * step**2 / (wide * tall),
-            [_cut(f.visible) for f in finds],
-            np.log(np.maximum(whole.sum(1), 1) / area),
-            *(below @ visible.T / area),
-            *holder,
-            *held,
-            *rival,
-            *hidden,
-            (within > 0.5).sum(1) / 3,
-            ((within.T > 0.5) & (score > _SURE)).sum(1) / 3,
-            score.argsort().argsort() / count,
-            np.full(count, count / 20),
-        ],
-        axis=1,
+            _shape(finds, shares, step),
+            (below @ shares.visible.T / shares.area).T,
+            _company(shares, scores, names),
+        ]
     ).astype(np.float32)
-    first, second = np.nonzero(np.triu(np.maximum(within, within.T) > _TOUCH, 1))
-    swap = area[first] < area[second]
-    i, j = np.where(swap, second, first), np.where(swap, first, second)
+    pairs = shares.pairs()
+    return Clues(alone, pairs, _together(alone, pairs, shares, names))
+
+
+@dataclass(frozen=True, eq=False)
+class _Shares:
+    """How n finds overlap each other; the diagonals are 0, so that none overlaps itself.
+
+    ``visible`` are the masks (pixels at which they are compared), ``area`` and ``reach`` the pixels
+    of the visible and the whole masks. ``within`` is how much of the row's find the column's
+    covers, ``behind`` how much of the column's find the row's whole mask covers, ``overlap`` the
+    IoU.
+    """
+
+    visible: Float[np.ndarray, "n p"]
+    area: Float[np.ndarray, "n"]
+    reach: Float[np.ndarray, "n"]
+    within: Float[np.ndarray, "n n"]
+    behind: Float[np.ndarray, "n n"]
+    overlap: Float[np.ndarray, "n n"]
+
+    @classmethod
+    def of(cls, finds: Sequence[Find], step: int) -> _Shares:
+        """Compare finds at every ``step``-th pixel."""
+        visible, whole = (
+            np.stack([mask[::step, ::step].ravel() for mask in masks]).astype(np.float32)
+            for masks in ([f.visible for f in finds], [f.whole for f in finds])
+        )
+        area, shared = np.maximum(visible.sum(1), 1), visible @ visible.T
+        within, behind = shared / area[:, None], whole @ visible.T / area[None]
+        overlap = shared / (area[:, None] + area[None] - shared)
+        for matrix in (within, behind, overlap):
+            np.fill_diagonal(matrix, 0)
+        return cls(visible, area, np.maximum(whole.sum(1), 1), within, behind, overlap)
+
+    def pairs(self) -> Int[np.ndarray, "m 2"]:
+        """Return the finds that touch, the larger one first."""
+        i, j = np.nonzero(np.triu(np.maximum(self.within, self.within.T) > _TOUCH, 1))
+        swap = self.area[i] < self.area[j]
+        return np.column_stack([np.where(swap, j, i), np.where(swap, i, j)])
+
+
+def _shape(finds: Sequence[Find], shares: _Shares, step: int) -> Float[np.ndarray, "n 5"]:
+    """Return size, slenderness, fullness of the box, being cut by the frame, and hidden share."""
+    wide, tall = _sides([f.visible for f in finds])
+    return np.column_stack(
+        [
+            np.log(shares.area / shares.visible.shape[1]) / 3,
+            np.log(wide / tall),
+            shares.area * step**2 / (wide * tall),
+            [_cut(f.visible) for f in finds],
+            np.log(shares.reach / shares.area),
+        ]
+    )
+
+
+def _company(
+    shares: _Shares, scores: Float[np.ndarray, "n"], names: Float[np.ndarray, "n k"]
+) -> Float[np.ndarray, "n 16"]:
+    """Return how other finds overlap each one, how sure and well named those are, and how many."""
+    named, count = names[:, :-1].max(1), len(scores)
+    larger = shares.area[None] > shares.area[:, None]
+    within, covers = shares.within, shares.within.T
+
+    def most(part: Float[np.ndarray, "n n"]) -> list[Float[np.ndarray, "n"]]:
+        other, share = part.argmax(1), part.max(1)
+        touches = share > _TOUCH / 2
+        return [share, np.where(touches, scores[other], 0), np.where(touches, named[other], 0)]
+
+    return np.column_stack(
+        [
+            *most(within * larger),
+            *most(covers * ~larger),
+            *most(shares.overlap),
+            *most(shares.behind * ~larger),
+            (within > 0.5).sum(1) / 3,
+            ((covers > 0.5) & (scores > _SURE)).sum(1) / 3,
+            scores.argsort().argsort() / count,
+            np.full(count, count / 20),
+        ]
+    )
+
+
+def _together(
+    alone: Float[np.ndarray, "n a"],
+    pairs: Int[np.ndarray, "m 2"],
+    shares: _Shares,
+    names: Float[np.ndarray, "n k"],
+) -> Float[np.ndarray, "m b"]:
+    """Return clues about pairs: those of both alone, how they overlap, how alike their names."""
+    i, j = pairs.T
     length = np.linalg.norm(names, axis=1)
-    both = np.concatenate(
+    return np.column_stack(
         [
             alone[i],
             alone[j],
-            np.stack(
-                [
-                    within[i, j],
-                    within[j, i],
-                    overlap[i, j],
-                    (names[i] * names[j]).sum(1) / (length[i] * length[j]),
-                    np.log(area[i] / area[j]),
-                    behind[i, j],
-                    behind[j, i],
-                ],
-                axis=1,
-            ),
-        ],
-        axis=1,
+            shares.within[i, j],
+            shares.within[j, i],
+            shares.overlap[i, j],
+            (names[i] * names[j]).sum(1) / (length[i] * length[j]),
+            np.log(shares.area[i] / shares.area[j]),
+            shares.behind[i, j],
+            shares.behind[j, i],
+        ]
     ).astype(np.float32)
-    return Clues(alone, np.stack([i, j], 1), both)
 
 
 def _logit(chance: Float[np.ndarray, "n"]) -> Float[np.ndarray, "n"]:
