@@ -329,9 +329,10 @@ def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
     at: int, store: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The stages before are stubs; the one in question is interrupted."""
+    reference = SimpleNamespace(prompt=TEXT, plan=None)
     answers: list[Any] = [
-        SimpleNamespace(prompt=TEXT, plan=None),
-        (SimpleNamespace(name="table"),),
+        reference,
+        (reference, (SimpleNamespace(name="table"),)),
         None,
         {"table": None},
         {},

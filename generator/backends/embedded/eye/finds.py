@@ -16,7 +16,7 @@ FAINT = 0.1
 """Certainty below which a cell is not asked."""
 
 _KEPT = 72  # finds of a look, the surest
-_MOST = 200  # cells asked
+_MOST = 200  # cells asked, unless said otherwise
 _SAME = 0.6  # overlap (IoU) at which two masks of a look are one thing
 
 
@@ -37,13 +37,13 @@ def tensor(*images: UInt8[np.ndarray, "h w 3"]) -> Tensor:
     return batch.contiguous(memory_format=torch.channels_last)
 
 
-def ask(eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0) -> Finds:
-    """Ask look ``owner``'s cells that are surest to lie within things; keep one find a thing."""
+def ask(eye: Eye, maps: Maps, seen: tuple[int, ...], owner: int = 0, most: int = _MOST) -> Finds:
+    """Ask the ``most`` cells of look ``owner`` surest to lie within things; one find a thing."""
     heat = maps.heat[owner : owner + 1].sigmoid()
     peaks = heat * (functional.max_pool2d(heat, 3, 1, 1) == heat)
     peaks[..., -(-seen[0] // STRIDE) :, :] = 0
     peaks[..., -(-seen[1] // STRIDE) :] = 0
-    score, place = peaks[0, 0].flatten().topk(min(_MOST, peaks.numel()))
+    score, place = peaks[0, 0].flatten().topk(min(most, peaks.numel()))
     place = place[score > FAINT]
     cells = torch.stack([place % heat.shape[3], place // heat.shape[3]], 1)
     finds = answers(eye, maps, torch.full((len(cells),), owner), cells)

@@ -18,6 +18,7 @@ from jaxtyping import Bool, Float, UInt8
 from torch import Tensor
 from torch.nn import functional
 
+from ....geometry import mask_box
 from .closeups import closeup
 from .finds import FAINT, Finds, answers, ask, tensor
 from .frames import Frame
@@ -32,10 +33,15 @@ CLOSE = 192
 """Side in pixels of the closer looks."""
 
 _ROOM = 1.6  # side of a closer look over the longer side of the thing's box
+_ASKED = 24  # cells of a closer look that are asked for what else it shows
 _CHOICES = 4  # cells of a closer look that are asked
 _HELD = 0.75  # share of a first find that a closer one must show
 _YIELD = 0.6  # of the first look's certainty, which the closer one must have
 _LEAST = 0.15  # certainty of a thing that is told at all
+_SAME = 0.6  # overlap (IoU) at which two finds are one
+_NEAR = 0.15  # certainty of what only shows from near
+_INSIDE = 0.3  # share of it that must lie within the thing looked at
+_MOST = 16  # such finds
 _NAMELESS = np.zeros(0)
 
 
@@ -135,7 +141,7 @@ def see(image: UInt8[np.ndarray, "h w 3"]) -> Sight:
     return _seen(image.tobytes(), image.shape[:2])
 
 
-@lru_cache(maxsize=2)
+@lru_cache(maxsize=4)  # as many as drawings of one text are looked at, and one more
 def _seen(pixels: bytes, size: tuple[int, int]) -> Sight:
     return look(np.frombuffer(pixels, np.uint8).reshape(*size, 3), least=_LEAST)
 
@@ -161,20 +167,53 @@ def _enlarged(x: Tensor, seen: tuple[int, ...], size: tuple[int, int]) -> np.nda
 
 
 def _closer(eye: Eye, image: UInt8[np.ndarray, "h w 3"], finds: Finds, factor: float) -> list[Find]:
-    """Look at all finds again from near; where that shows nothing surer, the first look stands."""
+    """Look at all finds again from near; where that shows nothing surer, the first look stands.
+
+    What else shows within them is a find too: what lies in a bowl, or a part.
+    """
     if not len(finds.score):
         return []
     frames = [_frame(masks, factor) for masks in finds.masks]
     maps = eye(tensor(*[frame.cut(image) for frame in frames]))
-    seen = []
+    size = image.shape[:2]
+    seen, more = [], []
     for k, frame in enumerate(frames):
         carried = [frame.carried(m, factor, STRIDE, STRIDE) for m in finds.masks[k].numpy()]
         first = float(finds.score[k])
-        score, masks = _chosen(eye, maps, k, first, torch.from_numpy(np.stack(carried)))
+        thing = torch.from_numpy(np.stack(carried))
+        score, masks = _chosen(eye, maps, k, first, thing)
         if score > FAINT:
-            visible, whole = spread(frame, masks, image.shape[:2])
-            seen.append(Find(first, score, visible, whole, _NAMELESS))
-    return [find for find in seen if find.visible.any()]
+            seen.append(Find(first, score, *spread(frame, masks, size), _NAMELESS))
+        near = ask(eye, maps, (CLOSE, CLOSE), k, _ASKED)
+        drawn = near.masks[:, 0] > 0.5
+        held = (drawn & (thing.amax(0) > 0.5)).sum((1, 2)) > _INSIDE * drawn.sum((1, 2))
+        told = zip(near.score.tolist(), near.masks, held.tolist(), strict=True)
+        more += [(score, frame, masks) for score, masks, in_it in told if in_it and score > _NEAR]
+    more.sort(key=lambda find: -find[0])
+    return _new([f for f in seen if f.visible.any()], more, size)
+
+
+def _new(
+    seen: list[Find], more: list[tuple[float, Frame, Tensor]], size: tuple[int, ...]
+) -> list[Find]:
+    """Add what only shows from near: finds that are none of those ``seen``, each once."""
+    taken = [(find.visible, int(find.visible.sum())) for find in seen]
+    new: list[Find] = []
+    for score, frame, masks in more:
+        visible, whole = spread(frame, masks, size)
+        area = int(visible.sum())
+        if not area:
+            continue
+        x0, y0, x1, y1 = mask_box(visible).astype(int)
+        window = np.s_[y0:y1, x0:x1]
+        inside = visible[window]
+        shared = ((int((inside & mask[window]).sum()), other) for mask, other in taken)
+        if all(both < _SAME * (area + other - both) for both, other in shared):
+            taken.append((visible, area))
+            new.append(Find(0.0, score, visible, whole, _NAMELESS))
+        if len(new) == _MOST:
+            break
+    return seen + new
 
 
 def spread(

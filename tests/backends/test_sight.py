@@ -1,0 +1,58 @@
+"""What the eye sees of a painted picture: things apart from each other, also one in another."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import torch
+from painted import Picture, iou, paint
+
+from generator.backends.embedded.eye.finds import apart, overlaps
+from generator.backends.embedded.eye.sight import Glance, Sight, glance_at, look
+from generator.backends.embedded.eye.weights import load_weights
+
+
+@pytest.fixture(scope="module")
+def picture() -> Picture:
+    things = [("bowl", 0.0, 0.0, 0.0), ("apple", 0.0, 0.0, 0.02), ("mug", 0.3, 0.1, 0.0)]
+    return paint("rectangle", "walnut", things)
+
+
+@pytest.fixture(scope="module")
+def sight(picture: Picture) -> Sight:
+    return look(picture.image, least=0.15)
+
+
+@pytest.fixture(scope="module")
+def glance(picture: Picture) -> Glance:
+    return glance_at(load_weights(), picture.image)
+
+
+def test_overlap_and_share_of_masks():
+    masks = torch.zeros(3, 1, 8, dtype=torch.bool)
+    masks[0, 0, :4] = masks[1, 0, 2:4] = masks[2, 0, 6:] = True
+    overlap, within = overlaps(masks)
+    assert overlap[0, 1] == pytest.approx(0.5) and overlap[0, 2] == 0
+    assert within[1, 0] == pytest.approx(1.0) and within[0, 1] == pytest.approx(0.5)
+    score = torch.tensor([0.2, 0.9, 0.0])
+    assert apart(score, overlap > 0.4) == [1]  # the first clashes, the last is nothing
+    assert apart(score, overlap > 0.6) == [1, 0]
+
+
+def test_things_share_no_pixel_and_the_surest_come_first(sight: Sight):
+    assert (np.sum([t.visible for t in sight.things], axis=0) <= 1).all()
+    scores = [t.score for t in sight.things]
+    assert scores == sorted(scores, reverse=True) and 0.15 <= min(scores) <= max(scores) <= 1
+    assert all((t.visible <= t.whole).all() for t in sight.things)
+
+
+def test_what_lies_in_a_bowl_is_a_thing_and_the_bowl_another(picture: Picture, sight: Sight):
+    for number in (1, 2, 3):
+        assert max(iou(t.visible, picture.ids == number) for t in sight.things) > 0.6
+
+
+def test_what_only_shows_from_near_lies_within_something_seen_before(glance: Glance):
+    first = np.any([f.whole for f in glance.finds if f.first > 0], axis=0)
+    near = [f.visible for f in glance.finds if f.first == 0]
+    assert near
+    assert all((mask & first).sum() > 0.2 * mask.sum() for mask in near)
