@@ -25,7 +25,7 @@ from .tabletop import find_tabletop
 GENERIC = "object"
 """The label that asks for anything on the table."""
 
-SURE = 0.4
+SURE = 0.5
 """Certainty from which a thing is told without having been asked for."""
 
 _ASKED = 0.15  # certainty that is enough if a word asks for it

@@ -28,7 +28,7 @@ _MEMBERS = 3  # networks that are averaged
 _TOUCH = 0.1  # share of the smaller of two finds from which they are judged together
 _COARSE = 544  # most pixels of the longer side at which masks are compared
 _SURE = 0.3  # certainty from which another find counts as covered
-_APART = 0.2  # probability that two finds are two things, from which both stay
+_APART = 0.35  # probability that two finds are two things, from which both stay
 
 
 @dataclass(frozen=True, eq=False)
