@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import re
 from collections.abc import Sequence
@@ -54,10 +55,11 @@ def extract(
     for k in range(1, (config or ExtractionConfig()).drawings):
         if plan is None or len(found.things) >= len(plan.objects):
             break
-        drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
-        again = _found(drawn, reasoner, segmenter)
-        if len(again.things) > len(found.things):
-            best, found = drawn, again
+        with contextlib.suppress(SceneError):  # a drawing of no use; the one before stays
+            drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
+            again = _found(drawn, reasoner, segmenter)
+            if again.tables and len(again.things) > len(found.things):
+                best, found = drawn, again
     return best, _completed(best, found.checked(), imager)
 
 

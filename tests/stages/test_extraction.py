@@ -124,6 +124,8 @@ class Painter(Answers):
         self, image: np.ndarray, labels: tuple[str, ...], *measured: object
     ) -> tuple[Detection, ...]:
         count = self.shown[int(image[0, 0, 0])]
+        if count < 0:
+            raise SceneError("No tabletop in the picture.")
         mugs = [detection("mug", 10 + 20 * k, 10, 20 + 20 * k, 20) for k in range(count)]
         return detection("table", 0, 30, 120, 80), *mugs
 
@@ -155,3 +157,8 @@ def test_the_drawing_that_shows_most_stays_and_drawings_are_limited():
     assert len(set(seeds)) == len(seeds) == 2 and 7 not in seeds
     with pytest.raises(SceneError, match="Nothing found"):
         drawn(ExtractionConfig(drawings=1), 0, 1)
+
+
+def test_a_useless_second_drawing_does_not_spoil_the_first():
+    chosen, count, seeds = drawn(ExtractionConfig(drawings=3), 1, -1, -1)
+    assert (int(chosen.image[0, 0, 0]), count, len(seeds)) == (0, 1, 2)
