@@ -34,10 +34,10 @@ from generator.backends.embedded.naming import weighed
 from generator.backends.embedded.segmenter import SURE, looks_of, refine, table_of
 from generator.backends.embedded.tabletop import find_tabletop
 from generator.errors import SceneError
-from generator.training.sample import Sample
+from generator.training.sample import Sample, worth_finding
 from generator.training.shards import ShardReader
 
-PIXELS, SHARE, RIGHT = 100, 0.15, 0.5
+RIGHT = 0.5
 
 
 def overlaps(a: np.ndarray, b: np.ndarray) -> np.ndarray:
@@ -58,7 +58,7 @@ def mark(
     h, w = sample.visible.shape
     truth = np.array([sample.visible == k + 1 for k in range(len(sample.full))]).reshape(-1, h, w)
     area = truth.sum((1, 2))
-    counts = (area >= PIXELS) & (area >= SHARE * np.maximum(sample.full.sum((1, 2)), 1))
+    counts = worth_finding(area, sample.full.sum((1, 2)))
     seen = np.array([t.visible for t in sight.things]).reshape(-1, h, w)
     iou = overlaps(seen, truth)
     pairs = [

@@ -26,10 +26,10 @@ from ..backends.embedded.eye.judge import Judge, Panel, clues_of
 from ..backends.embedded.eye.sight import glance_at
 from ..backends.embedded.eye.weights import JUDGE_PATH, load_weights, save_weights
 from ..errors import InputError
+from .sample import worth_finding
 from .shards import ShardReader
 
 _RIGHT = 0.5  # overlap (IoU) with a thing from which a find shows it
-_PIXELS, _SHARE = 100, 0.15  # what must be visible of a thing that is worth finding
 _STEPS, _BATCH, _RATE, _DECAY = 3000, 512, 2e-3, 1e-2
 
 
@@ -82,7 +82,7 @@ def lesson(
     clues = clues_of(glance.finds, glance.region)
     count = len(full)
     area = np.bincount(visible.ravel(), minlength=count + 1)[1:]
-    shows = (area >= _PIXELS) & (area >= _SHARE * np.maximum(full.sum((1, 2)), 1))
+    shows = worth_finding(area, full.sum((1, 2)))
     overlap = np.zeros((len(glance.finds), count + 1))  # the first column: no thing
     for row, find in zip(overlap, glance.finds, strict=True):
         shared = np.bincount(visible[find.visible], minlength=count + 1)[1:]

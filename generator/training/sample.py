@@ -16,6 +16,15 @@ BACKGROUND, TOP, TABLE_REST, OBJECT = 0, 1, 2, 3
 UNKNOWN = -1
 """Category of a thing that the catalogue does not have."""
 
+_PIXELS, _SHARE = 100, 0.15  # least that shows of a thing worth finding, and of its whole mask
+
+
+def worth_finding(
+    visible: Int[np.ndarray, "n"], whole: Int[np.ndarray, "n"]
+) -> Bool[np.ndarray, "n"]:
+    """Tell which things show enough to be found, from the pixels of their masks."""
+    return (visible >= _PIXELS) & (visible >= _SHARE * np.maximum(whole, 1))
+
 
 @dataclass(frozen=True, eq=False)
 class Sample:
