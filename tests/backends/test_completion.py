@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 
@@ -169,3 +170,23 @@ def test_a_full_mask_of_another_size_is_refused():
     mask = disc(100, 90, 30)
     with pytest.raises(InputError, match=r"Detection\.full"):
         Detection("thing", mask_box(mask), mask, 1.0, mask[:50])
+
+
+def test_a_thing_found_in_pieces_is_one():
+    shade, base = disc(120, 50, 30), disc(110, 150, 25)
+    stem = np.zeros((H, W), bool)
+    stem[100:135, 112:118] = True
+    found = complete(picture((shade | stem | base, RED)), detect(shade | stem | base), ())
+    outline = alpha_in_picture(found)
+    assert cv2.connectedComponents(outline.astype(np.uint8))[0] == 2, "ground and one thing"
+    assert iou(outline, shade | stem | base) > 0.95, "the bridges are as thin as the stem"
+    opaque = found.crop[found.crop[..., 3] > 250][:, :3].astype(int)
+    assert np.abs(opaque - RED).max() < 30, "and have its colour"
+
+
+def test_specks_beside_a_thing_are_left_alone():
+    whole = disc(120, 100, 40)
+    mask = whole.copy()
+    mask[20:22, 20:22] = True
+    outline = alpha_in_picture(complete(picture((mask, RED)), detect(mask), ()))
+    assert iou(outline[24:], whole[24:]) > 0.97, "no bridge leads to it"

@@ -101,6 +101,38 @@ def test_an_upper_part_that_stands_on_nothing_joins_the_lower(shot, plane):
     assert max(iou(d.mask, mug) for d in got) > 0.95
 
 
+def halves(shot: Shot, number: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the upper and the lower half of a thing's mask."""
+    mask = shot.picture.ids == number
+    _, top, _, low = mask_box(mask)
+    upper = mask & (np.arange(len(mask))[:, None] < (top + low) / 2)
+    return upper, mask & ~upper
+
+
+def test_a_print_on_a_box_is_the_box_however_certain():
+    shot = shoot(things=[("cereal_box", 0.0, 0.0, 0.0)], elevation=20)
+    plane = find_depth_plane(shot.depth, shot.intrinsics)
+    upper, lower = halves(shot, 1)
+    x0, y0, x1, y1 = mask_box(lower).astype(int)
+    printed = np.zeros_like(lower)
+    printed[y0 : y0 + (y1 - y0) // 2, x0 + (x1 - x0) // 4 : x1 - (x1 - x0) // 4] = True
+    got = confirmed([detection(m, score=0.98) for m in (upper, printed)], shot.depth, plane)
+    assert len(got) == 1
+    assert (got[0].mask & upper).sum() > 0.95 * upper.sum()
+
+
+@pytest.mark.parametrize(("certainty", "things"), [(0.5, 1), (0.95, 2)])
+def test_what_is_certain_joins_only_what_continues_its_flat_side(certainty, things):
+    near, far = build("book", 1).size, build("bottle", 1).size
+    gap = float(near[1] + far[1]) / 2 + 0.005
+    shot = shoot(things=[("bottle", 0.0, gap, 0.0), ("book", 0.0, 0.0, 0.0)], elevation=12)
+    plane = find_depth_plane(shot.depth, shot.intrinsics)
+    upper, lower = halves(shot, 1)
+    book = lower | (shot.picture.ids == 2)
+    found = [detection(upper, score=certainty), detection(book, score=0.95)]
+    assert len(confirmed(found, shot.depth, plane)) == things
+
+
 def test_a_thing_on_another_stays_a_thing():
     height = build("book", 1).size[2]
     shot = shoot(things=[("book", -0.2, 0.0, 0.0), ("apple", -0.2, 0.0, height)])

@@ -46,6 +46,18 @@ def test_a_leaning_thing_is_met_again():
     assert 40 < tall < 80
 
 
+def test_a_thin_stem_holds_what_is_above_and_below_it():
+    view = closeup()
+    radii = np.array([14.0, 14, 1.2, 1.2, 1.2, 1.2, 20, 18, 8])
+    shifts = np.zeros(9)
+    truth = Posed("slices", stack_of_ellipses(HEIGHTS, radii, shifts, 1.0), 0.0, np.zeros(3))
+    mask = view.silhouette(truth.world, truth.solid.faces)
+    found = fit_slices(mask, view)
+    assert found is not None
+    assert mask_iou(view.silhouette(found.world, found.solid.faces), mask) > 0.85
+    assert np.ptp(found.solid.vertices[:, 2]) > 45
+
+
 def test_profiles_keep_what_bends():
     profile = np.column_stack([np.ones(9), np.abs(np.arange(9.0) - 4)])
     assert simplify_profile(np.arange(9.0), profile, 5) == [0, 4, 8]

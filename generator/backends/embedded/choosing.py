@@ -29,6 +29,9 @@ _DRAWN_OUT = ([1.05, 1.5, 2.5, 4.0, 6.0], [0.0, 0.1, 0.15, 0.1, 0.02])
 _TOPPLING = ([3.5, 6.0, 10.0], [0.0, 0.12, 0.3])
 """How much taller than wide a standing thing is, and what that costs."""
 
+_SHEET = ([12.0, 30.0], [0.0, 0.06])
+"""How much taller than thick a standing outline is, and what that costs."""
+
 _ACCIDENT = 0.08  # price of an elongated thing pointing straight away from the camera
 
 
@@ -116,7 +119,8 @@ def accident(posed: Posed, small: Projection) -> float:
     """
     long, wide, tall = np.ptp(posed.solid.vertices, axis=0)
     if posed.kind in ("revolution", "upright", "slices"):
-        return float(np.interp(tall / long, *_TOPPLING))
+        sheet = np.interp(tall / wide, *_SHEET) if posed.kind == "upright" else 0.0
+        return float(np.interp(tall / long, *_TOPPLING) + sheet)
     ratio = min(long / max(wide, tall), 3.0)
     along = abs(np.cos(posed.yaw) * small.away[0] + np.sin(posed.yaw) * small.away[1])
     price = _ACCIDENT * (ratio - 1.0) / 2.0 if ratio >= 1.3 and along > _STRAIGHT else 0.0

@@ -9,7 +9,7 @@ from scipy import ndimage
 
 from ...geometry import mask_box
 from ...scene import TABLE, Detection, Instance, Reference
-from .pixels import hull_of, largest_piece, nearest_inside
+from .pixels import hull_of, in_one_piece, largest_piece, nearest_inside
 
 _LONG = 288  # least long side of a crop, pixels
 _MOST = 640
@@ -26,8 +26,9 @@ def complete(reference: Reference, detection: Detection, others: tuple[Detection
 
     The whole outline is the detection's full mask where another detection hides the object, if it
     has one. Else, where another detection lies within the object's outline, or touches it and the
-    outline is dented or cut there, the outline is completed. Hidden places take the colours of
-    their mirror images if the object looks symmetric, else the colours around are carried on.
+    outline is dented or cut there, the outline is completed. Pieces are joined. Hidden places take
+    the colours of their mirror images if the object looks symmetric, else the colours around are
+    carried on.
     """
     hider = _union(detection.mask.shape, [o.mask for o in others if o.label != TABLE])
     seen = detection.mask & ~hider if (detection.mask & ~hider).any() else detection.mask
@@ -39,6 +40,7 @@ def complete(reference: Reference, detection: Detection, others: tuple[Detection
         inner = (hider & ~seen).any()
         near = ndimage.binary_fill_holes(detection.mask) if inner else detection.mask
         whole = complete_mask(detection.mask | (near & hider), hider & ~seen)
+    whole = in_one_piece(whole)
     hidden = whole & ~seen
     occluded = bool(hidden.sum() > 0.02 * seen.sum())
     colors = reference.image

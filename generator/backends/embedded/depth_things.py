@@ -29,13 +29,15 @@ _LOW = 0.006  # metres: nothing lower than this counts as a thing
 _KNOWN = 0.3  # share of a thing's pixels that depth must know to judge it
 _FLAT = 0.15  # share of them that stand above the table, below which a thing is flat
 _SURE = 0.6  # certainty from which a flat thing is believed to be one
-_CERTAIN = 0.75  # certainty from which what seems to hover is a thing with a hidden foot
+_CERTAIN = 0.75  # certainty from which what seems to hover may be a thing with a hidden foot
 _KEPT = 0.6  # share of a mask that the tabletop around it must leave
 _GROWN = 4.0  # a mask grows by at most this factor
 _HOVER = 0.03  # metres above the table at which the foot of something standing on nothing hovers
 _HELD = 0.45  # share of a thing over another from which it may stand on that
 _BROAD = 0.6  # of a thing's width: the least of what it may stand on
 _JUMP = 0.03  # metres of depth that part two things which touch in the picture
+_BAND = 0.04  # of the picture's longer side: how far from a seam two surfaces are compared
+_LEVEL = 0.005  # metres: what lies nearer to a plane is in it
 _MISSED = 0.03  # metres: the least height of something the eye did not see
 _SHREDS = 0.014  # of the picture's longer side: a depth map's shreds at edges are narrower
 _GUESS = 0.5  # certainty of such a thing
@@ -168,21 +170,26 @@ def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
 def _rejoined(
     things: list[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
 ) -> list[Detection]:
-    """Give upper parts that stand on nothing to the lower part that they touch, in depth too."""
+    """Give upper parts that stand on nothing to the lower part that they touch, in depth too.
+
+    What is certain may have a hidden foot: it joins only what continues its flat side.
+    """
+    points = table_points(depth, plane.camera)
     solids = [measure_solid(np.asarray(t.mask), depth, plane) for t in things]
     order = sorted(range(len(things)), key=lambda k: -(s.bottom if (s := solids[k]) else 0.0))
     left: dict[int, Detection] = dict(enumerate(things))
     for part in order:
         upper = solids[part]
-        if upper is None or upper.bottom < _HOVER or things[part].score >= _CERTAIN:
+        if upper is None or upper.bottom < _HOVER:
             continue
+        certain = things[part].score >= _CERTAIN
         others = {k: s for k in left if k != part and (s := solids[k]) is not None}
         if any(_carries(s, upper) for s in others.values()):
             continue
         touching = {
             k: _contact(left[part], left[k], depth)
             for k, s in others.items()
-            if s.bottom < upper.bottom
+            if s.bottom < upper.bottom and (not certain or _one_side(left[part], left[k], points))
         }
         below = max(touching, key=lambda k: (touching[k], -k), default=None)
         if below is not None and touching[below] > 0:
@@ -194,6 +201,21 @@ def _rejoined(
 def _carries(below: Solid, upper: Solid) -> bool:
     """Tell whether a thing may stand on another: a front under it carries nothing."""
     return holds(below, upper) > _HELD and below.extent[1] > _BROAD * upper.extent[1]
+
+
+def _one_side(one: Detection, other: Detection, points: Float[np.ndarray, "h w 3"]) -> bool:
+    """Tell whether two things are one flat side around their seam, as a box and its print are."""
+    a, b = np.asarray(one.mask), np.asarray(other.mask)
+    side = 2 * round(_BAND * max(a.shape)) + 1
+    kernel = np.ones((side, side), np.uint8)
+    known = np.isfinite(points).all(-1)
+    here = points[a & known & (cv2.dilate(b.astype(np.uint8), kernel) > 0)]
+    there = points[b & known & (cv2.dilate(a.astype(np.uint8), kernel) > 0)]
+    if min(len(here), len(there)) < side:
+        return False
+    middle = np.median(here, axis=0)
+    normal = np.linalg.svd(here - middle, full_matrices=False)[2][2]
+    return max(float(np.median(np.abs((p - middle) @ normal))) for p in (here, there)) < _LEVEL
 
 
 def _contact(one: Detection, other: Detection, depth: Float[np.ndarray, "h w"]) -> int:

@@ -57,6 +57,37 @@ def largest_piece(mask: Mask) -> Mask:
     return (labels == int(counts.argmax())) & mask
 
 
+def in_one_piece(mask: Mask, least: float = 0.02) -> Mask:
+    """Return a mask with its pieces joined where they are nearest to each other, as one thing is.
+
+    A bridge is as wide as the narrower of the two ends that it joins. Specks of less than
+    ``least`` of the whole stay as they are.
+    """
+    labels = np.asarray(cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)[1])
+    counts = np.bincount(labels.ravel())
+    counts[0] = 0
+    order = [int(k) for k in np.argsort(-counts) if counts[k] > max(8, least * mask.sum())]
+    if len(order) < 2:
+        return mask
+    inside = cv2.distanceTransform(np.pad(mask, 1).astype(np.uint8), cv2.DIST_L2, 5)[1:-1, 1:-1]
+    width = cv2.dilate(inside, np.ones((9, 9)))
+    joined, canvas = labels == order[0], mask.astype(np.uint8)
+    apart = [labels == k for k in order[1:]]
+    while apart:
+        away = cv2.distanceTransform((~joined).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+        gaps = [float(away[piece].min()) for piece in apart]
+        piece = apart.pop(int(np.argmin(gaps)))
+        ys, xs = np.nonzero(piece)
+        k = int(np.argmin(away[ys, xs]))
+        here = int(ys[k]), int(xs[k])
+        rows, columns = nearest_inside(joined)
+        there = int(rows[here]), int(columns[here])
+        thick = max(1, round(2 * float(min(width[here], width[there])) - 1))
+        cv2.line(canvas, here[::-1], there[::-1], 1, thick)
+        joined = joined | piece
+    return canvas > 0
+
+
 def mask_iou(a: Mask, b: Mask) -> float:
     """Return the intersection over union of two masks."""
     union = np.count_nonzero(a | b)

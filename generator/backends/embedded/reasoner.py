@@ -120,9 +120,10 @@ def _table_factor(looks: list[tuple[float, float]]) -> float:
     """Return by how much a usual table must grow so that known things have their usual size.
 
     ``looks`` are what ``apparent_scale`` returns on the usual table. The factor is the median,
-    weighed by how well shapes agree as in Eq. 6; the usual table is one more voice among them.
+    weighed by how well shapes agree as in Eq. 6. The usual table counts as two things: its size
+    is known better than that of a thing whose name is a guess.
     """
-    voices = np.array([*looks, (1.0, 0.0)])
+    voices = np.array([*looks, (1.0, 0.0), (1.0, 0.0)])
     voices = voices[np.argsort(-voices[:, 0], kind="stable")]
     weight = np.cumsum(1 / (1 + (voices[:, 1] / _TAU) ** 2))
     middle = int(np.searchsorted(weight, weight[-1] / 2))

@@ -107,6 +107,25 @@ def largest_slices(
     return Stack(z, middle, np.where(widest > 0, radii[np.maximum(widest - 1, 0)], 0.0), depth)
 
 
+def with_stems(stack: Stack, mask: Mask, projection: Projection) -> Stack:
+    """Return the stack with slices where the mask is too thin for those that were tried.
+
+    Such a slice is as wide as the mask's widest stretch at its height.
+    """
+    unit = float(np.linalg.norm(projection.position)) / projection.focal
+    axis = projection.project(stack.z[:, None] * np.array([0, 0, 1.0]))
+    x, r = stack.x.copy(), stack.r.copy()
+    for k in np.flatnonzero(stack.r <= 0):
+        row = int(np.floor(axis[k, 1]))
+        if not 0 <= row < len(mask) or not mask[row].any():
+            continue
+        edges = np.flatnonzero(np.diff(np.pad(mask[row].astype(int), 1))).reshape(-1, 2)
+        start, stop = edges[np.argmax(np.diff(edges)[:, 0])]
+        x[k] = ((start + stop) / 2 - axis[k, 0]) * unit
+        r[k] = (stop - start) / 2 * unit
+    return replace(stack, x=x, r=r)
+
+
 def longest_run(stack: Stack, least: float) -> Stack | None:
     """Return the longest run of slices wider than ``least``, or None if it is short."""
     flags = np.concatenate([[0], (stack.r > least).astype(int), [0]])
@@ -199,7 +218,8 @@ def fit_slices(mask: Mask, projection: Projection) -> Posed | None:
     x = np.linspace(-0.4, 0.4, 17) * width
     found = []
     for depth in _DEPTHS:
-        stack = longest_run(largest_slices(mask, projection, z, x, depth, 20), 0.012 * width)
+        slices = largest_slices(mask, projection, z, x, depth, 20)
+        stack = longest_run(with_stems(slices, mask, projection), 0.012 * width)
         if stack is not None:
             found.append(replace(stack, x=_smooth(_smooth(stack.x))))
     best = best_stack(found, mask, projection, free=True)
