@@ -6,7 +6,8 @@
 Reads a list of texts (``benchmarks/texts.json``), or of objects with a "text", runs each with
 seeds 0..n-1 and writes one row a scene to ``<route>.csv`` as it goes (a second run resumes), then
 a summary table to ``<route>.md``; for other texts the file's name is added: ``<route>_table78``.
-"named" counts the planned objects whose category a rebuilt object's word means. Every figure is
+"named" counts the planned objects whose category a rebuilt object's word means; "unseen" counts
+the objects that no drawing showed and the plan supplied. Every figure is
 measured on the *saved bundle*, simulated in plain MuJoCo from its ``scene.xml``: nothing is taken
 from the report the pipeline wrote.
 """
@@ -36,6 +37,7 @@ HERE = Path(__file__).parent
 FIELDS = (
     "text", "seed", "published", "planned", "built", "penetration_mm", "drift_mm", "tilt_deg",
     "floating", "fallen", "seconds", "error", "named",
+    "unseen",
 )  # fmt: skip
 
 
@@ -81,6 +83,14 @@ def named(scene: Scene) -> int:
     return (asked & there).total()
 
 
+def unseen(bundle: Path, scene: Scene) -> int:
+    """Return how many objects of a bundle its picture has no instance of."""
+    from generator.bundle import load_segments
+
+    segments = load_segments(bundle)
+    return sum(thing.name not in segments.names for thing in scene.objects) if segments else 0
+
+
 def run(text: str, seed: int, route: str) -> dict[str, Any]:
     """Make one scene and measure it."""
     os.environ.setdefault("OMP_NUM_THREADS", "1")
@@ -103,6 +113,7 @@ def run(text: str, seed: int, route: str) -> dict[str, Any]:
 
                 generation = generate(text, seed=seed)
                 scene, path = generation.scene, generation.save(folder)
+                row["unseen"] = unseen(path, scene)
             row["planned"] = len(scene.plan.objects) if scene.plan else ""
             row["seconds"] = round(time.perf_counter() - start, 2)
             row |= measure(path) | {"named": named(load(path)), "published": 1}
@@ -119,6 +130,9 @@ def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
         return max((float(r[field]) for r in done), default=float("nan"))
 
     same = sum(int(r["planned"]) == int(r["built"]) for r in done)
+    wanted = sum(int(r["planned"]) for r in done)
+    seen = [int(r["built"]) - int(r.get("unseen") or 0) for r in done]
+    by_eye = sum(int(r["planned"]) == n for r, n in zip(done, seen, strict=True))
     total = max(len(rows), 1)
     told = [r for r in done if r.get("named") not in (None, "")]
     right = sum(int(r["named"]) == int(r["planned"]) == int(r["built"]) for r in told)
@@ -147,6 +161,9 @@ def summary(rows: list[dict[str, Any]], route: str, command: str) -> str:
             f"| largest drift, tilt after 2 s | {worst('drift_mm'):.2f} mm, "
             f"{worst('tilt_deg'):.2f}° |",
             f"| planned count = built count | {100 * same / total:.1f} % |",
+            f"| planned count = count seen in the drawing, without what the plan supplied | "
+            f"{100 * by_eye / total:.1f} % of scenes, {100 * sum(seen) / max(wanted, 1):.1f} % of "
+            "objects |",
             f"| planned names = built names | {100 * right / len(told):.1f} % of scenes, "
             f"{100 * sum(int(r['named']) for r in told) / max(asked, 1):.1f} % of objects |"
             if told

@@ -36,6 +36,7 @@ from .stages.reference import (
     source_digest,
 )
 from .stages.rotation import RotationConfig, estimate_rotations
+from .supplement import NOTHING, Supplement, supplement
 
 Progress = Callable[[str, int, int], None]
 """Called with the name of the stage that starts, its number, and how many there are."""
@@ -46,13 +47,18 @@ STAGES = ("reference", "extraction", "view and sizes", "modeling", "rotation", "
 
 @dataclass(frozen=True)
 class Config:
-    """Settings of every stage; the defaults are the paper's unless a stage says otherwise."""
+    """Settings of every stage; the defaults are the paper's unless a stage says otherwise.
+
+    ``supplement``: put what a text asks for and no drawing shows where the plan has it; False
+    leaves it out.
+    """
 
     reference: ReferenceConfig = field(default_factory=ReferenceConfig)
     extraction: ExtractionConfig = field(default_factory=ExtractionConfig)
     rotation: RotationConfig = field(default_factory=RotationConfig)
     alignment: AlignmentConfig = field(default_factory=AlignmentConfig)
     assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
+    supplement: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,19 +156,31 @@ def generate(
         b.imager, b.segmenter, b.reasoner, config.alignment,
     )  # fmt: skip
 
+    extra = NOTHING
+    if config.supplement:
+        extra = supplement(
+            reference.plan, instances, models, alignment.placements, alignment.table_scale, seed
+        )
     warnings = _hidden(reference, instances) + alignment.warnings
+
+    def assembled(extra: Supplement) -> Scene:
+        told = warnings + extra.warnings
+        return assemble(
+            {n: model for n, model in {**models, **extra.models}.items() if n != TABLE},
+            (*alignment.placements, *extra.placements),
+            models[TABLE],
+            alignment.table_scale,
+            provenance=_provenance(source, depth, intrinsics, reference, b, config, seed, told),
+            name=name or scene_name(reference.prompt),
+            config=config.assembly,
+            view=view,
+            plan=reference.plan,
+        )
+
     step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
-    scene = assemble(
-        {key: model for key, model in models.items() if key != TABLE},
-        alignment.placements,
-        models[TABLE],
-        alignment.table_scale,
-        provenance=_provenance(source, depth, intrinsics, reference, b, config, seed, warnings),
-        name=name or scene_name(reference.prompt),
-        config=config.assembly,
-        view=view,
-        plan=reference.plan,
-    )
+    scene = assembled(extra)
+    if extra.placements and scene.report is not None and not scene.report.passed:
+        scene = assembled(NOTHING)  # what nobody saw must not spoil what was seen
     return Generation(reference, instances, view, sizes, models, rotations, alignment, scene)
 
 

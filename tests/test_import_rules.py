@@ -69,6 +69,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.provenance",
         ),
     ),
+    ("generator.supplement", (*VALUES, "generator.layout")),
     (
         "generator.training",
         (

@@ -1,7 +1,15 @@
 """Where planned objects go: relations into free, natural places on the tabletop."""
 
-from .arranging import Layout, arrange
+from .arranging import Layout, arrange, arrange_more
 from .fitting import lay_out
 from .furnishing import build_models, build_top, table_size
 
-__all__ = ["Layout", "arrange", "build_models", "build_top", "lay_out", "table_size"]
+__all__ = [
+    "Layout",
+    "arrange",
+    "arrange_more",
+    "build_models",
+    "build_top",
+    "lay_out",
+    "table_size",
+]

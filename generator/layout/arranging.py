@@ -75,6 +75,48 @@ def arrange(plan: ScenePlan, models: Mapping[str, Model], table: Model, seed: in
     return Layout(tuple(best.places[o.name] for o in plan.objects), tuple(best.warnings))
 
 
+def arrange_more(
+    plan: ScenePlan,
+    placed: Mapping[str, Placement],
+    models: Mapping[str, Model],
+    table: Model,
+    seed: int,
+) -> Layout:
+    """Place what of a plan is not among ``placed``, which stays where it is.
+
+    ``placed`` may hold things the plan does not know; ``models`` have all the sizes. What finds no
+    free place is left out, with a warning. Returns the new placements only.
+    """
+    outline = outline_of(table)
+    rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 5])
+    warnings: list[str] = []
+    while True:
+        state = _State(dict(placed), {n: _standing(models[n], p) for n, p in placed.items()})
+        stuck = _place_all(plan, models, table, outline, rng, state)
+        if stuck is None:
+            new = tuple(p for name, p in state.places.items() if name not in placed)
+            return Layout(new, (*warnings, *state.warnings))
+        warnings.append(f"{stuck} finds no free place on the table.")
+        plan = _without(plan, stuck, placed)
+
+
+def _standing(model: Model, placement: Placement) -> Neighbour:
+    return Neighbour(footprint(model, placement.yaw), placement.translation[:2])
+
+
+def _without(plan: ScenePlan, name: str, placed: Mapping[str, Placement]) -> ScenePlan:
+    """Return the plan without an object, and without what was to go on or in it."""
+    gone = {name}
+    while more := {o.name for o in plan.objects if support_of(o) in gone} - gone - {*placed}:
+        gone |= more
+    objects = tuple(
+        replace(o, relations=tuple(r for r in o.relations if r.target not in gone))
+        for o in plan.objects
+        if o.name not in gone
+    )
+    return replace(plan, objects=objects)
+
+
 def _place_all(
     plan: ScenePlan,
     models: Mapping[str, Model],
@@ -83,13 +125,15 @@ def _place_all(
     rng: np.random.Generator,
     state: _State,
 ) -> str | None:
-    """Place everything; return the name of the first object that finds no place."""
+    """Place everything not yet placed; return the name of the first that finds no place."""
     supports = {o.name: support_of(o) for o in plan.objects}
-    standing = _ordered([o for o in plan.objects if supports[o.name] is None], models, rng)
-    above = [o for o in plan.objects if supports[o.name] is not None]
-    shapes = {
+    missing = [o for o in plan.objects if o.name not in state.places]
+    standing = _ordered([o for o in missing if supports[o.name] is None], models, rng)
+    above = [o for o in missing if supports[o.name] is not None]
+    shapes = {name: there.shape for name, there in state.neighbours.items()}
+    shapes |= {
         o.name: footprint(models[o.name], natural_yaw(o, models[o.name], plan, rng))
-        for o in plan.objects
+        for o in missing
     }
     for planned in standing:
         if not _stand(planned, models, table, outline, rng, state, shapes, above):
