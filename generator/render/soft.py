@@ -10,13 +10,13 @@ areas and the tight crop itself; which points are hidden is decided without grad
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 import torch
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 from scipy.spatial import KDTree
 from torch import Tensor
 from torch.nn import functional
@@ -33,19 +33,66 @@ _FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial, sigma of one pix
 
 @dataclass(frozen=True, eq=False)
 class Surface:
-    """Sample points of a textured surface, in the object frame in metres.
+    """Sample points of ``s`` objects' textured surfaces, each in its object frame in metres.
 
     ``area`` (m^2) is what one point stands for; ``covered`` marks points just under another
     surface, such as a body under its label, too close for a depth buffer to tell; ``corners`` are
     the vertices of the convex hull, which bound the object in any view.
     """
 
-    position: Float[Tensor, "n 3"]
-    normal: Float[Tensor, "n 3"]
-    color: Float[Tensor, "n 3"]
-    area: float
-    covered: Bool[Tensor, "n"]
-    corners: Float[Tensor, "k 3"]
+    position: Float[Tensor, "s n 3"]
+    normal: Float[Tensor, "s n 3"]
+    color: Float[Tensor, "s n 3"]
+    area: Float[Tensor, "s"]
+    covered: Bool[Tensor, "s n"]
+    corners: Float[Tensor, "s k 3"]
+
+    def thinned(self, step: int) -> Surface:
+        """Return every ``step``-th point, standing for as much more area; they stay even."""
+        return replace(
+            self,
+            position=self.position[:, ::step],
+            normal=self.normal[:, ::step],
+            color=self.color[:, ::step],
+            area=self.area * (self.position.shape[1] / len(range(0, self.position.shape[1], step))),
+            covered=self.covered[:, ::step],
+        )
+
+    def to(self, device: torch.device | str) -> Surface:
+        """Return the surfaces on another device."""
+        return Surface(*(getattr(self, field.name).to(device) for field in fields(self)))
+
+
+def stack(surfaces: Sequence[Surface]) -> Surface:
+    """Return several surfaces of equally many points as one."""
+    most = max(s.corners.shape[1] for s in surfaces)
+    corners = [
+        torch.cat([s.corners, s.corners[:, -1:].expand(-1, most - s.corners.shape[1], -1)], 1)
+        for s in surfaces
+    ]
+
+    def joined(name: str) -> Tensor:
+        return torch.cat([getattr(s, name) for s in surfaces])
+
+    return Surface(
+        joined("position"),
+        joined("normal"),
+        joined("color"),
+        joined("area"),
+        joined("covered"),
+        torch.cat(corners),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """Where in its crop an object is drawn, if not tightly: for masks that are not quite right.
+
+    ``shift`` (x right, y down) is a share of the crop's side, ``zoom`` the logarithm of a factor.
+    """
+
+    shift: Float[Tensor, "b 2"]
+    zoom: Float[Tensor, "b"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,7 +146,7 @@ def sample_surface(
     seed: int,
     dtype: torch.dtype = torch.float32,
 ) -> Surface:
-    """Spread ``count`` points evenly over a canonical mesh scaled to ``size`` metres.
+    """Spread ``count`` points evenly over one canonical mesh scaled to ``size`` metres.
 
     Points are stratified over the faces by area, and low-discrepancy within a face.
     Colours are the texture under a soft light from straight above, which keeps top and side faces
@@ -132,12 +179,12 @@ def sample_surface(
         return torch.as_tensor(np.ascontiguousarray(array), dtype=dtype)
 
     return Surface(
-        tensor(position),
-        tensor(normal),
-        tensor(color),
-        total / count,
-        torch.as_tensor(covered),
-        tensor(hull_points(vertices)),
+        tensor(position[None]),
+        tensor(normal[None]),
+        tensor(color[None]),
+        torch.tensor([total / count], dtype=dtype),
+        torch.as_tensor(covered)[None],
+        tensor(hull_points(vertices)[None]),
     )
 
 
@@ -148,42 +195,51 @@ def object_to_camera(
 
     ``yaw`` turns the object about world +z; ``tilt`` raises the camera's elevation; radians.
     """
-    one, zero = torch.ones_like(yaw), torch.zeros_like(yaw)
-    cy, sy, ct, st = yaw.cos(), yaw.sin(), tilt.cos(), tilt.sin()
-    turn = torch.stack([cy, -sy, zero, sy, cy, zero, zero, zero, one], -1).view(-1, 3, 3)
-    lift = torch.stack([one, zero, zero, zero, ct, -st, zero, st, ct], -1).view(-1, 3, 3)
-    return lift @ world_to_camera.to(yaw.dtype) @ turn
+    cy, sy, ct, st = (f()[:, None] for f in (yaw.cos, yaw.sin, tilt.cos, tilt.sin))
+    x, y, z = (column.expand(len(yaw), 3) for column in world_to_camera.to(yaw.dtype).unbind(1))
+    right, down, ahead = torch.stack([cy * x + sy * y, cy * y - sy * x, z], 2).unbind(1)
+    return torch.stack([right, ct * down - st * ahead, st * down + ct * ahead], 1)
+
+
+def turned(
+    points: Float[Tensor, "b n 3"], rotation: Float[Tensor, "b 3 3"]
+) -> Float[Tensor, "b n 3"]:
+    """Return the points rotated, added up in one order: a matrix product's depends on memory."""
+    x, y, z = points.split(1, 2)
+    columns = rotation[:, None].unbind(3)
+    return x * columns[0] + y * columns[1] + z * columns[2]
 
 
 def bounds(
-    surface: Surface, rotation: Float[Tensor, "b 3 3"], center: Float[Tensor, "b 3"]
+    corners: Float[Tensor, "b k 3"], rotation: Float[Tensor, "b 3 3"], center: Float[Tensor, "b 3"]
 ) -> tuple[Float[Tensor, "b 2"], Float[Tensor, "b 2"]]:
-    """Return the lowest and highest x/z, y/z of the object whose centre is at ``center``."""
-    p = surface.corners @ rotation.mT + center[:, None]
+    """Return the lowest and highest x/z, y/z of objects whose centres are at ``center``."""
+    p = turned(corners, rotation) + center[:, None]
     xy = p[..., :2] / p[..., 2:]
     return xy.amin(1), xy.amax(1)
 
 
 def fit_center(
-    surface: Surface,
+    corners: Float[Tensor, "b k 3"],
     rotation: Float[Tensor, "b 3 3"],
-    middle: Float[Tensor, "2"],
-    span: Float[Tensor, "2"],
+    middle: Float[Tensor, "b 2"],
+    span: Float[Tensor, "b 2"],
 ) -> Float[Tensor, "b 3"]:
-    """Return where the object's centre lies if its projection is to fill a box of the image.
+    """Return where each object's centre lies if its projection is to fill a box of the image.
 
-    ``middle`` and ``span`` are the box's centre and size in x/z, y/z. The centre agrees exactly;
-    the size agrees in area, since the object keeps its proportions. A box too large for the
-    object puts it no nearer than one and a half times its radius.
+    ``middle`` and ``span`` are the boxes' centres and sizes in x/z, y/z. The centre agrees
+    exactly; the size agrees in area, since the object keeps its proportions. A box too large for
+    the object puts it no nearer than one and a half times its radius.
     """
-    nearest = 1.5 * surface.corners.norm(dim=1).max()
-    ray = torch.cat([middle, middle.new_ones(1)]).expand(len(rotation), 3)
-    depth = (nearest / span.prod().sqrt()).expand(len(rotation), 1)
+    nearest = 1.5 * corners.norm(dim=2).amax(1, keepdim=True)
+    ray = torch.cat([middle, torch.ones_like(middle[:, :1])], 1)
+    area = span.prod(1, keepdim=True)
+    depth = nearest / area.sqrt()
     for _ in range(3):
         depth = depth.maximum(nearest)
-        low, high = bounds(surface, rotation, ray * depth)
+        low, high = bounds(corners, rotation, ray * depth)
         ray = torch.cat([ray[:, :2] + middle - (low + high) / 2, ray[:, 2:]], 1)
-        depth = depth * ((high - low).prod(1, keepdim=True) / span.prod()).sqrt()
+        depth = depth * ((high - low).prod(1, keepdim=True) / area).sqrt()
     return ray * depth.maximum(nearest)
 
 
@@ -203,31 +259,41 @@ def render(
     center: Float[Tensor, "b 3"],
     resolution: int,
     keep_aspect: bool = True,
+    owner: Int[Tensor, "b"] | None = None,
+    fit: Fit | None = None,
 ) -> SoftImages:
-    """Draw the object in ``b`` poses, each in its own tight square crop.
+    """Draw objects in ``b`` poses, each in its own tight square crop.
 
     Args:
-        surface: sample points.
+        surface: sample points of the objects.
         rotation: object frame to camera axes, see ``object_to_camera``.
-        center: the object's centre in camera axes, metres, in front of the camera.
+        center: the objects' centres in camera axes, metres, in front of the camera.
         resolution: side of the crops in pixels.
         keep_aspect: fit the longer side and pad the other; False stretches both to the crop.
+        owner: which object each pose is of; None if there is only one.
+        fit: moves the objects in their crops; None leaves them tight.
     """
-    low, high = bounds(surface, rotation, center)
+    index = torch.zeros_like(rotation[:, 0, 0], dtype=torch.long) if owner is None else owner
+    low, high = bounds(surface.corners[index], rotation, center)
     scale = pixel_scale(high - low, resolution, keep_aspect)
-    p = surface.position @ rotation.mT + center[:, None]
-    normal = surface.normal @ rotation.mT
+    p = turned(surface.position[index], rotation) + center[:, None]
+    normal = turned(surface.normal[index], rotation)
     depth = p[..., 2]
+    if fit is not None:
+        scale = scale * fit.zoom.exp()[:, None]
     pixel = (p[..., :2] / depth[..., None] - (low + high)[:, None] / 2) * scale[:, None]
     pixel = pixel + resolution / 2
+    if fit is not None:
+        pixel = pixel + resolution * fit.shift[:, None]
     facing = (normal * p).sum(-1)  # negative towards the camera
-    pixels = surface.area * facing.abs() / depth**3 * scale.prod(-1, keepdim=True)
+    area = surface.area[index, None] * scale.prod(-1, keepdim=True)
+    pixels = area * facing.abs() / depth**3
     with torch.no_grad():
-        seen = _visible(pixel, depth, scale, resolution) & (facing < 0) & ~surface.covered
+        seen = _visible(pixel, depth, scale, resolution) & (facing < 0) & ~surface.covered[index]
         share = torch.where(seen, 1.0, _HIDDEN_WEIGHT)
     weight = pixels * share
     values = torch.cat(
-        [pixels[..., None] / 2, weight[..., None], weight[..., None] * surface.color], -1
+        [pixels[..., None] / 2, weight[..., None], weight[..., None] * surface.color[index]], -1
     )
     layers, total, colored = _splat(pixel, values, resolution).split([1, 1, 3], 1)
     silhouette = 1 - torch.exp2(-((2 * layers) ** 3))
@@ -246,7 +312,7 @@ def _visible(
     cells = max(resolution // 2, 1)
     cell = (pixel.detach() * (cells / resolution)).long().clamp(0, cells - 1)
     index = cell[..., 1] * cells + cell[..., 0]
-    closest = torch.full((b, cells * cells), -torch.inf, dtype=depth.dtype)
+    closest = torch.full_like(depth[:, :1], -torch.inf).repeat(1, cells * cells)
     closest = closest.scatter_reduce(1, index, -depth.detach(), "amax").view(b, 1, cells, cells)
     nearest = -functional.max_pool2d(closest, 3, 1, 1).view(b, -1)
     side = (resolution / cells) * depth.mean(1, keepdim=True) / scale.amax(-1, keepdim=True)
@@ -261,7 +327,8 @@ def _splat(
     corner = (pixel - 0.5).floor()
     fraction = pixel - 0.5 - corner
     x = corner.long().clamp(0, resolution - 2)
-    first = (torch.arange(b)[:, None] * resolution + x[..., 1]) * resolution + x[..., 0]
+    rows = torch.arange(b, device=pixel.device)[:, None] * resolution
+    first = (rows + x[..., 1]) * resolution + x[..., 0]
     canvas = values.new_zeros(b * resolution * resolution, c)
     for dy in (0, 1):
         wy = fraction[..., 1] if dy else 1 - fraction[..., 1]
@@ -275,16 +342,28 @@ def _splat(
 def smooth(images: Float[Tensor, "b c h w"]) -> Float[Tensor, "b c h w"]:
     """Filter images with the splat's own footprint, a binomial of one pixel sigma."""
     c = images.shape[1]
-    taps = torch.tensor(_FILTER, dtype=images.dtype)
+    taps = images.new_tensor(_FILTER)
     rows = functional.pad(images, (2, 2, 2, 2))
     rows = functional.conv2d(rows, taps.view(1, 1, 5, 1).repeat(c, 1, 1, 1), groups=c)
     return functional.conv2d(rows, taps.view(1, 1, 1, 5).repeat(c, 1, 1, 1), groups=c)
 
 
+def sobel(
+    images: Float[Tensor, "b h w"],
+) -> tuple[Float[Tensor, "b hi wi"], Float[Tensor, "b hi wi"]]:
+    """Return an image's derivatives to the right and downwards by Sobel's filters, without a rim.
+
+    Written as differences: convolutions of a single channel are slow backwards.
+    """
+    across = images[:, :, 2:] - images[:, :, :-2]
+    down = images[:, 2:] - images[:, :-2]
+    x = (across[:, :-2] + 2 * across[:, 1:-1] + across[:, 2:]) / 8
+    y = (down[:, :, :-2] + 2 * down[:, :, 1:-1] + down[:, :, 2:]) / 8
+    return x, y
+
+
 def sobel_edges(silhouette: Float[Tensor, "b h w"]) -> Float[Tensor, "b h w"]:
     """Return the soft edge map of a soft silhouette: the length of its Sobel gradient, >= 0."""
-    s = functional.pad(silhouette[:, None], (1, 1, 1, 1))
-    across = torch.tensor([[-1.0, 0.0, 1.0], [-2.0, 0.0, 2.0], [-1.0, 0.0, 1.0]], dtype=s.dtype) / 8
-    gradient = functional.conv2d(s, torch.stack([across, across.T])[:, None])
+    x, y = sobel(functional.pad(silhouette, (1, 1, 1, 1)))
     tiny = 1e-3
-    return (gradient.square().sum(1) + tiny**2).sqrt() - tiny
+    return (x.square() + y.square() + tiny**2).sqrt() - tiny

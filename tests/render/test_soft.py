@@ -43,11 +43,11 @@ def test_points_cover_the_surface_evenly():
     surface = soft.sample_surface(l_shape(), SIZE, 4000, seed=0)
     x, y, z = SIZE
     caps, wall = 2 * 0.64 * x * y, 2 * (x + y) * z
-    assert surface.area * 4000 == pytest.approx(caps + wall, rel=1e-5)
-    on_top = (surface.normal[:, 2] > 0.99).float().mean()
+    assert float(surface.area) * 4000 == pytest.approx(caps + wall, rel=1e-5)
+    on_top = (surface.normal[0, :, 2] > 0.99).float().mean()
     assert float(on_top) == pytest.approx(caps / 2 / (caps + wall), abs=0.003)
     assert bool((surface.position.abs() <= torch.as_tensor(SIZE / 2 + 1e-6)).all())
-    assert len(surface.corners) == 10  # the inner corner of the L is not on the hull
+    assert surface.corners.shape[1] == 10  # the inner corner of the L is not on the hull
 
 
 def test_a_body_under_its_label_does_not_show_through():
@@ -58,11 +58,12 @@ def test_a_body_under_its_label_does_not_show_through():
     uv = np.concatenate([body.uv, np.full((4, 2), 0.0)])  # blue, over the red top
     surface = soft.sample_surface(Mesh(vertices, faces, uv, body.texture), SIZE, 8000, 0)
     assert not bool(soft.sample_surface(body, SIZE, 8000, 0).covered.any())
-    on_top = (surface.normal[:, 2] > 0.99) & (surface.position[:, 2] < SIZE[2] / 2 + 1e-5)
-    assert not bool(surface.covered[~on_top].any())
+    position, covered = surface.position[0], surface.covered[0]
+    on_top = (surface.normal[0, :, 2] > 0.99) & (position[:, 2] < SIZE[2] / 2 + 1e-5)
+    assert not bool(covered[~on_top].any())
     low, high = torch.as_tensor(label[[0, 2], :2] * SIZE[:2])
-    inside = ((surface.position[:, :2] > low) & (surface.position[:, :2] < high)).all(1) & on_top
-    assert float(surface.covered[inside].float().mean()) > 0.95
+    inside = ((position[:, :2] > low) & (position[:, :2] < high)).all(1) & on_top
+    assert float(covered[inside].float().mean()) > 0.95
 
 
 def test_same_seed_same_points_and_other_seed_others():
@@ -87,10 +88,11 @@ def test_pose_agrees_with_the_geometry_module():
 def test_fit_center_fills_the_box():
     surface = soft.sample_surface(l_shape(), SIZE, 100, 0)
     rotation = pose(torch.tensor([0.0, 0.9, 2.1]))
-    middle, span = torch.tensor([0.3, -0.2]), torch.tensor([0.12, 0.1])
-    low, high = soft.bounds(surface, rotation, soft.fit_center(surface, rotation, middle, span))
-    assert torch.allclose((low + high) / 2, middle.expand(3, 2), atol=2e-3)
-    assert torch.allclose((high - low).prod(1), span.prod(), rtol=0.02)
+    middle, span = torch.tensor([[0.3, -0.2]] * 3), torch.tensor([[0.12, 0.1]] * 3)
+    corners = surface.corners.expand(3, -1, 3)
+    low, high = soft.bounds(corners, rotation, soft.fit_center(corners, rotation, middle, span))
+    assert torch.allclose((low + high) / 2, middle, atol=2e-3)
+    assert torch.allclose((high - low).prod(1), span.prod(1), rtol=0.02)
 
 
 @pytest.mark.parametrize("keep_aspect", [True, False])
@@ -132,6 +134,40 @@ def test_candidates_do_not_influence_each_other():
     alone = soft.render(surface, pose(yaws[1:2]), center(1), 48)
     assert torch.allclose(together.image[1:2], alone.image, atol=1e-5)
     assert torch.allclose(together.silhouette[1:2], alone.silhouette, atol=1e-5)
+
+
+def test_objects_of_a_stack_are_drawn_as_if_alone():
+    body = l_shape()
+    other = Mesh(body.vertices * [1, 1, 0.5], body.faces, body.uv, body.texture)
+    surfaces = [soft.sample_surface(m, SIZE, 1000, 0) for m in (l_shape(), other)]
+    yaws = torch.tensor([0.1, 2.0, 4.4])
+    owner = torch.tensor([1, 0, 1])
+    together = soft.render(soft.stack(surfaces), pose(yaws), center(3), 48, owner=owner)
+    for k, number in enumerate(owner.tolist()):
+        alone = soft.render(surfaces[number], pose(yaws[k : k + 1]), center(1), 48)
+        assert torch.allclose(together.image[k], alone.image[0], atol=1e-5)
+
+
+def test_thinned_surfaces_look_alike():
+    surface = soft.sample_surface(l_shape(), SIZE, 9000, 0)
+    few = surface.thinned(3)
+    assert few.position.shape[1] == 3000
+    assert float(few.area) == pytest.approx(3 * float(surface.area))
+    yaws = torch.tensor([0.3])
+    whole, thin = (soft.render(s, pose(yaws), center(1), 48).silhouette for s in (surface, few))
+    assert float((whole - thin).abs().mean()) < 0.01
+
+
+def test_a_fit_moves_the_object_in_its_crop():
+    surface = soft.sample_surface(l_shape(), SIZE, 4000, 0)
+    tight = soft.render(surface, pose(torch.tensor([0.3])), center(1), 64).silhouette[0]
+    fit = soft.Fit(torch.tensor([[0.125, -0.0625]]), torch.zeros(1))
+    moved = soft.render(surface, pose(torch.tensor([0.3])), center(1), 64, fit=fit).silhouette[0]
+    rolled = torch.roll(tight, (-4, 8), (0, 1))
+    assert float((rolled - moved).abs()[8:-8, 12:-12].max()) < 0.02
+    smaller = soft.Fit(torch.zeros(1, 2), torch.tensor([-0.2]))
+    shrunk = soft.render(surface, pose(torch.tensor([0.3])), center(1), 64, fit=smaller).silhouette
+    assert float(shrunk.sum() / tight.sum()) == pytest.approx(np.exp(-0.4), rel=0.05)
 
 
 @pytest.mark.parametrize("keep_aspect", [True, False])

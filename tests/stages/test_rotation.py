@@ -19,7 +19,7 @@ SIZE = (640, 480)
 VIEW = View(azimuth=0.1, elevation=np.deg2rad(52.0), fov=np.deg2rad(38.0))
 FAST = dataclasses.replace(
     RotationConfig(), coarse_step=np.deg2rad(10.0), candidates=4, steps=25, points=3000,
-    resolution=72,
+    resolution=72, finalists=2,
 )  # fmt: skip
 
 
@@ -162,12 +162,55 @@ def test_an_object_at_the_side_is_seen_along_its_own_ray():
 def test_refining_descends_from_the_coarse_angle():
     model = build("toy_train", 5)
     instance, _ = picture_of(model, 0.53, (320, 240))
-    objective = dro.make_objective(model, instance, VIEW, Encoder(), FAST, SIZE)
-    start = np.array([0.45])
-    before = dro.coarse_losses(objective, start)[0]
-    ((yaw, loss),) = dro.refine(objective, start)
+    _, objective = dro.make_objective([model], [instance], VIEW, Encoder(), FAST, SIZE)
+    before = dro.coarse_losses(objective, np.array([0.45]))[0, 0]
+    (((yaw, loss, _),),) = dro.refine(objective, [[(0.45, before, 0.0)]], 25)
     assert loss < before
     assert abs(yaw - 0.53) < abs(0.45 - 0.53) / 2
+
+
+def test_objects_of_a_batch_are_found_as_if_alone():
+    models = [build("toy_train", 5), build("plate", 0), build("mug", 5)]
+    instances = [
+        picture_of(m, yaw, (320, 240))[0] for m, yaw in zip(models, (0.5, 2.0, -1.0), strict=True)
+    ]
+    config = dataclasses.replace(FAST, steps=6, patience=0)
+    together = dro.search(*dro.make_objective(models, instances, VIEW, Encoder(), config, SIZE))
+    assert len(together[1]) == 1 and together[1][0][0] == 0.0, "a plate has no yaw"
+    for model, instance, found in zip(models, instances, together, strict=True):
+        alone = dro.optimise_rotation(model, instance, VIEW, Encoder(), config, SIZE)
+        assert alone.yaw == pytest.approx(found[0][0], abs=np.deg2rad(0.2))
+
+
+def test_what_may_be_hidden_counts_for_little():
+    model = build("toy_train", 5)
+    instance, _ = picture_of(model, 0.53, (320, 240))
+    x0, _, x1, _ = instance.box.astype(int)
+    hidden = np.zeros(instance.mask.shape, bool)
+    hidden[:, : x0 + (x1 - x0) // 3] = True
+    spoilt = instance.crop.copy()
+    spoilt[:, : spoilt.shape[1] // 3, :3] = (255, 0, 255)  # a wrong guess of the hidden part
+    guessed = dataclasses.replace(instance, crop=spoilt)
+    losses = {}
+    for name, where in (("known", None), ("unsure", hidden)):
+        _, objective = dro.make_objective(
+            [model], [guessed], VIEW, Encoder(), FAST, SIZE, hidden=[where]
+        )
+        losses[name] = float(dro.coarse_losses(objective, np.array([0.53]))[0, 0])
+    assert losses["unsure"] < 0.6 * losses["known"]
+
+
+def test_a_hidden_part_that_is_missing_is_allowed_for():
+    model = build("toy_train", 5)
+    instance, _ = picture_of(model, 0.53, (320, 240))
+    cut = instance.crop.copy()
+    cut[:, -int(0.12 * cut.shape[1]) :, 3] = 0
+    errors = []
+    for occluded in (True, False):
+        part = dataclasses.replace(instance, crop=cut, occluded=occluded)
+        found = dro.optimise_rotation(model, part, VIEW, Encoder(), FAST, SIZE)
+        errors.append(abs(np.rad2deg(wrap(found.yaw - 0.53))))
+    assert errors[0] < min(errors[1], 4)
 
 
 def test_same_seed_same_rotation():

@@ -50,20 +50,15 @@ class Encoder:
         import torch
         from torch.nn import functional
 
-        padded = functional.pad(level[:, :1], (1, 1, 1, 1), mode="replicate")
-        edges = functional.conv2d(padded, self._filters(level))
-        channels = torch.cat([self.chroma * level[:, 1:], edges], 1)
+        from ...render.soft import sobel
+
+        x, y = sobel(functional.pad(level[:, :1], (1, 1, 1, 1), mode="replicate")[:, 0])
+        angles = torch.arange(self.orientations) * (torch.pi / self.orientations)
+        gain = 2 * (2 / self.orientations) ** 0.5
+        edges = [gain * (float(a.cos()) * x + float(a.sin()) * y) for a in angles]
+        channels = torch.cat([self.chroma * level[:, 1:], torch.stack(edges, 1)], 1)
         length = (channels.square().sum(1, keepdim=True) + self.floor**2).sqrt()
         return channels / length
-
-    def _filters(self, like: Tensor) -> Float[Tensor, "o 1 3 3"]:
-        """Return derivative-of-Gaussian filters, steered to each orientation."""
-        import torch
-
-        across = torch.tensor([[-1.0, 0, 1], [-2, 0, 2], [-1, 0, 1]], dtype=like.dtype) / 4
-        angles = torch.arange(self.orientations, dtype=like.dtype) * (torch.pi / self.orientations)
-        turned = angles.cos()[:, None, None] * across + angles.sin()[:, None, None] * across.T
-        return turned[:, None] * (2 / self.orientations) ** 0.5
 
 
 def _opponent(images: Float[Tensor, "b 3 h w"]) -> Float[Tensor, "b 3 h w"]:

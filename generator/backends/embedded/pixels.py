@@ -40,11 +40,19 @@ def hull_corners(mask: Mask) -> Float[np.ndarray, "k 2"]:
     return cv2.convexHull(corners.astype(np.float32))[:, 0].astype(float)
 
 
+def distances(mask: Mask) -> Float[np.ndarray, "h w"]:
+    """Return every pixel's distance from the nearest one of ``mask``, pixels.
+
+    SciPy's transform: OpenCV's exact one does not repeat itself to the bit.
+    """
+    return np.asarray(ndimage.distance_transform_edt(~mask))
+
+
 def distance_to(mask: Mask, points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n"]:
     """Return each point's distance from the nearest pixel of ``mask``, pixels."""
     if not mask.any():
         return np.full(len(points), np.inf)
-    away = cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+    away = distances(mask)
     x, y = np.clip(points.astype(int), 0, np.array([mask.shape[1], mask.shape[0]]) - 1).T
     return away[y, x]
 
@@ -74,7 +82,7 @@ def in_one_piece(mask: Mask, least: float = 0.02) -> Mask:
     joined, canvas = labels == order[0], mask.astype(np.uint8)
     apart = [labels == k for k in order[1:]]
     while apart:
-        away = cv2.distanceTransform((~joined).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+        away = distances(joined)
         gaps = [float(away[piece].min()) for piece in apart]
         piece = apart.pop(int(np.argmin(gaps)))
         ys, xs = np.nonzero(piece)

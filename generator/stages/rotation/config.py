@@ -1,0 +1,113 @@
+"""Settings of the rotation optimiser: fast defaults, and those of the paper."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...errors import InputError
+
+
+@dataclass(frozen=True)
+class RotationConfig:
+    """Settings of the rotation optimiser.
+
+    The defaults are made for a plain CPU; ``paper()`` gives the values of Sec. 4.1.
+
+    Attributes:
+        lambda_s, lambda_e, lambda_a: weights of Eq. 1.
+        coarse_step: step of the coarse search over the whole turn, radians.
+        candidates: how many coarse angles are refined.
+        separation: smallest angle between two candidates, radians; 0 takes the best angles even
+            if they are neighbours. A separation keeps the opposite direction in the race.
+        coarse_resolution, thinning: the coarse search and its refinement compare crops of that
+            side, pixels, of every ``thinning``-th point.
+        coarse_steps: Adam's steps there; 0 refines at full resolution only.
+        finalists: how many candidates are then refined at full resolution.
+        resolution: side of the compared crops, pixels.
+        points: surface points drawn per object.
+        learning_rate: Adam's step, radians.
+        steps: Adam's steps at full resolution.
+        decay: let the step fall to zero along a cosine, which ends on the minimum itself.
+        patience: stop after that many steps without progress; 0 never stops early.
+        flat: an object whose coarse losses vary by less than this share of the lowest looks the
+            same from all sides; it keeps yaw 0.
+        edge_unit: the distance that counts as 1 in Eq. 3, as a share of the crop's side.
+        keep_aspect: pad the tight crop to a square; False stretches it, which drops the aspect.
+        perspective: see each object along its own ray; False looks at all of them as if they
+            stood at the image centre.
+        refine_camera: also adjust the camera's elevation per candidate, within ``max_tilt``.
+        max_tilt: largest change of elevation, radians.
+        refine_fit: also shift and scale the candidates of an object that something hides in part,
+            by at most ``max_fit`` of the crop's side: its completed outline is a guess.
+            ``fit_cost`` is the loss that a change of ``max_fit`` adds.
+        unsure: weight of pixels where another instance may hide this one.
+        device: where torch works, "cpu" or "cuda". Only the CPU repeats itself to the bit.
+    """
+
+    lambda_s: float = 0.5
+    lambda_e: float = 0.5
+    lambda_a: float = 2.0
+    coarse_step: float = float(np.deg2rad(5.0))
+    candidates: int = 8
+    separation: float = float(np.deg2rad(15.0))
+    coarse_resolution: int = 48
+    thinning: int = 3
+    coarse_steps: int = 12
+    finalists: int = 3
+    resolution: int = 96
+    points: int = 6000
+    learning_rate: float = 3e-2
+    steps: int = 30
+    decay: bool = True
+    patience: int = 12
+    flat: float = 0.15
+    edge_unit: float = 0.1
+    keep_aspect: bool = True
+    perspective: bool = True
+    refine_camera: bool = True
+    max_tilt: float = float(np.deg2rad(6.0))
+    refine_fit: bool = True
+    max_fit: float = 0.06
+    fit_cost: float = 0.03
+    unsure: float = 0.2
+    device: str = "cpu"
+
+    def __post_init__(self) -> None:
+        if not 0 < self.coarse_step <= np.pi or self.candidates < 1 or self.steps < 0:
+            raise InputError(
+                "RotationConfig needs coarse_step in (0, pi] radians, at least 1 candidate and "
+                f"no negative steps, got {self}."
+            )
+        if min(self.resolution, self.coarse_resolution) < 16 or self.points < 100:
+            raise InputError(
+                f"RotationConfig needs resolutions >= 16 and points >= 100, got {self}."
+            )
+        if self.finalists < 1 or self.thinning < 1 or self.coarse_steps < 0:
+            raise InputError(
+                "RotationConfig needs at least 1 finalist, thinning >= 1 and no negative steps, "
+                f"got {self}."
+            )
+
+    @classmethod
+    def paper(cls) -> RotationConfig:
+        """Return the settings of Sec. 4.1 and 6.1; minutes per object on a CPU."""
+        return cls(
+            separation=0.0,
+            coarse_resolution=256,
+            thinning=1,
+            coarse_steps=0,
+            finalists=8,
+            resolution=256,
+            points=40_000,
+            steps=140,
+            decay=False,
+            patience=0,
+            flat=0.0,
+            keep_aspect=False,
+            perspective=False,
+            refine_camera=False,
+            refine_fit=False,
+            unsure=1.0,
+        )

@@ -1,0 +1,117 @@
+"""From a picture's instances to their rotations."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+from jaxtyping import Bool
+
+from ...backends.protocols import Encoder
+from ...errors import InputError
+from ...scene import TABLE, Instance, Model, Reference, Rotation, View
+from .config import RotationConfig
+from .objective import make_objective
+from .search import Found, search
+
+
+def estimate_rotations(
+    reference: Reference,
+    instances: tuple[Instance, ...],
+    models: Mapping[str, Model],
+    view: View,
+    encoder: Encoder,
+    config: RotationConfig | None = None,
+    seed: int = 0,
+    progress: Callable[[str], None] | None = None,
+) -> dict[str, Rotation]:
+    """Estimate r_i of every instance but the table, whose yaw is 0 by the view's definition.
+
+    On CUDA all instances are one batch; on a CPU each is searched by a thread of its own.
+    ``progress`` is called with each instance's name before its search begins.
+
+    Raises:
+        InputError: an instance has no model, or shows nothing.
+    """
+    config = config or RotationConfig()
+    height, width = reference.image.shape[:2]
+    things = [i for i in instances if i.name != TABLE]
+    for instance in things:
+        if instance.name not in models:
+            raise InputError(f"Instance {instance.name!r} has no model; make the models first.")
+    hidden = [_hiders(instance, things) for instance in things]
+
+    def searched(group: Sequence[int]) -> list[list[Found]]:
+        for k in group:
+            if progress:
+                progress(things[k].name)
+        pair = make_objective(
+            [models[things[k].name] for k in group],
+            [things[k] for k in group],
+            view, encoder, config, (width, height), seed,
+            [hidden[k] for k in group],
+        )  # fmt: skip
+        return search(*pair)
+
+    from ...render.soft import single_thread
+
+    with single_thread():
+        if config.device == "cpu":
+            with ThreadPoolExecutor(min(os.cpu_count() or 1, max(len(things), 1))) as pool:
+                found = [rows[0] for rows in pool.map(searched, [[k] for k in range(len(things))])]
+        else:
+            found = searched(range(len(things))) if things else []
+    return {t.name: _rotation(t.name, rows) for t, rows in zip(things, found, strict=True)}
+
+
+def optimise_rotation(
+    model: Model,
+    instance: Instance,
+    view: View,
+    encoder: Encoder,
+    config: RotationConfig,
+    image_size: tuple[int, int],
+    seed: int = 0,
+    hidden: Bool[np.ndarray, "h w"] | None = None,
+) -> Rotation:
+    """Find the yaw of one object: coarse search, then gradient descent on the candidates.
+
+    Args:
+        model: canonical model; its ``size`` gives the proportions.
+        instance: the completed crop (its alpha is S) and its place in the image.
+        view: camera of the reference image.
+        encoder: appearance features Phi.
+        config: settings.
+        image_size: (width, height) of the reference image in pixels.
+        seed: of the surface samples.
+        hidden: where in the image something else may hide the object.
+
+    Returns:
+        The best yaw in [-pi, pi) with its loss, and every refined (yaw, loss), best first.
+
+    Raises:
+        InputError: the crop is empty or the model has no surface.
+    """
+    from ...render.soft import single_thread
+
+    with single_thread():
+        pair = make_objective(
+            [model], [instance], view, encoder, config, image_size, seed, [hidden]
+        )
+        (found,) = search(*pair)
+    return _rotation(instance.name, found)
+
+
+def _rotation(name: str, found: list[Found]) -> Rotation:
+    yaw, loss, _ = found[0]
+    return Rotation(name, yaw, loss, tuple((yaw, loss) for yaw, loss, _ in found))
+
+
+def _hiders(instance: Instance, things: Sequence[Instance]) -> Bool[np.ndarray, "h w"] | None:
+    """Return where others may hide an instance, if anything does."""
+    if not instance.occluded:
+        return None
+    others = [np.asarray(t.mask) for t in things if t.name != instance.name]
+    return np.logical_or.reduce(others) if others else None
