@@ -121,7 +121,7 @@ def test_a_scene_error_has_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None
 def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert command("--help") == 0
     shown = capsys.readouterr().out
-    for name in ("generate", "compose", "inspect", "verify", "view", "compare", "cache"):
+    for name in ("generate", "compose", "inspect", "verify", "view", "compare", "evaluate", "cache"):
         assert name in shown
 
 
