@@ -13,12 +13,7 @@ from .printing import emit
 from .store import find, one, some
 
 if TYPE_CHECKING:
-    import numpy as np
-
-    from ..bundle import Segments
     from ..evaluation import Evaluation
-    from ..evaluation.perceptual import Available
-    from ..scene import Scene
 
 
 def evaluate(
@@ -52,14 +47,8 @@ def evaluate(
     metrics = available() if sweep else None
     found: list[tuple[str, Evaluation]] = []
     for path in _paths(bundles):
-        scene, segments, kept = _loaded(path)
-        seen = kept if given is None else given
-        usable, note = _usable(metrics, seen)
-        evaluation = report.evaluate(
-            scene, picture=seen, segments=segments, truth=true, metrics=usable
-        )
-        notes = (*evaluation.notes, *note)
-        found.append((str(path), dataclasses.replace(evaluation, notes=notes)))
+        evaluation = report.evaluate_bundle(path, picture=given, truth=true, metrics=metrics)
+        found.append((str(path), evaluation))
     summary = rates(e.collisions for _, e in found)
     if json:
         scenes = [{"bundle": path, **e.facts()} for path, e in found]
@@ -82,24 +71,6 @@ def _paths(bundles: tuple[str, ...]) -> list[Path]:
         folder = Path(wanted)
         paths += [folder] if (folder / TRANSFORMS).is_file() else find(wanted)
     return paths
-
-
-def _loaded(path: Path) -> tuple[Scene, Segments | None, np.ndarray | None]:
-    from ..bundle import load, load_picture, load_segments
-    from ..evaluation import load_external
-    from ..evaluation.external import TRANSFORMS
-
-    if (path / TRANSFORMS).is_file():
-        return load_external(path), None, None
-    return load(path), load_segments(path), load_picture(path, "reference")
-
-
-def _usable(
-    metrics: Available | None, picture: np.ndarray | None
-) -> tuple[Available | None, tuple[str, ...]]:
-    if metrics is not None and picture is None:
-        return None, ("no sweep: the scene keeps no picture; pass --picture",)
-    return metrics, ()
 
 
 def _print(found: list[tuple[str, Evaluation]]) -> None:

@@ -8,6 +8,7 @@ from .findings import Finding as Finding
 from .findings import Limits as Limits
 from .report import Evaluation as Evaluation
 from .report import evaluate as evaluate
+from .report import evaluate_bundle as evaluate_bundle
 from .soundness import Rule as Rule
 from .soundness import Soundness as Soundness
 from .soundness import soundness as soundness

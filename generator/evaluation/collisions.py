@@ -5,7 +5,8 @@ overlap is the larger of two lengths: the farthest that a point of either surfac
 other body (its distance to that body's surface), and the diameter of a ball that fits into both
 (found at points within walls; it tells things that coincide, whose surfaces lie on each other).
 Two boxes pushed 3 mm into each other are 3 mm deep; so is a spoon's tip 3 mm inside a mug's wall.
-A spoon that stands in the hollow of a mug lies in no body and is no collision.
+A spoon that stands in the hollow of a mug lies in no body and is no collision. Two sheets that are
+both thinner than the threshold can cross unseen: nothing of either is that deep in the other.
 """
 
 from __future__ import annotations

@@ -44,14 +44,18 @@ class Limits:
     place: float = 0.05
 
     def __post_init__(self) -> None:
-        numbers = (self.overlap, self.usual_size - 1, self.gain, self.yaw, self.scale - 1)
-        if not np.isfinite(numbers).all() or min(*numbers, self.place) <= 0:
+        factors = (self.usual_size - 1, self.scale - 1)
+        numbers = (self.overlap, self.gain, self.yaw, self.place, *factors)
+        if not np.isfinite(numbers).all() or min(numbers) <= 0:
             raise InputError(f"Limits are positive, and factors above 1: {self}.")
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One defect of one object. ``value`` and ``limit`` are in ``unit``; None where none is."""
+    """One defect of one object. ``value`` and ``limit`` are in ``unit``; None where none is.
+
+    ``other`` is the second thing that takes part in it: an object, or "table".
+    """
 
     kind: Kind
     name: str
@@ -60,12 +64,14 @@ class Finding:
     value: float | None = None
     limit: float | None = None
     unit: str = ""
+    other: str | None = None
 
     def facts(self) -> dict[str, Any]:
         """Return the finding as JSON values."""
         return {
             "kind": self.kind,
             "object": self.name,
+            "other": self.other,
             "text": self.text,
             "evidence": self.evidence,
             "value": None if self.value is None else round(self.value, 4),
@@ -75,14 +81,14 @@ class Finding:
 
 
 def of_collisions(found: Collisions, limits: Limits) -> list[Finding]:
-    """Return one finding an overlap, named for the second of the two things."""
+    """Return one finding an overlap, with both things that take part in it."""
     limit = 1e3 * limits.overlap
     pairs = [(o.b, o.a, 1e3 * o.depth) for o in found.overlaps]
     pairs += [(o.a, o.b, 1e3 * o.depth) for o in found.sunk]
     return [
         Finding(
             "overlap", name, f"overlaps {'the table' if other == TABLE else other}", "meshes",
-            depth, limit, "mm",
+            depth, limit, "mm", other,
         )
         for name, other, depth in pairs
     ]  # fmt: skip

@@ -92,14 +92,16 @@ def judged(judge: object, reference: Picture, pictures: Sequence[Picture]) -> Ma
     if not pictures:
         raise InputError("A judge needs at least one picture of the scene.")
     answer = asked.rate(reference, tuple(pictures), CRITERIA)
-    marks = {key: answer.get(key) for key in CRITERIA}
-    for key, mark in marks.items():
-        if not isinstance(mark, int | float) or not LEAST <= mark <= MOST:
+    marks: dict[str, float | None] = {}
+    for key in CRITERIA:
+        mark = answer.get(key)
+        if not isinstance(mark, int | float) or mark is True or not LEAST <= mark <= MOST:
             raise BackendError(
                 f"{type(judge).__name__} gave {mark!r} for {key}; marks go from {LEAST:g} to "
                 f"{MOST:g}. Ask again, or use another judge."
             )
-    return Marks(type(judge).__name__, {k: float(m) for k, m in marks.items() if m}, {})
+        marks[key] = float(mark)
+    return Marks(type(judge).__name__, marks, {})
 
 
 def ranked(

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 from jaxtyping import UInt8
 
-from ..bundle import Segments
+from ..bundle import Segments, load, load_picture, load_segments
 from ..comparison import Comparison, compare
 from ..errors import InputError
 from ..scene import Scene
 from . import findings as found_in
 from .collisions import Collisions, colliding, collisions
+from .external import TRANSFORMS, load_external
 from .findings import Finding, Limits
 from .judged import Marks, judged, measured
 from .perceptual import Available
@@ -56,8 +59,8 @@ class Evaluation:
         return not self.findings
 
     def of(self, name: str) -> tuple[Finding, ...]:
-        """Return the findings about one object."""
-        return tuple(f for f in self.findings if f.name == name)
+        """Return the findings that one object takes part in."""
+        return tuple(f for f in self.findings if name in (f.name, f.other))
 
     def facts(self) -> dict[str, Any]:
         """Return everything as JSON values."""
@@ -158,6 +161,44 @@ def evaluate(
         held, compared, fitted, errors, best,
         MappingProxyType({}) if metrics is None else metrics.missing, tuple(notes),
     )  # fmt: skip
+
+
+def evaluate_bundle(
+    path: str | Path,
+    *,
+    picture: Picture | None = None,
+    metrics: Available | None = None,
+    **options: Any,
+) -> Evaluation:
+    """Evaluate a bundle, or a folder of another method's result (see ``external``), from disk.
+
+    Args:
+        path: the folder.
+        picture: the reference picture; the one that the bundle keeps if left out.
+        metrics: perceptual metrics; left out, with a note, where there is no picture at all.
+        options: as for :func:`evaluate`.
+
+    Raises:
+        BundleError: there is no bundle, or it is damaged.
+        InputError: a foreign folder is no good, or the picture does not fit.
+    """
+    folder = Path(path)
+    segments = None
+    if (folder / TRANSFORMS).is_file():
+        scene = load_external(folder)
+    else:
+        scene, segments = load(folder), load_segments(folder)
+        picture = load_picture(folder, "reference") if picture is None else picture
+    blind = metrics is not None and picture is None
+    found = evaluate(
+        scene,
+        picture=picture,
+        segments=segments,
+        metrics=None if blind else metrics,
+        **options,
+    )
+    note = ("no sweep: the scene keeps no picture; pass one",) if blind else ()
+    return dataclasses.replace(found, notes=found.notes + note)
 
 
 def _marks(

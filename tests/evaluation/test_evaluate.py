@@ -137,7 +137,13 @@ def test_findings_carry_figures_and_limits() -> None:
     ).findings
     assert found.value == pytest.approx(3, abs=0.1)
     assert (found.limit, found.unit) == (1.0, "mm")
-    assert found.facts()["object"] == "box_1"
+    assert (found.facts()["object"], found.facts()["other"]) == ("box_1", "can_1")
+
+
+def test_an_overlap_is_found_by_either_name() -> None:
+    found = evaluate(spoiled(sound(), "can_1", "overlap"), simulate=False)
+    assert found.of("can_1") == found.of("box_1") == found.findings
+    assert found.of("bar_1") == ()
 
 
 def test_marks_fall_with_every_defect(taken: Shot) -> None:

@@ -50,7 +50,15 @@ def test_a_judge_marks_all_criteria_of_one_scene() -> None:
 
 
 @pytest.mark.parametrize(
-    "marks", [{"VF": 6, "IA": 5}, GOOD | {"PP": 8}, GOOD | {"PP": 0}, GOOD | {"IA": "good"}]
+    "marks",
+    [
+        {"VF": 6, "IA": 5},
+        GOOD | {"PP": 8},
+        GOOD | {"PP": 0},
+        GOOD | {"PP": True},
+        GOOD | {"VF": float("nan")},
+        GOOD | {"IA": "good"},
+    ],
 )
 def test_an_answer_off_the_scale_is_refused(marks: Mapping[str, Any]) -> None:
     with pytest.raises(BackendError, match="1 to 7"):
