@@ -121,7 +121,8 @@ def test_a_scene_error_has_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None
 def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:
     assert command("--help") == 0
     shown = capsys.readouterr().out
-    for name in ("generate", "compose", "inspect", "verify", "view", "compare", "cache"):
+    made = ("generate", "compose", "cache")
+    for name in (*made, "inspect", "verify", "view", "compare", "evaluate"):
         assert name in shown
 
 

@@ -45,6 +45,10 @@ def test_composing_needs_no_torch() -> None:
     assert "torch" not in loaded_by("import generator.compose")
 
 
+def test_evaluating_geometry_needs_no_torch() -> None:
+    assert "torch" not in loaded_by("import generator.evaluation.report")
+
+
 def test_the_probe_can_fail() -> None:
     assert "torch" in loaded_by("import torch")
     with pytest.raises(subprocess.CalledProcessError):

@@ -60,6 +60,23 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         (*VALUES, "generator.bundle", "generator.render", "generator.comparison"),
     ),
     (
+        "generator.evaluation.perceptual",
+        (*VALUES, "generator.evaluation", "generator.backends.embedded"),
+    ),
+    (
+        "generator.evaluation",
+        (
+            *VALUES,
+            "generator.backends.protocols",
+            "generator.bundle",
+            "generator.catalogue",
+            "generator.comparison",
+            "generator.evaluation",
+            "generator.physics",
+            "generator.render",
+        ),
+    ),
+    (
         "generator.compose",
         (
             *VALUES,

@@ -68,6 +68,31 @@ class Reasoner(Protocol):
 
 
 @runtime_checkable
+class Judge(Protocol):
+    """Marks for finished scenes (Sec. 4.1): two questions that a reasoner may answer, too."""
+
+    def rate(
+        self,
+        reference: UInt8[np.ndarray, "h w 3"],
+        pictures: tuple[UInt8[np.ndarray, "a b 3"], ...],
+        criteria: Mapping[str, str],
+    ) -> Mapping[str, float]:
+        """Mark the scene that ``pictures`` show, for each criterion, from 1 (poor) to 7.
+
+        ``criteria`` tells what each key means; 4 is average.
+        """
+        ...
+
+    def rank(
+        self,
+        reference: UInt8[np.ndarray, "h w 3"],
+        methods: Mapping[str, tuple[UInt8[np.ndarray, "a b 3"], ...]],
+    ) -> tuple[str, ...]:
+        """Order several methods' scenes of one reference by overall preference, best first."""
+        ...
+
+
+@runtime_checkable
 class Imager(Protocol):
     """The image model of the paper: draws, completes, and shows the table from above."""
 

@@ -6,6 +6,7 @@ from .folder import check_name as check_name
 from .folder import load as load
 from .folder import load_picture as load_picture
 from .folder import load_segments as load_segments
+from .folder import read_inside as read_inside
 from .folder import save as save
 from .folder import verify as verify
 from .segments import Segments as Segments

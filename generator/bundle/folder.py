@@ -238,7 +238,7 @@ def _read_truth(folder: Path) -> dict[str, Any]:
         raise BundleError(f"{folder} cannot be looked into: {error.strerror}.") from error
     if not there:
         raise BundleError(f"There is no bundle at {folder}.")
-    raw = _read(folder, "scene.json", MOST_BYTES)
+    raw = read_inside(folder, "scene.json", MOST_BYTES)
     payload = loads(raw, str(folder))
     schema = payload.get("schema")
     if schema != SCHEMA:
@@ -264,14 +264,18 @@ def _read_listed(folder: Path, name: str, entry: Any) -> bytes:
     size = entry["bytes"]
     if not 0 <= size <= MOST_BYTES:
         raise BundleError(f"{folder}: {name} has {size} bytes; at most {MOST_BYTES} are read.")
-    content = _read(folder, name, size)
+    content = read_inside(folder, name, size)
     if _fingerprint(content) != entry:
         raise BundleError(f"{folder}: {name} was changed after it was written.")
     return content
 
 
-def _read(folder: Path, name: str, limit: int) -> bytes:
-    """Read a plain file inside ``folder``: no way out of it, no links, no more than ``limit``."""
+def read_inside(folder: Path, name: str, limit: int) -> bytes:
+    """Read a plain file inside ``folder``: no way out of it, no links, no more than ``limit``.
+
+    Raises:
+        BundleError: the file is missing, too large, or not inside the folder.
+    """
     path = PurePosixPath(name)
     if not name.isprintable():
         raise BundleError(f"{folder}: {name!r} is not a file's name.")

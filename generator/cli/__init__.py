@@ -14,7 +14,7 @@ from ..errors import (
     StorageError,
     TabletopError,
 )
-from . import cache, interrupts, looking, making
+from . import cache, evaluating, interrupts, looking, making
 
 EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (InputError, 2),
@@ -40,6 +40,7 @@ for command in (
     looking.verify,
     looking.view,
     looking.compare,
+    evaluating.evaluate,
 ):
     app.command(command)
 

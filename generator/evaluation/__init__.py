@@ -1,0 +1,15 @@
+"""How good a scene is (Secs. 4.1 to 4.3): collisions, soundness, likeness, errors against truth."""
+
+from .collisions import Collisions as Collisions
+from .collisions import collisions as collisions
+from .collisions import rates as rates
+from .external import load_external as load_external
+from .findings import Finding as Finding
+from .findings import Limits as Limits
+from .report import Evaluation as Evaluation
+from .report import evaluate as evaluate
+from .report import evaluate_bundle as evaluate_bundle
+from .soundness import Rule as Rule
+from .soundness import Soundness as Soundness
+from .soundness import soundness as soundness
+from .sweep import best_views as best_views

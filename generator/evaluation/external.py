@@ -1,0 +1,231 @@
+"""Another method's result, to be scored beside ours: one GLB an object, and a JSON of transforms.
+
+A folder holds ``transforms.json`` and the GLB files it names, all lengths in metres::
+
+    {"name": "scene-3", "method": "other", "up": "y",
+     "table": {"glb": "table.glb", "matrix": [[1, 0, 0, 0], ...]},
+     "objects": [{"name": "mug_1", "label": "mug", "glb": "mug.glb",
+                  "matrix": [[1, 0, 0, 0.1], ...], "on": "table", "inside": false}]}
+
+``up`` is the axis that points up in the GLB files: "y" (glTF's own, the default) or "z". A mesh is
+first turned z up (x stays x, y becomes z, z becomes -y), then ``matrix`` (4 x 4, row by row, acting
+on columns) takes it into the world: +x right and +y away as the reference picture shows the table,
++z up. The matrix turns, scales along the mesh's own axes, and shifts; it neither mirrors nor
+shears. The world may have its origin anywhere: it is shifted so that the table stands on the floor
+under the origin. A method without a table gives ``{"size": [x, y, z]}`` as "table": a block of that
+extent, its top's middle at ``"top": [x, y, z]`` in the method's world. ``label`` (the name without
+its number if left out), ``on`` ("table") and ``inside`` may be missing.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+from scipy.spatial.transform import Rotation
+
+from ..bundle import MOST_BYTES, read_inside
+from ..errors import BundleError, InputError, choices
+from ..geometry import convex_outline, hull_points, quaternion_yaw, to_unit_box
+from ..physics.inertia import body_mass
+from ..physics.parts import model_parts
+from ..scene import (
+    TABLE,
+    ConvexPart,
+    Mesh,
+    Model,
+    Object,
+    Placement,
+    Pose,
+    Provenance,
+    Scene,
+    Table,
+)
+from .glb import read_glb
+
+TRANSFORMS = "transforms.json"
+"""The file that a result's folder must hold."""
+
+MOST_OBJECTS = 256
+_FARTHEST = 100.0  # metres: larger things and places are in other units
+_SHEAR = 1e-3
+_TOP = 0.01  # metres: what of a table lies this near under its highest point is its top
+_Z_UP = {"y": np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]]), "z": np.eye(3)}
+
+
+def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
+    """Read a foreign result as a scene of ours, at the poses it states.
+
+    Nothing is moved: what overlaps or floats does so in the scene, too. Mass and friction are this
+    project's defaults.
+
+    Args:
+        folder: holds ``transforms.json`` and its GLB files (see the module).
+        decompose: find convex parts for simulation (seconds to a minute an object, kept for the
+            next time). Otherwise each object has its convex hull, which is enough for meshes and
+            pictures, and a warning in its provenance says so.
+
+    Raises:
+        InputError: a file is missing, damaged, too large or outside the folder, or a value is no
+            number, no pose, or in other units.
+        SceneError: a mesh cannot be decomposed.
+    """
+    place = Path(folder)
+    payload = _payload(place)
+    up = payload.get("up", "y")
+    if up not in _Z_UP:
+        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r}.')
+    entries = payload.get("objects")
+    if not isinstance(entries, list) or len(entries) > MOST_OBJECTS:
+        raise InputError(f"{place}: 'objects' must be a list of at most {MOST_OBJECTS} objects.")
+    mesh, shift = _table_mesh(place, payload.get("table"), _Z_UP[up])
+    table = _table(mesh)
+    bodies = [_object(place, entry, _Z_UP[up], shift, decompose) for entry in entries]
+    _check_supports(bodies)
+    warning = "collision parts are convex hulls: not fit for simulation"
+    provenance = Provenance(
+        "manual", 0, prompt=f"method: {payload.get('method', 'unknown')}",
+        warnings=() if decompose else (warning,),
+    )  # fmt: skip
+    return Scene(str(payload.get("name", place.name)), table, tuple(bodies), provenance)
+
+
+def _payload(place: Path) -> dict[str, Any]:
+    def refuse(constant: str) -> float:
+        raise InputError(f"{place}: {TRANSFORMS} holds {constant}; every number must be finite.")
+
+    try:
+        payload = json.loads(_read(place, TRANSFORMS), parse_constant=refuse)
+    except (ValueError, RecursionError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"{place}: {TRANSFORMS} is not JSON ({error}).") from error
+    if not isinstance(payload, dict):
+        raise InputError(f"{place}: {TRANSFORMS} must be one JSON object.")
+    return payload
+
+
+def _read(place: Path, name: Any) -> bytes:
+    if not isinstance(name, str):
+        raise InputError(f"{place}: a file's name must be a text, got {name!r}.")
+    try:
+        return read_inside(place, name, MOST_BYTES)
+    except BundleError as error:
+        raise InputError(str(error)) from error
+
+
+def _mesh(place: Path, entry: Mapping[str, Any], turn: Float[np.ndarray, "3 3"]) -> Mesh:
+    name = entry.get("glb")
+    mesh = read_glb(_read(place, name), f"{place}: {name}")
+    return Mesh(mesh.vertices @ turn.T, mesh.faces, mesh.uv, mesh.texture)
+
+
+def _table_mesh(
+    place: Path, entry: Any, turn: Float[np.ndarray, "3 3"]
+) -> tuple[Mesh, Float[np.ndarray, "3"]]:
+    """Return the table in metres, and the shift that puts it on the floor under the origin."""
+    if not isinstance(entry, dict):
+        raise InputError(
+            f"{place}: 'table' must name a GLB and a matrix, or a size. See "
+            "generator.evaluation.external."
+        )
+    if "size" in entry:
+        size = _numbers(entry["size"], (3,), f"{place}: the table's size")
+        if size.min() <= 0:
+            raise InputError(f"{place}: the table's size must be positive metres, got {size}.")
+        top = _numbers(entry.get("top", [0, 0, size[2]]), (3,), f"{place}: the table's top")
+        return _block(size), np.array([0.0, 0.0, size[2]]) - top
+    mesh = _mesh(place, entry, turn)
+    scale, rotation, shift = _pose(entry, f"{place}: the table")
+    vertices = (mesh.vertices * scale) @ rotation.T + shift
+    low, high = vertices.min(0), vertices.max(0)
+    move = -np.array([*(low + high)[:2] / 2, low[2]])
+    return Mesh(vertices, mesh.faces, mesh.uv, mesh.texture), move
+
+
+def _table(mesh: Mesh) -> Table:
+    unit, _, extent = to_unit_box(mesh)
+    model = Model(TABLE, TABLE, unit, extent)
+    vertices = unit.vertices * extent
+    high = float(vertices[:, 2].max())
+    outline = convex_outline(vertices[vertices[:, 2] > high - _TOP][:, :2])
+    slab = np.array([[x, y, z] for x, y in outline for z in (high - 3 * _TOP, high)])
+    return Table(model, extent, (ConvexPart(slab),), outline, model.physics.friction)
+
+
+def _object(
+    place: Path, entry: Any, turn: Float[np.ndarray, "3 3"], shift: Float[np.ndarray, "3"],
+    decompose: bool,
+) -> Object:  # fmt: skip
+    if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
+        raise InputError(f"{place}: each object needs a 'name', a 'glb' and a 'matrix'.")
+    name = entry["name"]
+    scale, rotation, translation = _pose(entry, f"{place}: {name}")
+    unit, center, extent = to_unit_box(_mesh(place, entry, turn))
+    extent = extent * scale
+    if not 1e-4 <= extent.max() <= _FARTHEST:
+        raise InputError(f"{place}: {name} is {extent.max():.3g} m long; lengths are in metres.")
+    label = str(entry.get("label", name.rstrip("0123456789").rstrip("_ ") or name))
+    position = rotation @ (center * scale) + translation + shift
+    quaternion = Rotation.from_matrix(rotation).as_quat(scalar_first=True)
+    placement = Placement(
+        name, quaternion_yaw(quaternion), position, extent, str(entry.get("on", TABLE)),
+        bool(entry.get("inside", False)),
+    )  # fmt: skip
+    hull = () if decompose else (ConvexPart(hull_points(unit.vertices.astype(float))),)
+    model = Model(name, label, unit, extent, parts=hull)
+    parts = model_parts(model, extent)
+    weighed = body_mass(unit, extent, model.physics, parts)
+    return Object(
+        name, model, placement, parts, weighed.mass, weighed.com, weighed.inertia,
+        model.physics.friction, Pose(position, quaternion),
+    )  # fmt: skip
+
+
+def _pose(
+    entry: Mapping[str, Any], what: str
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "3 3"], Float[np.ndarray, "3"]]:
+    """Return scale along the mesh's axes, rotation and translation of an entry's matrix."""
+    matrix = _numbers(entry.get("matrix"), (4, 4), f"{what}: the matrix")
+    linear, translation = matrix[:3, :3], matrix[:3, 3]
+    scale = np.linalg.norm(linear, axis=0)
+    if not np.allclose(matrix[3], [0, 0, 0, 1]) or scale.min() < 1e-9:
+        raise InputError(f"{what}: the matrix must be affine, with 0 0 0 1 below, and not flat.")
+    rotation = linear / scale
+    if np.abs(rotation.T @ rotation - np.eye(3)).max() > _SHEAR or np.linalg.det(rotation) < 0:
+        raise InputError(f"{what}: the matrix mirrors or shears; apply that to the mesh instead.")
+    if np.abs(translation).max() > _FARTHEST:
+        raise InputError(f"{what}: lies {np.abs(translation).max():.3g} m away; use metres.")
+    return scale, rotation, translation
+
+
+def _numbers(value: Any, shape: tuple[int, ...], what: str) -> Float[np.ndarray, "..."]:
+    try:
+        array = np.array(value, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InputError(f"{what} must hold numbers only.") from error
+    if array.shape != shape or not np.isfinite(array).all():
+        raise InputError(f"{what} must be {' x '.join(map(str, shape))} finite numbers.")
+    return array
+
+
+def _check_supports(bodies: list[Object]) -> None:
+    names = {o.name for o in bodies} | {TABLE}
+    for thing in bodies:
+        others = names - {thing.name}
+        if thing.placement.on not in others:
+            raise InputError(
+                f"{thing.name!r} stands on an unknown thing." + choices(thing.placement.on, others)
+            )
+
+
+def _block(size: Float[np.ndarray, "3"]) -> Mesh:
+    import trimesh
+
+    box = trimesh.creation.box(extents=size)
+    texture = np.full((2, 2, 3), 200, np.uint8)
+    return Mesh(box.vertices, box.faces, np.zeros((len(box.vertices), 2)), texture)

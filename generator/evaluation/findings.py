@@ -1,0 +1,209 @@
+"""What is wrong with a scene, object by object: findings with figure, limit and evidence."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import numpy as np
+
+from ..comparison import Comparison
+from ..errors import InputError
+from ..scene import TABLE
+from .collisions import THRESHOLD, Collisions
+from .silhouettes import Fit
+from .sizes import UsualSize
+from .soundness import PLAIN, Rule, Soundness
+from .truth import TruthErrors
+
+Kind = Literal[
+    "overlap", "floats", "off_table", "unstable", "wrong_size", "wrong_yaw", "wrong_place",
+    "wrong_support", "missing", "extra",
+]  # fmt: skip
+Evidence = Literal["meshes", "simulation", "usual size", "picture", "truth"]
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What counts as a defect.
+
+    overlap: depth in metres. ``rule``: of standing still.
+    usual_size: factor between an object's size and the usual one.
+    gain: by how much another turn or size must fit the object's mask better (IoU).
+    yaw: radians, against a truth. ``scale``: factor, against a truth.
+    place: share of the table's width, against a truth.
+    """
+
+    overlap: float = THRESHOLD
+    rule: Rule = PLAIN
+    usual_size: float = 1.7
+    gain: float = 0.15
+    yaw: float = float(np.deg2rad(15.0))
+    scale: float = 1.25
+    place: float = 0.05
+
+    def __post_init__(self) -> None:
+        factors = (self.usual_size - 1, self.scale - 1)
+        numbers = (self.overlap, self.gain, self.yaw, self.place, *factors)
+        if not np.isfinite(numbers).all() or min(numbers) <= 0:
+            raise InputError(f"Limits are positive, and factors above 1: {self}.")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One defect of one object. ``value`` and ``limit`` are in ``unit``; None where none is.
+
+    ``other`` is the second thing that takes part in it: an object, or "table".
+    """
+
+    kind: Kind
+    name: str
+    text: str
+    evidence: Evidence
+    value: float | None = None
+    limit: float | None = None
+    unit: str = ""
+    other: str | None = None
+
+    def facts(self) -> dict[str, Any]:
+        """Return the finding as JSON values."""
+        return {
+            "kind": self.kind,
+            "object": self.name,
+            "other": self.other,
+            "text": self.text,
+            "evidence": self.evidence,
+            "value": None if self.value is None else round(self.value, 4),
+            "limit": None if self.limit is None else round(self.limit, 4),
+            "unit": self.unit,
+        }
+
+
+def of_collisions(found: Collisions, limits: Limits) -> list[Finding]:
+    """Return one finding an overlap, with both things that take part in it."""
+    limit = 1e3 * limits.overlap
+    pairs = [(o.b, o.a, 1e3 * o.depth) for o in found.overlaps]
+    pairs += [(o.a, o.b, 1e3 * o.depth) for o in found.sunk]
+    return [
+        Finding(
+            "overlap", name, f"overlaps {'the table' if other == TABLE else other}", "meshes",
+            depth, limit, "mm", other,
+        )
+        for name, other, depth in pairs
+    ]  # fmt: skip
+
+
+def of_soundness(found: Soundness) -> list[Finding]:
+    """Return what floats, hangs over the edge, or does not stand still."""
+    rule, findings = found.rule, []
+    for thing in found.objects:
+        if thing.floats:
+            text = "floats: nothing holds it"
+            findings.append(
+                Finding("floats", thing.name, text, "simulation", None, 1e3 * rule.gap, "mm")
+            )
+        if thing.off_table:
+            text = "its centre of mass is beyond the table's edge"
+            findings.append(Finding("off_table", thing.name, text, "simulation"))
+        if not found.moves(thing):
+            continue
+        turn = float(np.rad2deg(thing.turn))
+        after = f"in {rule.seconds:g} s"
+        if found.diverged:
+            finding = ("the simulation broke down", None, None, "")
+        elif thing.drift > rule.drift or thing.falls:
+            verb = "falls from the table" if thing.falls else "moves"
+            finding = (f"{verb} {after}", 1e3 * thing.drift, 1e3 * rule.drift, "mm")
+        else:
+            finding = (f"turns {after}", turn, float(np.rad2deg(rule.tilt)), "deg")
+        text, value, limit, unit = finding
+        findings.append(Finding("unstable", thing.name, text, "simulation", value, limit, unit))
+    return findings
+
+
+def of_sizes(found: Sequence[UsualSize], limits: Limits) -> list[Finding]:
+    """Return what is much larger or smaller than such things usually are."""
+    return [
+        Finding(
+            "wrong_size", s.name, f"{_than(s.ratio)} than the {s.source} knows such things",
+            "usual size", s.ratio, limits.usual_size, "x",
+        )
+        for s in found
+        if _beyond(s.ratio, limits.usual_size)
+    ]  # fmt: skip
+
+
+def of_fits(found: Sequence[Fit], limits: Limits) -> list[Finding]:
+    """Return what would fit its mask in the picture much better if it were turned or scaled."""
+    findings = []
+    for fit in found:
+        turned, scaled = fit.turned_iou - fit.iou, fit.scaled_iou - fit.iou
+        if max(turned, scaled) < limits.gain:
+            continue
+        if turned >= scaled:
+            text = (
+                f"would fit its mask turned by {np.rad2deg(fit.turn):.0f} deg: IoU "
+                f"{fit.turned_iou:.2f} instead of {fit.iou:.2f}"
+            )
+            findings.append(
+                Finding("wrong_yaw", fit.name, text, "picture", turned, limits.gain, "IoU")
+            )
+        else:
+            text = (
+                f"would fit its mask at {fit.factor:g} times its size: IoU {fit.scaled_iou:.2f} "
+                f"instead of {fit.iou:.2f}"
+            )
+            findings.append(
+                Finding("wrong_size", fit.name, text, "picture", scaled, limits.gain, "IoU")
+            )
+    return findings
+
+
+def of_comparison(compared: Comparison) -> list[Finding]:
+    """Return what the picture shows and the scene does not hold."""
+    return [
+        Finding("missing", score.name, "is in the picture, not in the scene", "picture")
+        for score in compared.scores
+        if not score.built
+    ]
+
+
+def of_truth(found: TruthErrors, limits: Limits) -> list[Finding]:
+    """Return what differs from the scene it should be."""
+    findings = [
+        Finding("missing", name, "is in the true scene, not in this one", "truth")
+        for name in found.missing
+    ]
+    findings += [
+        Finding("extra", name, "is not in the true scene", "truth") for name in found.extra
+    ]
+    for o in found.objects:
+        yaw, limit = float(np.rad2deg(o.yaw)), float(np.rad2deg(limits.yaw))
+        if o.yaw > limits.yaw:
+            findings.append(Finding("wrong_yaw", o.name, "is turned", "truth", yaw, limit, "deg"))
+        if _beyond(o.scale, limits.scale):
+            text = f"{_than(o.scale)} than it should be"
+            findings.append(
+                Finding("wrong_size", o.name, text, "truth", o.scale, limits.scale, "x")
+            )
+        if o.share > limits.place:
+            text = f"is {100 * o.translation:.1f} cm from its place"
+            findings.append(
+                Finding(
+                    "wrong_place", o.name, text, "truth", 100 * o.share, 100 * limits.place,
+                    "% of table",
+                )
+            )  # fmt: skip
+        if not o.support:
+            text = "stands on, or in, another thing than it should"
+            findings.append(Finding("wrong_support", o.name, text, "truth"))
+    return findings
+
+
+def _beyond(ratio: float, factor: float) -> bool:
+    return abs(np.log(ratio)) > np.log(factor)
+
+
+def _than(ratio: float) -> str:
+    return f"{ratio:.2f} times as large" if ratio >= 1 else f"{1 / ratio:.2f} times smaller"

@@ -1,0 +1,167 @@
+"""Scores by a judge (Sec. 4.1 and supplement, Sec. 8.2): VF, IA and PP from 1 to 7, and a ranking.
+
+The paper asks GPT-4o; here any backend that has the ``Judge`` protocol's two methods is asked, with
+criteria in our own words. Without one, ``measured`` derives marks from measured figures. It calls
+itself that, and gives no mark where nothing was measured: realism cannot be told from geometry.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from jaxtyping import UInt8
+
+from ..backends.protocols import Judge
+from ..errors import BackendError, InputError
+
+Picture = UInt8[np.ndarray, "h w 3"]
+
+CRITERIA: Mapping[str, str] = MappingProxyType(
+    {
+        "VF": (
+            "Visual fidelity: how good and how real the scene looks by itself. Judge the surfaces "
+            "of the table and the things on it, how much detail they have, and whether every "
+            "model is whole."
+        ),
+        "IA": (
+            "Image alignment: how far the scene shows what the reference picture shows. Judge the "
+            "style, which things there are and how many, where they lie, and how much the table "
+            "and each thing resemble theirs."
+        ),
+        "PP": (
+            "Physical plausibility: whether the scene could stand in a room as it is. Judge "
+            "whether the table stands firmly, whether all things rest wholly on it or on one "
+            "another, and whether any float or run into each other."
+        ),
+    }
+)
+"""What is judged; 1 is very poor, 4 average, 7 excellent."""
+
+LEAST, MOST = 1.0, 7.0
+"""The scale."""
+
+MEASURED = "measured figures, no judge"
+"""Who gave the marks of ``measured``."""
+
+
+@dataclass(frozen=True)
+class Marks:
+    """Marks from 1 to 7 by criterion, None where none was given; ``judge`` says whose.
+
+    ``notes`` explain each mark of a judge that is a rule, and each missing one.
+    """
+
+    judge: str
+    marks: Mapping[str, float | None]
+    notes: Mapping[str, str]
+
+    @property
+    def average(self) -> float | None:
+        """Mean over all criteria; None if one has no mark."""
+        given = [m for m in self.marks.values() if m is not None]
+        return float(np.mean(given)) if given and len(given) == len(self.marks) else None
+
+    def facts(self) -> dict[str, Any]:
+        """Return the marks as JSON values."""
+        average = self.average
+        return {
+            "judge": self.judge,
+            **{k: None if m is None else round(m, 2) for k, m in self.marks.items()},
+            "average": None if average is None else round(average, 2),
+            "notes": dict(self.notes),
+        }
+
+
+def judged(judge: object, reference: Picture, pictures: Sequence[Picture]) -> Marks:
+    """Ask a judge for marks on the scene that ``pictures`` show.
+
+    Args:
+        judge: a reasoner (or anything) with the ``Judge`` protocol's methods.
+        reference: the picture the scene was made from.
+        pictures: the scene from one or more sides.
+
+    Raises:
+        BackendError: it is no judge, or its answer lacks a mark or leaves the scale.
+        InputError: there is no picture of the scene.
+    """
+    asked = _judge(judge)
+    if not pictures:
+        raise InputError("A judge needs at least one picture of the scene.")
+    answer = asked.rate(reference, tuple(pictures), CRITERIA)
+    marks: dict[str, float | None] = {}
+    for key in CRITERIA:
+        mark = answer.get(key)
+        if not isinstance(mark, int | float) or mark is True or not LEAST <= mark <= MOST:
+            raise BackendError(
+                f"{type(judge).__name__} gave {mark!r} for {key}; marks go from {LEAST:g} to "
+                f"{MOST:g}. Ask again, or use another judge."
+            )
+        marks[key] = float(mark)
+    return Marks(type(judge).__name__, marks, {})
+
+
+def ranked(
+    judge: object, reference: Picture, methods: Mapping[str, Sequence[Picture]]
+) -> tuple[str, ...]:
+    """Ask a judge for the overall ranking of several methods' scenes, the best first.
+
+    Raises:
+        BackendError: it is no judge, or its answer does not name each method once.
+    """
+    order = tuple(
+        _judge(judge).rank(reference, {name: tuple(shown) for name, shown in methods.items()})
+    )
+    if sorted(order) != sorted(methods):
+        raise BackendError(
+            f"{type(judge).__name__} ranked {list(order)}; each of {sorted(methods)} must be "
+            "there once."
+        )
+    return order
+
+
+def measured(
+    *,
+    iou: float | None,
+    built: float | None,
+    pair_collisions: float,
+    unsound: float,
+    simulated: bool = True,
+) -> Marks:
+    """Return marks that follow from measured figures by fixed rules; there is none for VF.
+
+    IA is 1 + 6 x (mean of ``iou`` and ``built``); PP is 1 + 6 x (1 - ``unsound``) x
+    (1 - ``pair_collisions``) to the power of 10, as one pair in ten is already a poor scene.
+
+    Args:
+        iou: mean overlap of the objects' silhouettes with their masks in [0, 1]; None without a
+            picture.
+        built: share of the things the picture shows that the scene has; None without a picture.
+        pair_collisions: Col_O of the scene in [0, 1].
+        unsound: share of the objects that overlap, float, hang over the edge or do not stand still.
+        simulated: whether ``unsound`` comes from a simulation; else only overlaps are in it.
+    """
+    notes = {"VF": "not marked: no measured figure tells how real a scene looks"}
+    marks: dict[str, float | None] = {"VF": None, "IA": None}
+    if iou is None or built is None:
+        notes["IA"] = "not marked: there is no picture with instances to compare with"
+    else:
+        marks["IA"] = LEAST + (MOST - LEAST) * (iou + built) / 2
+        notes["IA"] = f"from silhouettes that overlap by {iou:.2f} and {built:.0%} of things built"
+    sound = (1 - unsound) * (1 - pair_collisions) ** 10
+    marks["PP"] = LEAST + (MOST - LEAST) * sound
+    notes["PP"] = f"from {pair_collisions:.1%} of pairs in collision and {unsound:.0%} unsound"
+    notes["PP"] += "" if simulated else "; not simulated, so from overlaps alone"
+    return Marks(MEASURED, marks, notes)
+
+
+def _judge(judge: object) -> Judge:
+    if not isinstance(judge, Judge):
+        raise BackendError(
+            f"{type(judge).__name__} cannot judge scenes: it lacks rate or rank. See "
+            "generator.backends.protocols.Judge, or use evaluation.judged.measured."
+        )
+    return judge

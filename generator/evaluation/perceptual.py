@@ -1,0 +1,281 @@
+"""How alike two pictures look, by learned features (Sec. 4.1): LPIPS, DINOv2, CLIP, and our own.
+
+The published metrics need packages (the ``huggingface`` extra) and weights that are already on
+this machine: nothing is ever downloaded from here. What is missing is told with the reason. The
+embedded scores need neither, are other figures, and have other names: no value of one may stand
+for a value of the other.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from importlib.util import find_spec
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+import cv2
+import numpy as np
+from jaxtyping import Float, UInt8
+
+from ..errors import BackendError, choices
+from .sweep import Metric
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+Picture = UInt8[np.ndarray, "h w 3"]
+
+_PIP = "Run: pip install 'tabletopgen[huggingface]'"
+_BATCH = 16
+_SIDE = 224
+"""Pixels a side that pictures are resized to before their features are taken."""
+
+
+class Missing(BackendError):
+    """A metric's package or weights are not on this machine."""
+
+
+@dataclass(frozen=True)
+class FilterSimilarity:
+    """Cosine of the embedded encoder's maps (Eq. 4's Phi), place by place; 1 is the same picture.
+
+    Colour and oriented edges without learned weights: it tells layout and colour, not meaning.
+    """
+
+    name: str = "embedded_feature_similarity"
+    higher_is_better: bool = True
+
+    def score(self, pictures: Sequence[Picture], reference: Picture) -> Float[np.ndarray, "n"]:
+        """Return the similarity of each picture to the reference, in [-1, 1]."""
+        from ..backends.embedded.encoder import Encoder
+
+        return _map_cosine(lambda images: Encoder().features(images), pictures, reference)
+
+
+@dataclass(frozen=True)
+class LiteSimilarity:
+    """Cosine of the embedded eye's maps of stride 16 and 32, place by place; 1 is the same picture.
+
+    The eye's encoder is EfficientNet-Lite0, trained further on this repository's own renders.
+    """
+
+    name: str = "embedded_lite0_similarity"
+    higher_is_better: bool = True
+
+    def score(self, pictures: Sequence[Picture], reference: Picture) -> Float[np.ndarray, "n"]:
+        """Return the similarity of each picture to the reference, in [-1, 1].
+
+        Raises:
+            BackendError: the eye's weights are missing or damaged.
+        """
+        from ..backends.embedded.eye.weights import load_weights
+
+        encoder = load_weights().eye.encoder
+        return _map_cosine(lambda images: encoder(images)[-2:], pictures, reference)
+
+
+@dataclass(frozen=True)
+class Lpips:
+    """LPIPS (R. Zhang et al., CVPR 2018) with AlexNet; 0 is the same picture, lower is better."""
+
+    name: str = "lpips"
+    higher_is_better: bool = False
+    backbone: str = "alexnet-owt-7be5be79.pth"
+
+    @cached_property
+    def _network(self) -> Any:
+        import torch
+
+        module = _package("lpips", self.name)
+        _package("torchvision", self.name)
+        weights = Path(torch.hub.get_dir()) / "checkpoints" / self.backbone
+        if not weights.is_file():
+            raise Missing(
+                f"{self.name}: AlexNet's weights are not in torch's cache. Put {self.backbone} "
+                "into the folder `checkpoints` of torch.hub.get_dir(); nothing is downloaded here."
+            )
+        return module.LPIPS(net="alex", verbose=False).eval()
+
+    def score(self, pictures: Sequence[Picture], reference: Picture) -> Float[np.ndarray, "n"]:
+        """Return the distance of each picture to the reference, at 224 x 224 pixels.
+
+        Raises:
+            Missing: the package or the weights are not here.
+        """
+        network = self._network
+
+        def distance(images: Tensor, goal: Tensor) -> Tensor:
+            return network(2 * images - 1, (2 * goal - 1).expand_as(images)).flatten()
+
+        return _paired(distance, pictures, reference)
+
+
+@dataclass(frozen=True)
+class HubSimilarity:
+    """Cosine of a published vision model's image features; 1 is the same picture.
+
+    ``model`` is read from the local cache of Hugging Face, at ``revision``, and nowhere else.
+    ``method`` says how features are taken: "pooled" (of ``Dinov2Model``) or "image" (of
+    ``CLIPModel``). ``mean`` and ``std`` normalise RGB in [0, 1].
+    """
+
+    name: str
+    kind: str
+    model: str
+    method: str
+    mean: tuple[float, float, float]
+    std: tuple[float, float, float]
+    revision: str = "main"
+    higher_is_better: bool = True
+
+    @cached_property
+    def _network(self) -> Any:
+        kind = getattr(_package("transformers", self.name), self.kind, None)
+        if kind is None:
+            raise Missing(f"{self.name}: the installed transformers has no {self.kind}. {_PIP}")
+        try:
+            loaded = kind.from_pretrained(
+                self.model, revision=self.revision, local_files_only=True, use_safetensors=True
+            )
+        except (OSError, ValueError, ImportError) as error:
+            raise Missing(
+                f"{self.name}: the weights of {self.model} are not in Hugging Face's cache. Fetch "
+                f"them once with: hf download {self.model}; nothing is downloaded here."
+            ) from error
+        return loaded.eval().requires_grad_(False)
+
+    def score(self, pictures: Sequence[Picture], reference: Picture) -> Float[np.ndarray, "n"]:
+        """Return the similarity of each picture to the reference, in [-1, 1].
+
+        Raises:
+            Missing: the package or the weights are not here.
+        """
+        import torch
+
+        network = self._network
+        mean, std = (torch.tensor(v).view(1, 3, 1, 1) for v in (self.mean, self.std))
+
+        def vectors(images: Tensor) -> Tensor:
+            values = (images - mean) / std
+            if self.method == "image":
+                found = network.get_image_features(pixel_values=values)
+                return found if isinstance(found, torch.Tensor) else found.pooler_output
+            return network(pixel_values=values).pooler_output
+
+        return _vector_cosine(vectors, pictures, reference)
+
+
+DINOV2 = HubSimilarity(
+    "dinov2", "Dinov2Model", "facebook/dinov2-base", "pooled",
+    (0.485, 0.456, 0.406), (0.229, 0.224, 0.225),
+)  # fmt: skip
+"""DINOv2 (M. Oquab et al., 2023)."""
+
+CLIP = HubSimilarity(
+    "clip", "CLIPModel", "openai/clip-vit-large-patch14", "image",
+    (0.48145466, 0.4578275, 0.40821073), (0.26862954, 0.26130258, 0.27577711),
+)  # fmt: skip
+"""CLIP (A. Radford et al., ICML 2021)."""
+
+EMBEDDED: Mapping[str, Metric] = MappingProxyType(
+    {m.name: m for m in (FilterSimilarity(), LiteSimilarity())}
+)
+"""Scores that every installation has."""
+
+PUBLISHED: Mapping[str, Metric] = MappingProxyType({m.name: m for m in (Lpips(), DINOV2, CLIP)})
+"""The paper's scores."""
+
+
+@dataclass(frozen=True)
+class Available:
+    """The metrics that can be had here, and why the others cannot, by name."""
+
+    metrics: tuple[Metric, ...]
+    missing: Mapping[str, str]
+
+
+def available(names: Sequence[str] = (*PUBLISHED, *EMBEDDED)) -> Available:
+    """Return which of the named metrics work on this machine, by loading each of them.
+
+    Raises:
+        BackendError: there is no such metric.
+    """
+    known = {**PUBLISHED, **EMBEDDED}
+    blank = np.zeros((32, 32, 3), np.uint8)
+    metrics, missing = [], {}
+    for name in names:
+        if name not in known:
+            raise BackendError(f"There is no metric {name!r}.{choices(name, known)}")
+        try:
+            known[name].score([blank], blank)
+            metrics.append(known[name])
+        except BackendError as error:
+            missing[name] = str(error)
+    return Available(tuple(metrics), MappingProxyType(missing))
+
+
+def _package(name: str, metric: str) -> Any:
+    if find_spec(name) is None:
+        raise Missing(f"{metric}: the package {name} is not installed. {_PIP}")
+    try:
+        return importlib.import_module(name)
+    except (ImportError, RuntimeError, OSError) as error:
+        raise Missing(f"{metric}: the package {name} cannot be loaded ({error}). {_PIP}") from error
+
+
+def _tensor(pictures: Sequence[Picture]) -> Tensor:
+    """Return pictures as (n, 3, side, side) in [0, 1]."""
+    import torch
+
+    small = [
+        cv2.resize(np.asarray(p), (_SIDE, _SIDE), interpolation=cv2.INTER_AREA) for p in pictures
+    ]
+    return torch.from_numpy(np.stack(small)).permute(0, 3, 1, 2).float() / 255
+
+
+def _paired(
+    compare: Callable[[Tensor, Tensor], Tensor], pictures: Sequence[Picture], reference: Picture
+) -> Float[np.ndarray, "n"]:
+    """Return ``compare`` of each picture with the reference, a batch at a time."""
+    import torch
+
+    with torch.no_grad():
+        goal = _tensor([reference])
+        parts = [
+            compare(_tensor(pictures[k : k + _BATCH]), goal)
+            for k in range(0, len(pictures), _BATCH)
+        ]
+    return np.concatenate([p.double().numpy() for p in parts]) if parts else np.zeros(0)
+
+
+def _vector_cosine(
+    vectors: Callable[[Tensor], Tensor], pictures: Sequence[Picture], reference: Picture
+) -> Float[np.ndarray, "n"]:
+    from torch.nn import functional
+
+    return _paired(
+        lambda images, goal: functional.cosine_similarity(vectors(images), vectors(goal), 1),
+        pictures,
+        reference,
+    )
+
+
+def _map_cosine(
+    maps: Callable[[Tensor], tuple[Tensor, ...]], pictures: Sequence[Picture], reference: Picture
+) -> Float[np.ndarray, "n"]:
+    """Return the cosine over all places and channels, averaged over the scales."""
+    import torch
+    from torch.nn import functional
+
+    def compare(images: Tensor, goal: Tensor) -> Tensor:
+        cosines = [
+            functional.cosine_similarity(a.flatten(1), b.flatten(1), 1)
+            for a, b in zip(maps(images), maps(goal), strict=True)
+        ]
+        return torch.stack(cosines).mean(0)
+
+    return _paired(compare, pictures, reference)

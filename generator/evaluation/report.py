@@ -1,0 +1,227 @@
+"""A scene evaluated as a whole: one value with every figure and finding (Secs. 4.1 and 4.2)."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from jaxtyping import UInt8
+
+from ..bundle import Segments, load, load_picture, load_segments
+from ..comparison import Comparison, compare
+from ..errors import InputError
+from ..scene import Scene
+from . import findings as found_in
+from .collisions import Collisions, colliding, collisions
+from .external import TRANSFORMS, load_external
+from .findings import Finding, Limits
+from .judged import Marks, judged, measured
+from .perceptual import Available
+from .silhouettes import Fit, fits
+from .sizes import UsualSize, usual_sizes
+from .soundness import Soundness, soundness
+from .sweep import Best, SweepConfig, best_views
+from .truth import TruthErrors, truth_errors
+
+Picture = UInt8[np.ndarray, "h w 3"]
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluation:
+    """Everything found about one scene; parts that could not be measured are None or empty.
+
+    ``notes`` say what was left out, and why. ``perceptual`` holds each metric in its best view of
+    the sweep, ``missing`` why other metrics are not there. ``marks`` follow from measured figures,
+    or are a judge's.
+    """
+
+    scene: Scene
+    findings: tuple[Finding, ...]
+    collisions: Collisions
+    sizes: tuple[UsualSize, ...]
+    marks: Marks
+    soundness: Soundness | None = None
+    comparison: Comparison | None = None
+    fits: tuple[Fit, ...] = ()
+    truth: TruthErrors | None = None
+    perceptual: tuple[Best, ...] = ()
+    missing: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
+    notes: tuple[str, ...] = ()
+
+    @property
+    def flawless(self) -> bool:
+        """Whether no defect was found."""
+        return not self.findings
+
+    def of(self, name: str) -> tuple[Finding, ...]:
+        """Return the findings that one object takes part in."""
+        return tuple(f for f in self.findings if name in (f.name, f.other))
+
+    def facts(self) -> dict[str, Any]:
+        """Return everything as JSON values."""
+        return {
+            "name": self.scene.name,
+            "objects": len(self.scene.objects),
+            "flawless": self.flawless,
+            "findings": [f.facts() for f in self.findings],
+            "collisions": self.collisions.facts(),
+            "soundness": None if self.soundness is None else self.soundness.facts(),
+            "sizes": [
+                {"name": s.name, "ratio": round(s.ratio, 4), "source": s.source} for s in self.sizes
+            ],
+            "picture": None if self.comparison is None else self._picture_facts(self.comparison),
+            "perceptual": {best.metric: best.facts() for best in self.perceptual},
+            "perceptual_missing": dict(self.missing),
+            "marks": self.marks.facts(),
+            "truth": None if self.truth is None else self.truth.facts(),
+            "notes": list(self.notes),
+        }
+
+    def _picture_facts(self, compared: Comparison) -> dict[str, Any]:
+        turned = [
+            {
+                "name": f.name,
+                "iou_alone": round(f.iou, 4),
+                "best_turn_deg": round(float(np.rad2deg(f.turn)), 1),
+                "best_turn_iou": round(f.turned_iou, 4),
+                "best_factor": f.factor,
+                "best_factor_iou": round(f.scaled_iou, 4),
+            }
+            for f in self.fits
+        ]
+        return {**compared.facts(), "fits": turned}
+
+
+def evaluate(
+    scene: Scene,
+    *,
+    picture: Picture | None = None,
+    segments: Segments | None = None,
+    truth: Scene | None = None,
+    limits: Limits | None = None,
+    simulate: bool = True,
+    metrics: Available | None = None,
+    sweep: SweepConfig | None = None,
+    judge: object | None = None,
+) -> Evaluation:
+    """Measure a scene and say what is wrong with it.
+
+    Args:
+        scene: the scene, at its settled poses.
+        picture: the reference picture; needed for everything that looks.
+        segments: what was found in it; needed to compare silhouettes.
+        truth: the scene it should be, objects of the same names.
+        limits: what counts as a defect.
+        simulate: whether to let it stand for a while in MuJoCo.
+        metrics: perceptual metrics (see ``perceptual.available``); None leaves the sweep out.
+        sweep: settings of the camera sweep.
+        judge: who marks the scene; None derives marks from the figures.
+
+    Raises:
+        InputError: a picture is missing for what was asked, or does not fit ``segments``.
+        SceneError: MuJoCo cannot build the scene.
+        BackendError: ``judge`` is none.
+    """
+    if picture is None and (metrics is not None or judge is not None):
+        raise InputError("Metrics and judges compare with a picture; pass the reference picture.")
+    limits = limits or Limits()
+    notes = []
+    overlaps = collisions(scene, limits.overlap)
+    held = soundness(scene, limits.rule) if simulate else None
+    sizes = usual_sizes(scene)
+    compared, fitted = None, ()
+    if picture is not None and segments is not None:
+        compared = compare(scene, segments, picture)
+        fitted = fits(compared)
+    else:
+        lacking = "picture" if picture is None else "record of what its picture shows"
+        notes.append(f"silhouettes not compared: there is no {lacking}")
+    if held is None:
+        notes.append("not simulated")
+    errors = None if truth is None else truth_errors(scene, truth)
+    findings = [
+        *found_in.of_collisions(overlaps, limits),
+        *(found_in.of_soundness(held) if held else ()),
+        *found_in.of_sizes(sizes, limits),
+        *found_in.of_fits(fitted, limits),
+        *(found_in.of_comparison(compared) if compared else ()),
+        *(found_in.of_truth(errors, limits) if errors else ()),
+    ]
+    best: tuple[Best, ...] = ()
+    if metrics is not None and picture is not None:
+        best = best_views(scene, picture, metrics.metrics, sweep)
+    return Evaluation(
+        scene, tuple(findings), overlaps, sizes,
+        _marks(scene, overlaps, held, compared, judge, picture),
+        held, compared, fitted, errors, best,
+        MappingProxyType({}) if metrics is None else metrics.missing, tuple(notes),
+    )  # fmt: skip
+
+
+def evaluate_bundle(
+    path: str | Path,
+    *,
+    picture: Picture | None = None,
+    metrics: Available | None = None,
+    **options: Any,
+) -> Evaluation:
+    """Evaluate a bundle, or a folder of another method's result (see ``external``), from disk.
+
+    Args:
+        path: the folder.
+        picture: the reference picture; the one that the bundle keeps if left out.
+        metrics: perceptual metrics; left out, with a note, where there is no picture at all.
+        options: as for :func:`evaluate`.
+
+    Raises:
+        BundleError: there is no bundle, or it is damaged.
+        InputError: a foreign folder is no good, or the picture does not fit.
+    """
+    folder = Path(path)
+    segments = None
+    if (folder / TRANSFORMS).is_file():
+        scene = load_external(folder)
+    else:
+        scene, segments = load(folder), load_segments(folder)
+        picture = load_picture(folder, "reference") if picture is None else picture
+    blind = metrics is not None and picture is None
+    found = evaluate(
+        scene,
+        picture=picture,
+        segments=segments,
+        metrics=None if blind else metrics,
+        **options,
+    )
+    note = ("no sweep: the scene keeps no picture; pass one",) if blind else ()
+    return dataclasses.replace(found, notes=found.notes + note)
+
+
+def _marks(
+    scene: Scene,
+    overlaps: Collisions,
+    held: Soundness | None,
+    compared: Comparison | None,
+    judge: object | None,
+    picture: Picture | None,
+) -> Marks:
+    if judge is not None and picture is not None:
+        from ..render.picture import render_scene
+
+        camera = None if compared is None else compared.camera
+        return judged(judge, picture, (render_scene(scene, camera=camera).image,))
+    wrong: set[str] = set(colliding(overlaps))
+    if held is not None:
+        wrong |= {*held.unstable, *held.floating, *held.off_table}
+    shown: Sequence[bool] = [s.built for s in compared.scores if s.found] if compared else []
+    return measured(
+        iou=compared.mean_iou if compared else None,
+        built=float(np.mean(shown)) if len(shown) else None,
+        pair_collisions=overlaps.col_o,
+        unsound=len(wrong) / max(len(scene.objects), 1),
+        simulated=held is not None,
+    )

@@ -1,0 +1,203 @@
+"""Whether a scene holds by itself: what moves, turns, floats, or hangs over the edge (Sec. 4.1).
+
+Stricter than the gate a scene passes to be published: 5 s instead of 2, half the drift. A thing
+that holds under the plain rule may still do so by luck of one time step or one exact gravity, so
+the rule can be varied (``VARIANTS``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from ..errors import InputError
+from ..geometry import inside_margin
+from ..physics.gate import fallen
+from ..physics.simulation import Simulation, shifted, supported, turned
+from ..scene import Scene
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What counts as standing still. Lengths in metres, angles in radians, time in seconds.
+
+    seconds: how long is simulated.
+    drift, tilt: the farthest a thing may move and turn in that time.
+    gap: a thing with nothing that holds it within this distance floats.
+    timestep: of the simulation; None keeps the scene's own (2 ms).
+    lean, toward: gravity leans by this angle, in this direction (0 is +x, counter-clockwise).
+    """
+
+    seconds: float = 5.0
+    drift: float = 5e-3
+    tilt: float = float(np.deg2rad(2.0))
+    gap: float = 1e-3
+    timestep: float | None = None
+    lean: float = 0.0
+    toward: float = 0.0
+
+    def __post_init__(self) -> None:
+        positive = (self.seconds, self.drift, self.tilt, self.gap)
+        if not (np.isfinite([*positive, self.lean, self.toward]).all() and min(positive) > 0):
+            raise InputError(f"A rule needs finite angles and positive limits, got {self}.")
+        if self.timestep is not None and not 1e-5 <= self.timestep <= 0.01:
+            raise InputError(f"A rule's timestep is in [1e-5, 0.01] s, got {self.timestep!r}.")
+        if not 0 <= self.lean < np.pi / 4:
+            raise InputError(f"Gravity leans by 0 to 45 degrees, got {np.rad2deg(self.lean):g}.")
+
+
+PLAIN = Rule()
+"""5 s, 5 mm, 2 degrees."""
+
+VARIANTS: Mapping[str, Rule] = MappingProxyType(
+    {"plain": PLAIN}
+    | {f"timestep {k} ms": replace(PLAIN, timestep=1e-3 * k) for k in (1, 2, 3, 4)}
+    | {
+        f"leaning to {way}": replace(PLAIN, lean=float(np.deg2rad(2.0)), toward=k * np.pi / 2)
+        for k, way in enumerate(("+x", "+y", "-x", "-y"))
+    }
+)
+"""The plain rule, at other time steps, and with gravity leaning by 2 degrees to four sides.
+
+Round things roll under a leaning gravity, as they should; what stands on a base must not.
+"""
+
+
+@dataclass(frozen=True)
+class Behaviour:
+    """What one object does under a rule: metres, radians.
+
+    ``floats``: nothing holds it at the start. ``off_table``: its centre of mass is beyond the
+    top's outline at the start. ``falls``: it left the table by the end.
+    """
+
+    name: str
+    drift: float
+    turn: float
+    floats: bool
+    off_table: bool
+    falls: bool
+
+
+@dataclass(frozen=True)
+class Soundness:
+    """How every object of a scene behaves under ``rule``, in the scene's order.
+
+    ``diverged``: the simulation broke down and started anew, so that its figures say nothing and
+    no object counts as standing still.
+    """
+
+    rule: Rule
+    objects: tuple[Behaviour, ...]
+    diverged: bool = False
+
+    @property
+    def unstable(self) -> tuple[str, ...]:
+        """Names of what moves or turns more than the rule allows, or falls."""
+        return tuple(o.name for o in self.objects if self.moves(o))
+
+    @property
+    def floating(self) -> tuple[str, ...]:
+        """Names of what floats."""
+        return tuple(o.name for o in self.objects if o.floats)
+
+    @property
+    def off_table(self) -> tuple[str, ...]:
+        """Names of what hangs over the edge."""
+        return tuple(o.name for o in self.objects if o.off_table)
+
+    @property
+    def stable(self) -> bool:
+        """Whether everything stands still."""
+        return not self.unstable
+
+    def moves(self, thing: Behaviour) -> bool:
+        """Whether an object does not stand still."""
+        limits = thing.drift > self.rule.drift or thing.turn > self.rule.tilt
+        return self.diverged or limits or thing.falls
+
+    def facts(self) -> dict[str, Any]:
+        """Return the figures as JSON values: millimetres, degrees, seconds."""
+        return {
+            "seconds": self.rule.seconds,
+            "stable": self.stable,
+            "diverged": self.diverged,
+            "unstable": list(self.unstable),
+            "floating": list(self.floating),
+            "off_table": list(self.off_table),
+            "most_drift_mm": round(1e3 * max((o.drift for o in self.objects), default=0.0), 3),
+            "most_turn_deg": _degrees(max((o.turn for o in self.objects), default=0.0)),
+            "objects": [
+                {
+                    "name": o.name,
+                    "drift_mm": round(1e3 * o.drift, 3),
+                    "turn_deg": _degrees(o.turn),
+                    "floats": o.floats,
+                    "off_table": o.off_table,
+                    "falls": o.falls,
+                }
+                for o in self.objects
+            ],
+        }
+
+
+def soundness(scene: Scene, rule: Rule = PLAIN) -> Soundness:
+    """Simulate a scene from its settled poses and say how each object behaves.
+
+    Collision parts are what is simulated, as in ``scene.xml``.
+
+    Raises:
+        SceneError: MuJoCo cannot build the scene.
+    """
+    simulation = Simulation(scene)
+    _set(simulation, rule)
+    poses = [o.pose for o in scene.objects]
+    simulation.place(poses)
+    held = supported(simulation.contacts(margin=rule.gap), len(poses))
+    off = inside_margin(simulation.centers_of_mass[:, :2], scene.table.outline) < 0
+    simulation.run(rule.seconds)
+    drift, turn = shifted(poses, simulation.poses), turned(poses, simulation.poses)
+    simulation.contacts()
+    fell = set(fallen(simulation))
+    return Soundness(
+        rule,
+        tuple(
+            Behaviour(
+                thing.name, float(drift[k]), float(turn[k]), not held[k], bool(off[k]), k in fell
+            )
+            for k, thing in enumerate(scene.objects)
+        ),
+        _diverged(simulation),
+    )
+
+
+def robustness(scene: Scene, variants: Mapping[str, Rule] = VARIANTS) -> Mapping[str, Soundness]:
+    """Return a scene's soundness under each of several rules, by their names."""
+    return {name: soundness(scene, rule) for name, rule in variants.items()}
+
+
+def _set(simulation: Simulation, rule: Rule) -> None:
+    options = simulation.model.opt
+    if rule.timestep is not None:
+        options.timestep = rule.timestep
+    strength = float(np.linalg.norm(options.gravity))
+    aside = strength * np.sin(rule.lean)
+    options.gravity[:] = [
+        aside * np.cos(rule.toward), aside * np.sin(rule.toward), -strength * np.cos(rule.lean)
+    ]  # fmt: skip
+
+
+def _diverged(simulation: Simulation) -> bool:
+    import mujoco
+
+    kinds = mujoco.mjtWarning
+    broken = (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
+    return any(simulation.data.warning[int(kind)].number for kind in broken)
+
+
+def _degrees(angle: float) -> float:
+    return round(float(np.rad2deg(angle)), 3)

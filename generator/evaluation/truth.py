@@ -1,0 +1,105 @@
+"""A scene held against the scene it should be: turn, place, size and support, object by object."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..geometry import quaternion_yaw, wrap
+from ..scene import Object, Scene
+from .symmetry import symmetry
+
+
+@dataclass(frozen=True)
+class PoseError:
+    """One object against its namesake.
+
+    yaw: turn about the vertical in [0, pi], modulo the true object's own symmetry, radians.
+    translation: distance of the boxes' centres, metres; ``share`` is it over the table's width.
+    scale: geometric mean of the ratios of the extents, ours over true; ``worst_axis`` the ratio
+        farthest from 1.
+    support: whether it stands on, or in, the same thing.
+    """
+
+    name: str
+    yaw: float
+    translation: float
+    share: float
+    scale: float
+    worst_axis: float
+    support: bool
+    symmetry: int
+
+
+@dataclass(frozen=True)
+class TruthErrors:
+    """Errors of the objects that both scenes hold; ``missing`` and ``extra`` name the others."""
+
+    objects: tuple[PoseError, ...]
+    missing: tuple[str, ...]
+    extra: tuple[str, ...]
+
+    def facts(self) -> dict[str, Any]:
+        """Return the errors as JSON values; the means are over the matched objects, or None."""
+        found = self.objects
+
+        def middle(values: list[float]) -> float | None:
+            return round(float(np.mean(values)), 4) if values else None
+
+        return {
+            "matched": len(found),
+            "missing": list(self.missing),
+            "extra": list(self.extra),
+            "mean_yaw_error_deg": middle([float(np.rad2deg(o.yaw)) for o in found]),
+            "mean_translation_error_cm": middle([100 * o.translation for o in found]),
+            "mean_translation_error_percent_of_table": middle([100 * o.share for o in found]),
+            "mean_scale_error": middle([abs(np.log(o.scale)) for o in found]),
+            "support_accuracy": middle([float(o.support) for o in found]),
+            "objects": [
+                {
+                    "name": o.name,
+                    "yaw_error_deg": round(float(np.rad2deg(o.yaw)), 2),
+                    "symmetry": o.symmetry,
+                    "translation_error_cm": round(100 * o.translation, 3),
+                    "translation_error_percent_of_table": round(100 * o.share, 3),
+                    "scale_ratio": round(o.scale, 4),
+                    "worst_axis_ratio": round(o.worst_axis, 4),
+                    "support_as_in_truth": o.support,
+                }
+                for o in found
+            ],
+        }
+
+
+def truth_errors(scene: Scene, truth: Scene) -> TruthErrors:
+    """Compare the settled poses of two scenes, objects matched by name.
+
+    The table's width is the true table's extent along x. Tables stand at the origin in both.
+    """
+    ours = {o.name: o for o in scene.objects}
+    true = {o.name: o for o in truth.objects}
+    width = float(truth.table.scale[0])
+    return TruthErrors(
+        tuple(_errors(ours[name], thing, width) for name, thing in true.items() if name in ours),
+        tuple(sorted(true.keys() - ours.keys())),
+        tuple(sorted(ours.keys() - true.keys())),
+    )
+
+
+def _errors(ours: Object, true: Object, width: float) -> PoseError:
+    turn = quaternion_yaw(ours.pose.quaternion) - quaternion_yaw(true.pose.quaternion)
+    own = symmetry(true.model.mesh, true.scale)
+    ratios = np.log(ours.scale / true.scale)
+    away = float(np.linalg.norm(ours.pose.position - true.pose.position))
+    return PoseError(
+        ours.name,
+        own.error(wrap(turn)),
+        away,
+        away / width,
+        float(np.exp(ratios.mean())),
+        float(np.exp(ratios[np.argmax(np.abs(ratios))])),
+        (ours.placement.on, ours.placement.inside) == (true.placement.on, true.placement.inside),
+        own.order,
+    )

@@ -1,0 +1,246 @@
+"""Every defect put into a scene on purpose is reported, and a sound scene has none."""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command import command
+from PIL import Image
+from spoiling import Shot, shot, sound, spoiled
+
+from generator import bundle
+from generator.errors import InputError
+from generator.evaluation import Evaluation, Limits, evaluate
+from generator.evaluation.perceptual import EMBEDDED, PUBLISHED
+from generator.evaluation.soundness import PLAIN
+from generator.evaluation.sweep import Station
+from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
+
+QUICK = Limits(rule=dataclasses.replace(PLAIN, seconds=1.0))
+
+
+@pytest.fixture(scope="module")
+def taken() -> Shot:
+    return shot(sound())
+
+
+def kinds(found: Evaluation) -> set[tuple[str, str, str]]:
+    return {(f.kind, f.name, f.evidence) for f in found.findings}
+
+
+def test_a_sound_scene_has_no_finding(taken: Shot) -> None:
+    found = evaluate(
+        taken.scene, picture=taken.picture, segments=taken.segments, truth=taken.scene, limits=QUICK
+    )
+    assert found.findings == ()
+    assert found.flawless
+    assert found.notes == ()
+    assert len(found.fits) == 5
+    assert min(f.iou for f in found.fits) > 0.85
+    assert found.marks.marks["PP"] == 7
+    assert (found.marks.marks["IA"] or 0) > 6.5
+    assert json.loads(json.dumps(found.facts()))["flawless"] is True
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "expected"),
+    [
+        ("can_1", "overlap", {("overlap", "box_1", "meshes")}),
+        (
+            "can_1",
+            "float",
+            {("floats", "can_1", "simulation"), ("unstable", "can_1", "simulation")},
+        ),
+        ("can_1", "hang", {("off_table", "can_1", "simulation")}),
+        ("can_1", "sink", {("overlap", "can_1", "meshes")}),
+        ("can_1", "shrink", {("wrong_size", "can_1", "usual size")}),
+    ],
+)
+def test_defects_are_reported_without_picture_or_truth(
+    name: str, change: str, expected: set[tuple[str, str, str]]
+) -> None:
+    found = evaluate(spoiled(sound(), name, change), limits=QUICK)
+    assert expected <= kinds(found)
+    assert {f.name for f in found.findings} <= {name, "box_1"}
+    assert not found.flawless
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "kind"),
+    [
+        ("bar_1", "turn", "wrong_yaw"),
+        ("box_1", "shrink", "wrong_size"),
+        ("can_1", "lose", "missing"),
+    ],
+)
+def test_the_picture_tells_turns_sizes_and_losses(
+    taken: Shot, name: str, change: str, kind: str
+) -> None:
+    scene = spoiled(taken.scene, name, change)
+    found = evaluate(scene, picture=taken.picture, segments=taken.segments, limits=QUICK)
+    assert (kind, name, "picture") in kinds(found)
+    assert {f.name for f in found.findings} == {name}
+
+
+@pytest.mark.parametrize(
+    ("name", "change", "kind"),
+    [
+        ("bar_1", "turn", "wrong_yaw"),
+        ("box_1", "shrink", "wrong_size"),
+        ("can_1", "overlap", "wrong_place"),
+        ("can_1", "lose", "missing"),
+    ],
+)
+def test_the_truth_tells_what_differs(name: str, change: str, kind: str) -> None:
+    found = evaluate(spoiled(sound(), name, change), truth=sound(), limits=QUICK, simulate=False)
+    assert (kind, name, "truth") in kinds(found)
+    assert "not simulated" in found.notes
+
+
+def test_what_the_truth_does_not_hold_or_holds_elsewhere_is_told() -> None:
+    scene = sound()
+    on_box = dataclasses.replace(scene.objects[1].placement, on="box_1")
+    other = scene.replace(
+        objects=(scene.objects[0], dataclasses.replace(scene.objects[1], placement=on_box))
+    )
+    told = kinds(evaluate(other, truth=scene.replace(objects=scene.objects[1:2]), simulate=False))
+    assert ("extra", "mug_1", "truth") in told
+    assert ("wrong_support", "can_1", "truth") in told
+
+
+def test_a_turn_that_changes_nothing_is_no_defect(taken: Shot) -> None:
+    """A can may stand as it likes; so says the truth, and so says the picture."""
+    scene = spoiled(taken.scene, "can_1", "turn")
+    found = evaluate(
+        scene, picture=taken.picture, segments=taken.segments, truth=taken.scene, simulate=False
+    )
+    assert found.findings == ()
+
+
+def test_a_size_that_the_plan_fixed_is_the_usual_one() -> None:
+    scene = sound()
+    planned = PlannedObject("can_1", "can", "can", size=(0.03, 0.03, 0.05))
+    plan = ScenePlan("a can", PlannedTable(), (planned,))
+    (found,) = evaluate(scene.replace(plan=plan), simulate=False).findings
+    assert (found.kind, found.name, found.evidence) == ("wrong_size", "can_1", "usual size")
+    assert "plan" in found.text
+    assert evaluate(scene, simulate=False).flawless
+
+
+def test_findings_carry_figures_and_limits() -> None:
+    (found,) = evaluate(
+        spoiled(sound(), "can_1", "overlap"), limits=Limits(overlap=1e-3), simulate=False
+    ).findings
+    assert found.value == pytest.approx(3, abs=0.1)
+    assert (found.limit, found.unit) == (1.0, "mm")
+    assert (found.facts()["object"], found.facts()["other"]) == ("box_1", "can_1")
+
+
+def test_an_overlap_is_found_by_either_name() -> None:
+    found = evaluate(spoiled(sound(), "can_1", "overlap"), simulate=False)
+    assert found.of("can_1") == found.of("box_1") == found.findings
+    assert found.of("bar_1") == ()
+
+
+def test_marks_fall_with_every_defect(taken: Shot) -> None:
+    whole, less = (
+        evaluate(s, picture=taken.picture, segments=taken.segments, limits=QUICK).marks.marks
+        for s in (taken.scene, spoiled(spoiled(taken.scene, "can_1", "overlap"), "mug_1", "float"))
+    )
+    assert (less["PP"] or 0) < (whole["PP"] or 0) - 2
+    assert (less["IA"] or 0) < (whole["IA"] or 0)
+    assert whole["VF"] is less["VF"] is None
+
+
+def test_what_needs_a_picture_says_so() -> None:
+    with pytest.raises(InputError, match="reference picture"):
+        evaluate(sound(), judge=object())
+
+
+@pytest.mark.parametrize("wrong", [{"overlap": 0.0}, {"usual_size": 1.0}, {"yaw": float("nan")}])
+def test_limits_that_make_no_sense_are_refused(wrong: dict[str, float]) -> None:
+    with pytest.raises(InputError, match="positive"):
+        Limits(**wrong)
+
+
+# ------------------------------------------------------------------------------------ the command
+
+
+@pytest.fixture
+def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
+    return tmp_path
+
+
+def saved(scene: Scene, folder: Path, taken: Shot | None = None) -> str:
+    images = {} if taken is None else {"reference": taken.picture}
+    segments = None if taken is None else taken.segments
+    return str(bundle.save(scene, folder, images=images, segments=segments, allow_failed=True))
+
+
+def test_the_command_finds_nothing_in_a_sound_bundle(
+    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = saved(taken.scene, store, taken)
+    assert command("evaluate", path, "--truth", path) == 0
+    shown = capsys.readouterr().out
+    assert "no defect found" in shown
+    assert "yaw error 0.00 deg" in shown
+
+
+def test_the_command_fails_where_there_are_defects_and_adds_up_scenes(
+    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
+) -> None:
+    good = saved(taken.scene, store, taken)
+    bad = saved(spoiled(taken.scene, "can_1", "overlap").replace(name="bad"), store)
+    assert command("evaluate", good, bad, "--json") == 1
+    shown = json.loads(capsys.readouterr().out)
+    assert [s["flawless"] for s in shown["scenes"]] == [True, False]
+    assert shown["rates"]["col_s"] == 0.5
+    assert shown["rates"]["pairs"] == 20
+    assert command("evaluate", bad) == 1
+    assert "overlap" in capsys.readouterr().out
+
+
+def test_the_command_takes_another_picture_and_refuses_a_foreign_one(
+    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = saved(taken.scene, store, taken)
+    again, other = store / "again.png", store / "other.png"
+    Image.fromarray(taken.picture).save(again)
+    Image.fromarray(np.zeros((100, 300, 3), np.uint8)).save(other)
+    assert command("evaluate", path, "--picture", str(again)) == 0
+    assert command("evaluate", path, "--picture", str(other)) == 2
+    assert "480x360" in capsys.readouterr().err
+
+
+def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
+    store: Path,
+    taken: Shot,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    few = (Station(50, 1.3), Station(0, 2.5))
+    monkeypatch.setattr("generator.evaluation.sweep.stations", lambda config: few)
+    assert command("evaluate", saved(taken.scene, store, taken), "--sweep", "--json") == 0
+    (scene,) = json.loads(capsys.readouterr().out)["scenes"]
+    told = {**scene["perceptual"], **scene["perceptual_missing"]}
+    assert set(told) == {*EMBEDDED, *PUBLISHED}
+    assert {scene["perceptual"][name]["elevation_deg"] for name in EMBEDDED} == {50}
+    bare = saved(taken.scene.replace(name="bare"), store)
+    assert command("evaluate", bare, "--sweep") == 0
+    assert "keeps no picture" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [((), 2), (("nowhere-1",), 4), (("starter/lab", "--truth", "nowhere-1"), 4)],
+)
+def test_the_command_says_what_it_cannot_find(
+    store: Path, arguments: tuple[str, ...], code: int
+) -> None:
+    assert command("evaluate", *arguments) == code

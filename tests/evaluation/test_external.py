@@ -1,0 +1,215 @@
+"""Another method's result: read as it states, scored as ours are, refused where it is no good."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import trimesh
+from command import command
+from PIL import Image
+
+from generator.errors import InputError
+from generator.evaluation import collisions, load_external, soundness
+from generator.evaluation.external import TRANSFORMS
+
+Y_UP = np.array([[1.0, 0, 0, 0], [0, 0, 1, 0], [0, -1, 0, 0], [0, 0, 0, 1]])  # z up to y up
+
+
+def matrix(position=(0.0, 0.0, 0.0), yaw: float = 0.0, scale=(1.0, 1.0, 1.0)) -> list[list[float]]:
+    c, s = np.cos(yaw), np.sin(yaw)
+    made = np.eye(4)
+    made[:3, :3] = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) * scale
+    made[:3, 3] = position
+    return made.tolist()
+
+
+def glb(path: Path, extents=(0.1, 0.1, 0.1), color=(200, 40, 40, 255), up: str = "y") -> None:
+    box = trimesh.creation.box(extents=extents)
+    box.visual = trimesh.visual.ColorVisuals(box, face_colors=color)
+    if up == "y":
+        box.apply_transform(Y_UP)
+    path.write_bytes(trimesh.Scene([box]).export(file_type="glb"))
+
+
+def write(folder: Path, payload: Any) -> Path:
+    (folder / TRANSFORMS).write_text(json.dumps(payload))
+    return folder
+
+
+def payload(*objects: dict[str, Any], **changes: Any) -> dict[str, Any]:
+    table = {"glb": "table.glb", "matrix": matrix((0, 0, 0.37))}
+    return {
+        "name": "other-1",
+        "method": "other",
+        "table": table,
+        "objects": list(objects),
+    } | changes
+
+
+def thing(name: str, position, **more: Any) -> dict[str, Any]:
+    return {"name": name, "glb": "box.glb", "matrix": matrix(position)} | more
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    glb(tmp_path / "table.glb", (1.2, 0.7, 0.74), (180, 150, 120, 255))
+    glb(tmp_path / "box.glb", (0.2, 0.1, 0.06))
+    return tmp_path
+
+
+def test_poses_sizes_and_names_are_what_the_file_states(folder: Path) -> None:
+    entries = (
+        thing("book_1", (0.1, 0.05, 0.77), label="red book"),
+        thing("book_2", (0, 0, 0)) | {"matrix": matrix((-0.3, 0.1, 0.8), 0.5, (0.5, 1, 2))},
+    )
+    scene = load_external(write(folder, payload(*entries)), decompose=False)
+    first, second = scene.objects
+    assert scene.name == "other-1"
+    assert np.allclose(scene.table.scale, [1.2, 0.7, 0.74])
+    assert np.allclose(np.sort(np.abs(scene.table.outline), 0)[-1], [0.6, 0.35])
+    assert (first.label, second.label) == ("red book", "book")
+    assert np.allclose(first.scale, [0.2, 0.1, 0.06])
+    assert np.allclose(first.pose.position, [0.1, 0.05, 0.77])
+    assert np.allclose(second.scale, [0.1, 0.1, 0.12])
+    assert second.placement.yaw == pytest.approx(0.5)
+    assert np.allclose(second.pose.position, [-0.3, 0.1, 0.8])
+    assert tuple(first.model.mesh.texture[0, 0]) == (200, 40, 40)
+    assert "not fit for simulation" in scene.provenance.warnings[0]
+
+
+def test_the_world_is_shifted_so_that_the_table_stands_under_the_origin(folder: Path) -> None:
+    table = {"glb": "table.glb", "matrix": matrix((5, 5, 5.37))}
+    scene = load_external(
+        write(folder, payload(thing("book_1", (5.1, 5, 5.77)), table=table)), decompose=False
+    )
+    assert np.allclose(scene.objects[0].pose.position, [0.1, 0, 0.77])
+    assert np.allclose(scene.table.height, 0.74)
+
+
+def test_a_method_without_a_table_gets_a_block(folder: Path) -> None:
+    table = {"size": [1.0, 0.8, 0.7], "top": [0, 0, 0]}
+    scene = load_external(
+        write(folder, payload(thing("book_1", (0, 0, 0.03)), table=table)), decompose=False
+    )
+    assert np.allclose(scene.table.scale, [1, 0.8, 0.7])
+    assert np.allclose(scene.objects[0].pose.position, [0, 0, 0.73])
+
+
+def test_files_that_are_z_up_are_taken_as_they_are(folder: Path) -> None:
+    glb(folder / "box.glb", (0.2, 0.1, 0.06), up="z")
+    glb(folder / "table.glb", (1.2, 0.7, 0.74), up="z")
+    scene = load_external(
+        write(folder, payload(thing("book_1", (0, 0, 0.77)), up="z")), decompose=False
+    )
+    assert np.allclose(scene.objects[0].scale, [0.2, 0.1, 0.06])
+
+
+def test_a_foreign_scene_is_scored_as_ours(folder: Path) -> None:
+    entries = (thing("book_1", (0, 0, 0.77)), thing("book_2", (0.19, 0, 0.77)),
+               thing("book_3", (-0.3, 0, 0.87)))  # fmt: skip
+    scene = load_external(write(folder, payload(*entries)))
+    found = collisions(scene)
+    assert [(o.a, o.b) for o in found.overlaps] == [("book_1", "book_2")]
+    assert found.overlaps[0].depth == pytest.approx(0.01, abs=3e-4)
+    assert "book_3" in soundness(scene).floating
+
+
+def test_the_command_takes_a_foreign_folder(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write(folder, payload(thing("book_1", (0, 0, 0.77))))
+    assert command("evaluate", str(folder)) == 0
+    write(folder, payload(thing("book_1", (0, 0, 0.9))))
+    capsys.readouterr()
+    assert command("evaluate", str(folder), "--json") == 1
+    (scene,) = json.loads(capsys.readouterr().out)["scenes"]
+    assert {f["kind"] for f in scene["findings"]} == {"floats", "unstable"}
+
+
+def test_a_textured_file_keeps_its_texture(folder: Path) -> None:
+    box = trimesh.creation.box(extents=(0.1, 0.1, 0.1))
+    image = Image.fromarray(np.full((4, 4, 3), (10, 200, 30), np.uint8))
+    box.visual = trimesh.visual.TextureVisuals(
+        uv=np.random.default_rng(0).random((len(box.vertices), 2)),
+        material=trimesh.visual.material.PBRMaterial(baseColorTexture=image),
+    )
+    (folder / "box.glb").write_bytes(trimesh.Scene([box]).export(file_type="glb"))
+    scene = load_external(write(folder, payload(thing("box_1", (0, 0, 0.79)))), decompose=False)
+    texture = scene.objects[0].model.mesh.texture
+    assert texture.shape == (4, 4, 3)
+    assert (texture == (10, 200, 30)).all()
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"up": "x"}, "'up' is"),
+        ({"objects": {}}, "list of at most"),
+        ({"objects": [{"name": "a", "matrix": matrix()}]}, "a file's name"),
+        ({"objects": [{"glb": "box.glb"}]}, "needs a 'name'"),
+        ({"objects": [thing("a", (0, 0, 0), glb="../box.glb")]}, "leaves the bundle"),
+        ({"objects": [thing("a", (0, 0, 0), glb="/etc/passwd")]}, "leaves the bundle"),
+        ({"objects": [thing("a", (0, 0, 0), glb="none.glb")]}, "missing"),
+        ({"objects": [thing("a", (0, 0, 0), glb=TRANSFORMS)]}, "not a GLB"),
+        ({"objects": [thing("a", (0, 0, 0), matrix=[[1, 2], [3, 4]])]}, "4 x 4 finite"),
+        ({"objects": [thing("a", (0, 0, 0), matrix="up")]}, "numbers"),
+        ({"objects": [thing("a", (0, 0, 0), matrix=matrix(scale=(-1, 1, 1)))]}, "mirrors"),
+        ({"objects": [thing("a", (0, 0, 0), matrix=matrix(scale=(0, 1, 1)))]}, "not flat"),
+        ({"objects": [thing("a", (0, 0, 0), matrix=matrix(scale=(1e3,) * 3))]}, "in metres"),
+        ({"objects": [thing("a", (9e9, 0, 0))]}, "use metres"),
+        ({"objects": [thing("a", (0, 0, 0), on="nothing")]}, "Available: table"),
+        ({"objects": [thing("a", (0, 0, 0)), thing("a", (1, 0, 0))]}, "unique"),
+        ({"table": None}, "'table' must"),
+        ({"table": {"size": [1, 1, 0]}}, "positive metres"),
+    ],
+)
+def test_what_is_wrong_is_said(folder: Path, changes: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        load_external(write(folder, payload(**changes)), decompose=False)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("{", "not JSON"),
+        ("[]", "one JSON object"),
+        ('{"name": NaN}', "NaN"),
+        ("[" * 100_000, "not JSON"),
+    ],
+)
+def test_a_damaged_list_of_transforms_is_refused(folder: Path, text: str, words: str) -> None:
+    (folder / TRANSFORMS).write_text(text)
+    with pytest.raises(InputError, match=words):
+        load_external(folder)
+
+
+def test_a_damaged_or_empty_glb_is_refused(folder: Path) -> None:
+    write(folder, payload(thing("box_1", (0, 0, 0.77))))
+    whole = (folder / "box.glb").read_bytes()
+    for content in (whole[:60], b"glTF" + b"\xff" * 200, whole[:-40], b""):
+        (folder / "box.glb").write_bytes(content)
+        with pytest.raises(InputError, match=r"box\.glb"):
+            load_external(folder, decompose=False)
+
+
+def test_a_glb_with_nan_is_refused(folder: Path) -> None:
+    box = trimesh.creation.box(extents=(0.1, 0.1, 0.1))
+    raw = bytearray(trimesh.Scene([box]).export(file_type="glb"))
+    place = raw.find(np.float32(0.05).tobytes(), raw.find(b"BIN\x00"))
+    raw[place : place + 4] = np.float32("nan").tobytes()
+    (folder / "box.glb").write_bytes(bytes(raw))
+    with pytest.raises(InputError, match="NaN"):
+        load_external(write(folder, payload(thing("box_1", (0, 0, 0.77)))), decompose=False)
+
+
+def test_a_link_out_of_the_folder_is_not_followed(folder: Path, tmp_path: Path) -> None:
+    outside = tmp_path / "outside"
+    outside.mkdir()
+    (folder / "box.glb").rename(outside / "box.glb")
+    (folder / "box.glb").symlink_to(outside / "box.glb")
+    with pytest.raises(InputError, match="link"):
+        load_external(write(folder, payload(thing("box_1", (0, 0, 0.77)))), decompose=False)

@@ -1,0 +1,142 @@
+"""Scores of likeness: the embedded ones work, the published ones are there or told missing."""
+
+from __future__ import annotations
+
+import dataclasses
+import sys
+from importlib.machinery import ModuleSpec
+from pathlib import Path
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+import torch
+
+from generator.errors import BackendError
+from generator.evaluation.perceptual import (
+    CLIP,
+    DINOV2,
+    EMBEDDED,
+    PUBLISHED,
+    Lpips,
+    Missing,
+    available,
+)
+
+
+def picture(seed: int) -> np.ndarray:
+    """Blocks of colour."""
+    rng = np.random.default_rng(seed)
+    return rng.integers(0, 255, (6, 8, 3)).repeat(20, 0).repeat(20, 1).astype(np.uint8)
+
+
+def module(name: str, monkeypatch: pytest.MonkeyPatch, **members: Any) -> None:
+    made = ModuleType(name)
+    made.__spec__ = ModuleSpec(name, None)
+    for key, value in members.items():
+        setattr(made, key, value)
+    monkeypatch.setitem(sys.modules, name, made)
+
+
+def absent(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("generator.evaluation.perceptual.find_spec", lambda name: None)
+
+
+@pytest.mark.parametrize("name", sorted(EMBEDDED))
+def test_an_embedded_score_is_highest_for_the_same_picture(name: str) -> None:
+    same, near, other = picture(0), picture(0), picture(1)
+    near[:20] = 255
+    scores = EMBEDDED[name].score([other, near, same], picture(0))
+    assert scores[2] == pytest.approx(1, abs=1e-4)
+    assert scores[0] < scores[1] < scores[2]
+
+
+def test_embedded_and_published_scores_share_no_name() -> None:
+    assert not EMBEDDED.keys() & PUBLISHED.keys()
+    assert all(name.startswith("embedded_") for name in EMBEDDED)
+    assert set(PUBLISHED) == {"lpips", "dinov2", "clip"}
+
+
+def test_what_is_not_installed_is_told_with_the_reason(monkeypatch: pytest.MonkeyPatch) -> None:
+    absent(monkeypatch)
+    found = available()
+    assert {m.name for m in found.metrics} == set(EMBEDDED)
+    assert set(found.missing) == set(PUBLISHED)
+    assert all("pip install" in reason for reason in found.missing.values())
+    assert "transformers is not installed" in found.missing["clip"]
+
+
+def test_an_unknown_metric_lists_the_choices() -> None:
+    with pytest.raises(BackendError, match="Did you mean 'lpips'"):
+        available(["lpip"])
+
+
+def test_published_models_are_read_from_this_machine_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[tuple[str, dict[str, Any]]] = []
+
+    class Model:
+        @classmethod
+        def from_pretrained(cls, name: str, **options: Any) -> Any:
+            asked.append((name, options))
+            if name == CLIP.model:
+                raise OSError("not cached")
+            return cls()
+
+        def eval(self) -> Any:
+            return self
+
+        def requires_grad_(self, _: bool) -> Any:
+            return self
+
+        def __call__(self, pixel_values: torch.Tensor) -> Any:
+            return SimpleNamespace(pooler_output=pixel_values.mean((2, 3)))
+
+    module("transformers", monkeypatch, Dinov2Model=Model, CLIPModel=Model)
+    dino, clip = dataclasses.replace(DINOV2), dataclasses.replace(CLIP)
+    white, black = np.full((9, 9, 3), 255, np.uint8), np.zeros((9, 9, 3), np.uint8)
+    scores = dino.score([white, black], white)
+    assert scores[0] == pytest.approx(1)
+    assert scores[1] == pytest.approx(-1, abs=0.05)
+    with pytest.raises(Missing, match="hf download openai/clip"):
+        clip.score([white], white)
+    assert [name for name, _ in asked] == ["facebook/dinov2-base", CLIP.model]
+    for _, options in asked:
+        assert options["local_files_only"] is True
+        assert options["use_safetensors"] is True
+
+
+def test_a_package_without_the_model_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    module("transformers", monkeypatch)
+    with pytest.raises(Missing, match="no Dinov2Model"):
+        dataclasses.replace(DINOV2).score([picture(0)], picture(0))
+
+
+def test_lpips_wants_its_weights_on_this_machine_and_compares_in_its_range(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    class Distance:
+        def __init__(self, **options: Any) -> None:
+            assert options["net"] == "alex"
+
+        def eval(self) -> Any:
+            return self
+
+        def __call__(self, a: torch.Tensor, b: torch.Tensor) -> torch.Tensor:
+            assert a.shape == b.shape
+            assert a.min() >= -1
+            assert a.max() <= 1
+            return (a - b).abs().mean((1, 2, 3), keepdim=True)
+
+    module("lpips", monkeypatch, LPIPS=Distance)
+    module("torchvision", monkeypatch)
+    monkeypatch.setattr(torch.hub, "get_dir", lambda: str(tmp_path))
+    with pytest.raises(Missing, match="AlexNet"):
+        Lpips().score([picture(0)], picture(0))
+    weights = tmp_path / "checkpoints" / Lpips().backbone
+    weights.parent.mkdir()
+    weights.write_bytes(b"")
+    same, other = Lpips().score([picture(0), picture(1)], picture(0))
+    assert same == 0
+    assert other > 0.1
+    assert not Lpips().higher_is_better

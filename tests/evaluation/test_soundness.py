@@ -1,0 +1,113 @@
+"""What floats, drifts, hangs over the edge: each found, object by object, under several rules."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from toy import toy_object, toy_scene
+
+from generator.errors import InputError
+from generator.evaluation.soundness import PLAIN, VARIANTS, Rule, robustness, soundness
+from generator.scene import Object
+
+SHORT = dataclasses.replace(PLAIN, seconds=0.5)
+
+
+def cube(name: str = "cube_1", x: float = 0.0, z: float = 0.0) -> Object:
+    return toy_object(name, (0.05,) * 3, (x, 0.0), top=0.74 + z)
+
+
+def test_a_sound_scene_stands_still_under_every_rule() -> None:
+    variants = {name: dataclasses.replace(rule, seconds=1.0) for name, rule in VARIANTS.items()}
+    for name, found in robustness(toy_scene(), variants).items():
+        assert (found.unstable, found.floating, found.off_table) == ((), (), ()), name
+    assert len(VARIANTS) == 9
+
+
+def test_the_plain_rule_is_five_seconds_five_millimetres_two_degrees() -> None:
+    assert (PLAIN.seconds, PLAIN.drift, np.rad2deg(PLAIN.tilt), PLAIN.gap) == (5, 5e-3, 2, 1e-3)
+
+
+def test_floating_counts_from_one_millimetre_on() -> None:
+    assert soundness(toy_scene((cube(z=0.0008),)), SHORT).floating == ()
+    found = soundness(toy_scene((cube(z=0.0012), cube("cube_2", 0.3))), SHORT)
+    assert found.floating == ("cube_1",)
+    assert found.stable
+
+
+def test_what_falls_far_is_unstable_and_the_other_is_not() -> None:
+    found = soundness(toy_scene((cube(z=0.03), cube("cube_2", 0.3))), SHORT)
+    assert found.unstable == ("cube_1",)
+    first = found.objects[0]
+    assert first.drift == pytest.approx(0.03, abs=2e-3)
+    assert (first.floats, first.falls) == (True, False)
+    assert found.facts()["most_drift_mm"] == pytest.approx(30, abs=2)
+
+
+def test_beyond_the_edge_is_off_the_table_and_falls() -> None:
+    found = soundness(toy_scene((cube(x=0.62),)))
+    assert found.off_table == ("cube_1",)
+    assert found.objects[0].falls
+    assert not found.stable
+
+
+def test_a_leaning_gravity_moves_what_rolls_and_not_what_stands() -> None:
+    ball = toy_object("ball_1", (0.05,) * 3, (0, 0), kind="ellipsoid")
+    scene = toy_scene((ball, cube("cube_1", 0.3)))
+    assert soundness(scene, dataclasses.replace(PLAIN, seconds=2.0)).stable
+    for name in ("leaning to +x", "leaning to -y"):
+        rule = dataclasses.replace(VARIANTS[name], seconds=2.0)
+        assert soundness(scene, rule).unstable == ("ball_1",)
+
+
+@pytest.mark.parametrize(("toward", "falls"), [(90, True), (-90, False), (0, False)])
+def test_gravity_leans_the_way_it_says(toward: float, falls: bool) -> None:
+    ball = toy_object("ball_1", (0.05,) * 3, (0, 0.34), kind="ellipsoid")
+    rule = Rule(seconds=2.0, lean=0.1, toward=float(np.deg2rad(toward)))
+    assert soundness(toy_scene((ball,)), rule).objects[0].falls is falls
+
+
+def test_the_rules_own_time_step_is_used() -> None:
+    scene = toy_scene((cube(z=0.03),))
+    own, same, coarse = (
+        soundness(scene, Rule(seconds=0.06, timestep=t)).objects[0].drift
+        for t in (None, 2e-3, 4e-3)
+    )
+    assert own == same
+    assert own != coarse
+
+
+def test_a_simulation_that_breaks_down_is_no_standing_still(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    import mujoco
+
+    from generator.physics.simulation import Simulation
+
+    def run(self: Simulation, seconds: float, damping: float = 0.0) -> None:
+        self.data.qvel[0] = np.nan
+        mujoco.mj_step(self.model, self.data, 2)
+
+    monkeypatch.setattr(Simulation, "run", run)
+    found = soundness(toy_scene((cube(),)))
+    assert found.diverged
+    assert found.unstable == ("cube_1",)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"seconds": 0.0},
+        {"drift": -1.0},
+        {"tilt": float("nan")},
+        {"timestep": 0.5},
+        {"timestep": 0.0},
+        {"lean": 1.0},
+        {"lean": -0.1},
+    ],
+)
+def test_rules_that_make_no_sense_are_refused(wrong: dict[str, float]) -> None:
+    with pytest.raises(InputError):
+        Rule(**wrong)
