@@ -7,10 +7,12 @@
 ``single`` draws objects that do not look the same when turned (``--symmetric`` keeps those of
 finite symmetry, errors then modulo it), with the numpy renderer, not the optimiser's own, and asks
 the rotation stage for their yaw. Camera, yaw, place and size are known; flags spoil what the stage
-is told, each by at most the stated amount. Cases whose picture would be nearly the same from
-another side are left out and counted. ``--paper N`` runs the first N cases with the paper's
-settings as well. ``scenes`` composes tables, draws each, gives the picture alone to
-``generator.pipeline.generate`` and holds what comes back against the truth.
+is told, each by at most the stated amount (what an occluder hides is missing in the crop). Cases
+whose picture would be nearly the same from another side are left out and counted. ``--paper N``
+runs the first N cases with the paper's settings as well. ``scenes`` composes tables, draws each,
+gives the picture alone to ``generator.pipeline.generate`` and holds what comes back against the
+truth; a yaw counts by the turn that brings the two textured surfaces closest together, since a
+rebuilt model's axes are its own.
 
 Each split has catalogue variants and random numbers of its own: develop on "dev", report "test".
 Rows are written to ``<name>.csv`` as they come (a second run resumes; give new code a new

@@ -143,9 +143,8 @@ def pose_case(
     if apart < DISTINCT:
         return "alike"
     off = rng.uniform(-1, 1, 2) * np.deg2rad([spoiling.azimuth, spoiling.elevation])
-    believed = View(
-        view.azimuth + off[0], float(np.clip(view.elevation + off[1], 0.02, np.pi / 2)), view.fov
-    )
+    elevation = float(np.clip(view.elevation + off[1], 0.02, np.pi / 2))
+    believed = View(view.azimuth + float(off[0]), elevation, view.fov)
     told = dataclasses.replace(model, size=wrong_size(model.size, spoiling.size_error, rng))
     return Case(
         variant, model, told, cut_out(model, picture, visible, hidden > 0), Reference(picture),

@@ -13,7 +13,8 @@ from generator.scene import Model
 DISTINCT = 0.04
 """Least difference of the pictures of two poses that a picture can tell apart, in [0, 1]."""
 
-_SIDE = 72  # of the pictures compared, pixels
+_SIDE = 72  # of the pictures compared, pixels, if the object is as large in the picture
+_SMALL = 40  # pixels below which more than one sample a pixel is needed
 _APART = 30.0  # degrees from which another side is another side
 
 
@@ -34,7 +35,7 @@ def close_up(
     position: Float[np.ndarray, "3"],
     camera: Camera,
     light: Light,
-    side: int = _SIDE,
+    side: int,
 ) -> tuple[Float[np.ndarray, "s s 4"], Float[np.ndarray, "4"]]:
     """Draw a posed object cropped tightly into a square: RGBA in [0, 1], and the square's box."""
     item = place(model.mesh, model.size, position, yaw_quaternion(yaw))
@@ -44,7 +45,7 @@ def close_up(
     middle = (low + high) / 2
     box = np.concatenate([middle - half, middle + half])
     near = window(camera, box, side / (2 * half))
-    drawn = render([item], near, light=light, supersample=1, shadows=False)
+    drawn = render([item], near, light=light, supersample=2 if side < _SMALL else 1, shadows=False)
     return np.dstack([drawn.image / 255.0, drawn.ids >= 0]), box
 
 
@@ -72,18 +73,20 @@ def alike(
 ) -> float:
     """Return how much the most alike other side differs in this very picture (``difference``).
 
-    The object is turned where it stands, drawn by the same light and cropped tightly; what
-    ``front`` hides of the true picture counts in neither. Other sides are at least 30 degrees
-    away, modulo the object's own ``symmetry``.
+    The object is turned where it stands, drawn by the same light as large as it is in the picture
+    (up to ``_SIDE`` pixels), and cropped tightly; what ``front`` hides of the true picture counts
+    in neither. Other sides are at least 30 degrees away, modulo the object's own ``symmetry``.
     """
-    true, box = close_up(model, yaw, position, camera, light)
-    at = (np.arange(_SIDE) + 0.5) / _SIDE
+    item = place(model.mesh, model.size, position, yaw_quaternion(yaw))
+    side = int(np.clip(np.ptp(camera.project(item.vertices), axis=0).max(), 8, _SIDE))
+    true, box = close_up(model, yaw, position, camera, light, side)
+    at = (np.arange(side) + 0.5) / side
     columns = np.clip(box[0] + at * (box[2] - box[0]), 0, camera.width - 1).astype(int)
     rows = np.clip(box[1] + at * (box[3] - box[1]), 0, camera.height - 1).astype(int)
     seen = ~front[np.ix_(rows, columns)]
 
     def unlike(angle: float) -> float:
-        other, _ = close_up(model, yaw + np.deg2rad(angle), position, camera, light)
+        other, _ = close_up(model, yaw + np.deg2rad(angle), position, camera, light, side)
         return difference(true, other, seen)
 
     period = 360.0 / symmetry
