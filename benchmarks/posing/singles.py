@@ -69,7 +69,7 @@ def say(rows: list[Row]) -> str:
     r = rows[0]
     if r["error"]:
         return f"case {r['case']} {r['config']}: {r['error']}"
-    return f"case {r['case']} {r['config']} {r['object']}: {r['error_deg']}°, {r['seconds']} s"
+    return f"case {r['case']} {r['config']} {r['object']}: {r['error_deg']}°, {r['cpu_seconds']} s"
 
 
 def configs(rows: Sequence[Row]) -> list[str]:
@@ -84,7 +84,7 @@ def summary(rows: Sequence[Row], command: str) -> str:
         f"`{command}`, {tables.where()}",
         "",
         "| settings | cases | median | within 2° | within 5° | within 10° | flips "
-        "| scale error, median | seconds, median |",
+        "| scale error, median | CPU seconds, median |",
         "|---|---|---|---|---|---|---|---|---|",
     ]
     for config in configs(rows):
@@ -92,7 +92,7 @@ def summary(rows: Sequence[Row], command: str) -> str:
         cells = [config, str(len(own)), *error_cells(column(own, "error_deg")),
                  str(int(column(own, "flip").sum())),
                  median(column(own, "scale_error_percent"), " %"),
-                 median(column(own, "seconds"))]  # fmt: skip
+                 median(column(own, "cpu_seconds"))]  # fmt: skip
         lines.append(f"| {' | '.join(cells)} |")
     first = [r for r in rows if r["config"] == "default" and not r["error"]]
     counts = [int(column(first, f"dropped_{why}").sum()) for why in ("symmetric", "alike", "other")]
@@ -110,8 +110,9 @@ def summary(rows: Sequence[Row], command: str) -> str:
 
 def _groups(rows: Sequence[Row]) -> list[str]:
     """Return tables of the errors by how much of the object is told, and the worst cases."""
-    lines = ["| cases with | number | median | within 2° | within 5° | within 10° |",
-             "|---|---|---|---|---|---|"]  # fmt: skip
+    head = ["| cases with | number | median | within 2° | within 5° | within 10° |",
+            "|---|---|---|---|---|---|"]  # fmt: skip
+    lines: list[str] = []
     for name, field, edges in (
         ("most alike other side differing by", "apart", (0.0, 0.08, 0.16, np.inf)),
         ("share hidden", "hidden", (0.0, 0.05, 0.1, np.inf)),
@@ -125,6 +126,7 @@ def _groups(rows: Sequence[Row]) -> list[str]:
                 cells = [f"{name}: {span}", str(len(own)),
                          *error_cells(column(own, "error_deg"))]  # fmt: skip
                 lines.append(f"| {' | '.join(cells)} |")
+    lines = [*head, *lines] if lines else []
     worst = sorted(
         (r for r in rows if float(r["error_deg"]) > BAD), key=lambda r: -float(r["error_deg"])
     )
