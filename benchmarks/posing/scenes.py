@@ -16,7 +16,6 @@ from jaxtyping import Bool, UInt8
 from scipy.optimize import linear_sum_assignment
 
 from generator.errors import SceneError, TabletopError
-from generator.geometry import wrap
 from generator.pipeline import Generation, generate
 from generator.scene import TABLE, Object
 
@@ -25,7 +24,7 @@ from .distinct import DISTINCT
 from .figures import column, cumulative, error_cells, median, share
 from .symmetry import best_turn, cloud, order, posed, yaw_error
 from .tables import Row
-from .truth import Truth, apart, draw_truth, seen, table_width
+from .truth import Truth, apart, azimuth_error, draw_truth, seen, table_width
 
 KEY = ("scene",)
 FIELDS = (
@@ -81,12 +80,13 @@ def compare(truth: Truth, made: Generation, seconds: float) -> list[Row]:
     pairs = match([truth.ids == k + 1 for k in shown], [masks[o.name] for o in found])
     names = {found[j].name: true[shown[i]].name for i, (j, _) in pairs.items()} | {TABLE: TABLE}
     view = made.scene.view
+    turned = azimuth_error(truth, view.azimuth)
     widths = table_width(truth.scene, truth.view.azimuth), table_width(made.scene, view.azimuth)
     shared = {
         "of": len(shown),
         "text": truth.text,
         "table_width_percent": _percent(widths[1], widths[0]),
-        "azimuth_off_deg": round(float(np.rad2deg(wrap(view.azimuth - truth.view.azimuth))), 2),
+        "azimuth_off_deg": "" if turned is None else round(turned, 2),
         "elevation_off_deg": round(float(np.rad2deg(view.elevation - truth.view.elevation)), 2),
         "extra": len(found) - len(pairs),
         "cpu_seconds": round(seconds, 1),
@@ -242,8 +242,8 @@ def summary(rows: Sequence[Row], command: str) -> str:
         ("stands on the right thing", share(column(found, "support_right") > 0)),
         ("table's width, median error",
          median(np.abs(column(firsts, "table_width_percent")), " %")),
-        ("camera: azimuth, elevation, median error",
-         f"{median(np.abs(column(firsts, 'azimuth_off_deg')), '°')}, "
+        ("camera: azimuth (of tables that are not round), elevation, median error",
+         f"{median(column(firsts, 'azimuth_off_deg'), '°')}, "
          f"{median(np.abs(column(firsts, 'elevation_off_deg')), '°')}"),
         ("CPU seconds a scene, median", median(column(firsts, "cpu_seconds"))),
     ]  # fmt: skip

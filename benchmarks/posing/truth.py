@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,6 +31,7 @@ from generator.scene import TABLE, Object, Pose, Scene, View
 
 from .cases import STREAMS, VARIANTS
 from .distinct import alike
+from .symmetry import order, yaw_error
 
 WIDTH, HEIGHT = 960, 720
 _TRIES = 20
@@ -165,6 +167,19 @@ def seen(thing: Object, azimuth: float) -> Seen:
     reach = float(np.sqrt(np.prod(np.sort(thing.scale)[1:])))
     upright = bool(np.arccos(np.clip(turn[2, 2], -1, 1)) < _TILTED)
     return Seen(place, wrap(quaternion_yaw(thing.pose.quaternion) - azimuth), reach, upright)
+
+
+def azimuth_error(truth: Truth, azimuth: float) -> float | None:
+    """Return how far an azimuth (radians) is off, degrees, modulo the symmetry of the table's shape.
+
+    None of a round table, which has no front.
+    """
+    table = truth.scene.table
+    mesh = dataclasses.replace(table.model.mesh, uv=0 * table.model.mesh.uv)  # of one colour
+    symmetry = order(mesh, np.asarray(table.scale))
+    if math.isinf(symmetry):
+        return None
+    return yaw_error(azimuth, truth.view.azimuth, symmetry)
 
 
 def table_width(scene: Scene, azimuth: float) -> float:

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 from posing import scenes
-from posing.truth import Truth, seen, table_width, turned_about
+from posing.truth import Truth, azimuth_error, seen, table_width, turned_about
+from shapes import cylinder_mesh
 from toy import toy_object, toy_scene
 
 from generator.catalogue import build
@@ -70,6 +71,17 @@ def test_the_true_scene_has_no_error() -> None:
     assert all(r["place_cm"] == r["place_percent"] == r["size_percent"] == 0 for r in rows)
     assert [r["order"] for r in rows] == ["2", "4", "2"]
     assert all(float(r["yaw_error_deg"]) < 1.5 for r in rows)
+
+
+def test_an_azimuth_is_modulo_the_tables_symmetry() -> None:
+    true = truth()
+    assert azimuth_error(true, np.pi) == pytest.approx(0, abs=1e-6)
+    assert azimuth_error(true, np.deg2rad(100)) == pytest.approx(80)
+    table = true.scene.table
+    around = dataclasses.replace(table.model, mesh=cylinder_mesh(), size=np.ones(3))
+    same = dataclasses.replace(table, model=around, scale=np.array([1.0, 1.0, 0.7]))
+    whole = dataclasses.replace(true, scene=true.scene.replace(table=same))
+    assert azimuth_error(whole, 1.0) is None
 
 
 def test_errors_of_a_scene_are_measured() -> None:
