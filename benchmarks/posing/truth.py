@@ -170,7 +170,7 @@ def seen(thing: Object, azimuth: float) -> Seen:
 
 
 def azimuth_error(truth: Truth, azimuth: float) -> float | None:
-    """Return how far an azimuth (radians) is off, degrees, modulo the symmetry of the table's shape.
+    """Return how far an azimuth (radians) is off, degrees, modulo the table's own symmetry.
 
     None of a round table, which has no front.
     """
