@@ -1,160 +1,144 @@
-"""Yaw of rendered catalogue objects without symmetry: error and seconds of the rotation stage.
+"""Poses against known truth: single rendered objects, and whole scenes from their picture alone.
 
-    python benchmarks/pose.py --seed 1 --cases 60
+    python benchmarks/pose.py single --split dev --cases 60 --elevation 5 --occlude 0.15
+    python benchmarks/pose.py single --meshes FOLDER --cases 40 --size-error 0.2 --sheet
+    python benchmarks/pose.py scenes --split dev --cases 6
 
-Each case is a catalogue object of random category and variant, drawn by the numpy renderer (not
-the optimiser's own) under a random sun at a random place, yaw and camera; the estimator gets the
-cut-out, the true mesh and a camera whose elevation is off by up to 3 degrees. Objects that look
-nearly the same from another side are left out, judged by pictures alone.
+``single`` draws objects that do not look the same when turned (``--symmetric`` keeps those of
+finite symmetry, errors then modulo it), with the numpy renderer, not the optimiser's own, and asks
+the rotation stage for their yaw. Camera, yaw, place and size are known; flags spoil what the stage
+is told, each by at most the stated amount (what an occluder hides is missing in the crop). Cases
+whose picture would be nearly the same from another side are left out and counted. ``--paper N``
+runs the first N cases with the paper's settings as well. ``scenes`` composes tables, draws each,
+gives the picture alone to ``generator.pipeline.generate`` and holds what comes back against the
+truth; a yaw counts by the turn that brings the two textured surfaces closest together, since a
+rebuilt model's axes are its own.
+
+Each split has catalogue variants and random numbers of its own: develop on "dev", report "test".
+Rows are written to ``<name>.csv`` as they come (a second run resumes; give new code a new
+``--out``), then a summary to ``<name>.md`` and curves to ``<name>.png``.
 """
 
 from __future__ import annotations
 
 import argparse
-import time
-from dataclasses import dataclass
+from dataclasses import fields
+from pathlib import Path
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import UInt8
+from posing import scenes, singles
+from posing.cases import STREAMS, Draw, usable
+from posing.meshes import Up, load_model, mesh_files
+from posing.spoiling import Spoiling
+from posing.tables import alone, command_line
 
-from generator.backends.embedded.encoder import Encoder
-from generator.catalogue import CATEGORIES, build
-from generator.geometry import Camera, mask_box, wrap, yaw_quaternion
-from generator.render.raster import place, render
-from generator.render.shading import Light
-from generator.scene import Instance, Model, View
-from generator.stages.rotation import RotationConfig, optimise_rotation
+from generator.catalogue import category
+from generator.errors import InputError, TabletopError
+from generator.scene import Model
 
-WIDTH, HEIGHT = 1024, 768
-TABLE_WIDTH = 1.2  # metres across the picture's middle
-DISTINCT = 0.04  # least difference of two views of an object without symmetry
-
-
-@dataclass(frozen=True, eq=False)
-class Case:
-    """One object to turn: what the estimator gets, and its true yaw."""
-
-    model: Model
-    instance: Instance
-    view: View
-    yaw: float
+HERE = Path(__file__).parent
 
 
-def views(model: Model, count: int = 24, size: int = 72) -> Float[np.ndarray, "v h w 4"]:
-    """Return RGBA pictures of a model from ``count`` yaws under a light from nowhere."""
-    light = Light(sun=0.0, sky=1.0, gloss=0.0)
-    view = View(0.0, np.deg2rad(55.0), np.deg2rad(20.0))
-    distance = 1.15 * float(np.linalg.norm(model.size)) / (2 * np.tan(view.fov / 2))
-    camera = Camera.looking_at(np.zeros(3), view, distance, size, size)
-    pictures = []
-    for yaw in np.arange(count) * (2 * np.pi / count):
-        item = place(model.mesh, model.size, np.zeros(3), yaw_quaternion(yaw))
-        drawn = render([item], camera, light=light, shadows=False)
-        pictures.append(np.dstack([drawn.image / 255.0, drawn.ids >= 0]))
-    return np.array(pictures)
+def parser() -> argparse.ArgumentParser:
+    p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    modes = p.add_subparsers(dest="mode", required=True)
+    usual = Spoiling()
+    single = modes.add_parser("single", help="single objects, the rotation stage alone")
+    single.add_argument("--cases", type=int, default=200)
+    single.add_argument("--meshes", type=Path, help="folder of OBJ, GLB or PLY files, metres")
+    single.add_argument("--up", choices=("auto", "y", "z"), default="auto", help="of the meshes")
+    single.add_argument("--only", nargs="*", default=(), help="categories, instead of all")
+    single.add_argument("--symmetric", action="store_true", help="keep finite symmetries")
+    single.add_argument("--elevation", type=float, default=usual.elevation, metavar="DEG")
+    single.add_argument("--azimuth", type=float, default=usual.azimuth, metavar="DEG")
+    single.add_argument("--erode", type=int, default=usual.erode, metavar="PX")
+    single.add_argument("--holes", type=int, default=usual.holes, metavar="N")
+    single.add_argument("--occlude", type=float, default=usual.occlude, metavar="SHARE")
+    single.add_argument("--light", type=float, default=usual.light)
+    single.add_argument("--tint", type=float, default=usual.tint)
+    single.add_argument("--blur", type=float, default=usual.blur, metavar="PX")
+    single.add_argument("--size-error", type=float, default=usual.size_error, metavar="SHARE")
+    single.add_argument("--paper", type=int, default=0, metavar="N", help="minutes an object")
+    whole = modes.add_parser("scenes", help="whole scenes, all stages, from the picture alone")
+    whole.add_argument("--cases", type=int, default=40)
+    for mode in (single, whole):
+        mode.add_argument("--split", choices=tuple(STREAMS), default="dev")
+        mode.add_argument("--seed", type=int, default=1)
+        mode.add_argument("--workers", type=int, default=1)
+        mode.add_argument("--sheet", action="store_true", help="draw what went wrong")
+        mode.add_argument("--out", type=Path, default=HERE / "results")
+    return p
 
 
-def distinctness(model: Model) -> float:
-    """Return how much, in the median over views, the most similar other view differs.
-
-    Views at least 30 degrees apart are compared; the difference is the mean over both silhouettes
-    of the largest colour difference, 1 where only one of them is.
-    """
-    pictures = views(model)
-    count = len(pictures)
-    least = np.ones(count)
-    for i, a in enumerate(pictures):
-        for j, b in enumerate(pictures):
-            if min((i - j) % count, (j - i) % count) * 360 / count < 30:
-                continue
-            inside, both = np.maximum(a[..., 3], b[..., 3]), a[..., 3] * b[..., 3]
-            colour = np.abs(a[..., :3] - b[..., :3]).max(-1)
-            difference = (inside - both + both * colour).sum() / inside.sum()
-            least[i] = min(least[i], float(difference))
-    return float(np.median(least))
+def spoiling_of(args: argparse.Namespace) -> Spoiling:
+    """Return the faults that the given flags ask for."""
+    return Spoiling(**{f.name: getattr(args, f.name) for f in fields(Spoiling)})
 
 
-def draw_case(model: Model, rng: np.random.Generator) -> Case:
-    """Draw ``model`` at a random yaw and place, wholly inside the picture."""
-    view = View(
-        float(rng.uniform(-0.2, 0.2)),
-        float(np.deg2rad(rng.uniform(45, 65))),
-        float(np.deg2rad(rng.uniform(30, 45))),
-    )
-    distance = TABLE_WIDTH / 2 / np.tan(view.fov / 2) * HEIGHT / WIDTH
-    camera = Camera.looking_at(np.zeros(3), view, distance, WIDTH, HEIGHT)
-    light = Light(
-        direction=np.array([*rng.uniform(-0.6, 0.6, 2), 0.8]),
-        sun=float(rng.uniform(0.2, 0.5)),
-        tint=tuple(rng.uniform(0.9, 1.0, 3)),
-    )
-    red, green, blue = (int(c) for c in rng.integers(60, 256, 3))
-    yaw = float(rng.uniform(-np.pi, np.pi))
-    for _ in range(100):
-        pixel = rng.uniform(0.1, 0.9, (1, 2)) * [WIDTH, HEIGHT]
-        position = camera.on_plane(pixel, 0.0)[0] + [0, 0, model.size[2] / 2]
-        item = place(model.mesh, model.size, position, yaw_quaternion(yaw))
-        drawn = render([item], camera, light=light, background=(red, green, blue))
-        mask = drawn.ids >= 0
-        whole = mask[1:-1, 1:-1].sum() == mask.sum() > 0
-        if whole:
-            break
-    else:
-        raise SystemExit(f"{model.name} of size {model.size} does not fit into the picture.")
-    box, border = mask_box(mask), np.array([-8, -8, 8, 8])
-    x0, y0, x1, y1 = np.clip(box + border, 0, [WIDTH, HEIGHT] * 2).astype(int)
-    crop = np.dstack([drawn.image, mask.astype(np.uint8) * 255])[y0:y1, x0:x1]
-    instance = Instance(model.name, model.label, box, mask, crop, np.array([x0, y0, x1, y1]))
-    off = float(np.deg2rad(rng.uniform(-3, 3)))
-    return Case(model, instance, View(view.azimuth, view.elevation + off, view.fov), yaw)
+def draw_of(args: argparse.Namespace) -> Draw:
+    """Return what the cases of the given flags are drawn from."""
+    only = tuple(category(word).key for word in args.only)
+    models = foreign(args.meshes, args.up, args.symmetric) if args.meshes else ()
+    return Draw(args.split, args.seed, spoiling_of(args), only, models, symmetric=args.symmetric)
 
 
-def draw_cases(count: int, seed: int, quiet: bool = False) -> list[Case]:
-    """Draw ``count`` cases over random categories and variants, leaving out symmetric objects."""
-    rng = np.random.default_rng(seed)
-    cases: list[Case] = []
-    left_out: set[str] = set()
-    keys = sorted(CATEGORIES)
-    while len(cases) < count:
-        key = keys[int(rng.integers(len(keys)))]
-        model = build(key, int(rng.integers(10_000)))
-        if distinctness(model) < DISTINCT:
-            left_out.add(key)
-            continue
-        cases.append(draw_case(model, rng))
-    if not quiet:
-        print(f"categories with variants left out as symmetric: {', '.join(sorted(left_out))}")
-    return cases
+def foreign(folder: Path, up: Up, symmetric: bool) -> tuple[Model, ...]:
+    """Return the usable meshes of a folder; the others are named with what is wrong with them."""
+    models = []
+    for path in mesh_files(folder):
+        try:
+            models.append(load_model(path, up))
+        except InputError as error:
+            print(f"left out: {error}")
+    if not models:
+        raise InputError(f"No mesh of {str(folder)!r} can be used; the lines above say why.")
+    return usable(models, symmetric)
+
+
+def stem(args: argparse.Namespace) -> str:
+    """Return the name of a run's files: everything that its cases depend on but their number."""
+    name = f"pose_{args.mode}_{args.split}" + (f"_seed{args.seed}" if args.seed != 1 else "")
+    if args.mode == "scenes":
+        return name
+    if args.meshes:
+        name += f"_{args.meshes.resolve().name}" + ("" if args.up == "auto" else args.up)
+    name += "".join(f"_{category(word).key}" for word in args.only)
+    name += "_symmetric" if args.symmetric else ""
+    return name + spoiling_of(args).named()
+
+
+def write(path: Path, image: UInt8[np.ndarray, "h w 3"]) -> None:
+    """Write a picture."""
+    from PIL import Image
+
+    Image.fromarray(image).save(path)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--cases", type=int, default=60)
-    parser.add_argument("--paper", action="store_true", help="use the paper's settings (slow)")
-    parser.add_argument("--each", action="store_true", help="print every case")
-    args = parser.parse_args()
-    config = RotationConfig.paper() if args.paper else RotationConfig()
-    errors, seconds = [], []
-    for case in draw_cases(args.cases, args.seed):
-        begin = time.perf_counter()
-        found = optimise_rotation(
-            case.model, case.instance, case.view, Encoder(), config, (WIDTH, HEIGHT)
-        )
-        seconds.append(time.perf_counter() - begin)
-        errors.append(abs(np.rad2deg(wrap(found.yaw - case.yaw))))
-        if args.each:
-            print(
-                f"{case.model.category:20s} yaw {np.rad2deg(case.yaw):7.1f} error {errors[-1]:6.1f}"
+    args = parser().parse_args()
+    if args.cases < 1 or args.workers < 1:
+        raise SystemExit("--cases and --workers must be at least 1.")
+    alone()
+    try:
+        name = stem(args)
+        args.out.mkdir(parents=True, exist_ok=True)
+        table = args.out / f"{name}.csv"
+        if args.mode == "single":
+            draw = draw_of(args)
+            done = singles.run(draw, args.cases, args.paper, args.workers, table, command_line())
+            if args.sheet:
+                write(args.out / f"{name}_worst.png", singles.sheet(done.rows, draw))
+        else:
+            sheets = args.out / f"{name}_sheets" if args.sheet else None
+            done = scenes.run(
+                args.split, args.seed, args.cases, args.workers, table, command_line(), sheets
             )
-    e = np.array(errors)
-    print("| cases | median | within 2° | within 5° | within 10° | flips | seconds, median |")
-    print("|---|---|---|---|---|---|---|")
-    shares = " | ".join(f"{100 * (e <= limit).mean():.0f} %" for limit in (2, 5, 10))
-    print(
-        f"| {len(e)} (seed {args.seed}) | {np.median(e):.2f}° | {shares} "
-        f"| {int((e > 170).sum())} | {np.median(seconds):.1f} |"
-    )
+    except TabletopError as error:
+        raise SystemExit(str(error)) from error
+    (args.out / f"{name}.md").write_text(done.text)
+    write(args.out / f"{name}.png", done.plot)
+    print(done.text)
 
 
 if __name__ == "__main__":

@@ -64,3 +64,12 @@ def sphere_mesh(around: int = 48, up: int = 24) -> Mesh:
     uv = np.stack([u, v], -1).reshape(-1, 2)
     mesh = Mesh(points.reshape(-1, 3), np.array(faces), uv, np.full((4, 4, 3), 200, np.uint8))
     return to_unit_box(mesh)[0]
+
+
+def cylinder_mesh() -> Mesh:
+    """A plain upright cylinder in the unit box."""
+    import trimesh
+
+    made = trimesh.creation.cylinder(radius=0.5, height=1.0, sections=64)
+    uv, texture = np.zeros((len(made.vertices), 2)), np.full((2, 2, 3), 150, np.uint8)
+    return Mesh(made.vertices, made.faces, uv, texture)

@@ -1,0 +1,238 @@
+"""Single objects of known pose, drawn by the numpy renderer, as the rotation stage gets them."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from generator.catalogue import CATEGORIES, build
+from generator.errors import InputError, SceneError
+from generator.geometry import Camera, mask_box, yaw_quaternion
+from generator.render.raster import Item, place, render
+from generator.render.shading import Light
+from generator.scene import Instance, Model, Reference, View
+from generator.training import patterns
+
+from .distinct import DISTINCT, alike, window
+from .spoiling import Spoiling, blurred, eroded, holed, occluder, wrong_size
+from .symmetry import order
+
+WIDTH, HEIGHT = 1024, 768
+TABLE_WIDTH = 1.2  # metres across the picture's middle
+VARIANTS = {"dev": (30_000, 40_000), "test": (40_000, 50_000)}
+"""Catalogue seeds of each split; the package's own training and marking use none of them."""
+
+STREAMS = {"dev": 101, "test": 202}
+"""What tells the splits' random numbers apart."""
+
+_LEAST = 300  # pixels of a mask
+_TRIES = 150  # objects until one makes a case
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """One object to turn.
+
+    ``true`` is the object as it is, ``model`` what the optimiser is told (its size may be wrong);
+    ``camera`` and ``yaw`` are true, ``view`` is what is believed. ``instance`` and ``reference``
+    are the spoiled input. ``order`` is the object's rotational symmetry, ``hidden`` the share of it
+    that is hidden, ``apart`` the difference of the most alike other side in this picture.
+    ``dropped`` names the objects drawn before it, with the reason each made no case.
+    """
+
+    variant: str
+    true: Model
+    model: Model
+    instance: Instance
+    reference: Reference
+    camera: Camera
+    view: View
+    light: Light
+    yaw: float
+    position: Float[np.ndarray, "3"]
+    order: float
+    hidden: float
+    apart: float
+    dropped: tuple[tuple[str, str], ...] = ()
+
+
+@dataclass(frozen=True)
+class Draw:
+    """What cases are drawn from.
+
+    ``split`` and ``seed`` choose them, ``only`` limits the categories, ``models`` are foreign
+    objects instead of the catalogue's; ``elevations`` are the camera's, degrees. ``symmetric``
+    keeps objects of a finite symmetry, whose yaw errors are then modulo that symmetry.
+    """
+
+    split: str = "dev"
+    seed: int = 1
+    spoiling: Spoiling = field(default_factory=Spoiling)
+    only: tuple[str, ...] = ()
+    models: tuple[Model, ...] = ()
+    elevations: tuple[float, float] = (30.0, 65.0)
+    symmetric: bool = False
+
+    def rng(self, number: int) -> np.random.Generator:
+        """Return the random numbers of case ``number``, apart from those of every other."""
+        return np.random.default_rng([STREAMS[self.split], self.seed, number])
+
+    def object(self, rng: np.random.Generator) -> tuple[str, Model]:
+        """Return a random object and the name of its variant."""
+        if self.models:
+            model = self.models[int(rng.integers(len(self.models)))]
+            return model.name, model
+        keys: Sequence[str] = self.only or sorted(CATEGORIES)
+        key, number = keys[int(rng.integers(len(keys)))], int(rng.integers(*VARIANTS[self.split]))
+        return f"{key}:{number}", build(key, number)
+
+
+def draw_case(draw: Draw, number: int) -> Case:
+    """Return case ``number``: objects are drawn until one makes a well-posed case.
+
+    Raises:
+        SceneError: none does, after many.
+    """
+    rng = draw.rng(number)
+    dropped: list[tuple[str, str]] = []
+    for _ in range(_TRIES):
+        variant, model = draw.object(rng)
+        symmetry = order(model.mesh, model.size)
+        if math.isinf(symmetry) or (symmetry > 1 and not draw.symmetric):
+            dropped.append((variant, "symmetric"))
+            continue
+        case = pose_case(model, variant, symmetry, draw, rng)
+        if isinstance(case, str):
+            dropped.append((variant, case))
+            continue
+        return dataclasses.replace(case, dropped=tuple(dropped))
+    raise SceneError(f"{_TRIES} objects made no case; they look alike from several sides.")
+
+
+def pose_case(
+    model: Model, variant: str, symmetry: float, draw: Draw, rng: np.random.Generator
+) -> Case | str:
+    """Put ``model`` somewhere, draw it and spoil the input; or say why that makes no case."""
+    spoiling = draw.spoiling
+    camera, view = _camera(draw, rng)
+    light = _light(spoiling, rng)
+    yaw = float(rng.uniform(-np.pi, np.pi))
+    for _ in range(50):
+        pixel = rng.uniform(0.08, 0.92, (1, 2)) * [WIDTH, HEIGHT]
+        position = camera.on_plane(pixel, 0.0)[0] + [0, 0, model.size[2] / 2]
+        item = place(model.mesh, model.size, position, yaw_quaternion(yaw), 1)
+        shown = camera.project(item.vertices)
+        if (shown > 3).all() and (shown < [WIDTH - 3, HEIGHT - 3]).all():
+            break
+    else:
+        return "too large"
+    picture, mask = photograph(item, camera, light, rng)
+    front = occluder(mask, float(rng.uniform(0, spoiling.occlude)), rng)
+    hidden = float((mask & front).sum() / max(int(mask.sum()), 1))
+    picture = blurred(_painted(picture, front, rng), spoiling.blur)
+    visible = holed(eroded(mask & ~front, spoiling.erode), spoiling.holes, rng)
+    if visible.sum() < _LEAST:
+        return "too small"
+    apart = alike(model, yaw, position, camera, light, front, symmetry)
+    if apart < DISTINCT:
+        return "alike"
+    off = rng.uniform(-1, 1, 2) * np.deg2rad([spoiling.azimuth, spoiling.elevation])
+    elevation = float(np.clip(view.elevation + off[1], 0.02, np.pi / 2))
+    believed = View(view.azimuth + float(off[0]), elevation, view.fov)
+    told = dataclasses.replace(model, size=wrong_size(model.size, spoiling.size_error, rng))
+    return Case(
+        variant, model, told, cut_out(model, picture, visible, hidden > 0), Reference(picture),
+        camera, believed, light, yaw, position, symmetry, hidden, apart,
+    )  # fmt: skip
+
+
+def _camera(draw: Draw, rng: np.random.Generator) -> tuple[Camera, View]:
+    view = View(
+        float(rng.uniform(-0.2, 0.2)),
+        float(np.deg2rad(rng.uniform(*draw.elevations))),
+        float(np.deg2rad(rng.uniform(30, 45))),
+    )
+    return looking_camera(view), view
+
+
+def looking_camera(view: View) -> Camera:
+    """Return the camera of ``view`` that looks at the origin, the table's middle."""
+    distance = TABLE_WIDTH / 2 / np.tan(view.fov / 2) * HEIGHT / WIDTH
+    return Camera.looking_at(np.zeros(3), view, distance, WIDTH, HEIGHT)
+
+
+def _light(spoiling: Spoiling, rng: np.random.Generator) -> Light:
+    direction = np.array([*rng.uniform(-0.6, 0.6, 2), 0.8])
+    tint = rng.uniform(1 - spoiling.tint, 1, 3)
+    sun = float(rng.uniform(max(0.0, 0.35 - spoiling.light / 2), 0.35 + spoiling.light / 2))
+    return Light(direction, sun=sun, tint=(float(tint[0]), float(tint[1]), float(tint[2])))
+
+
+def photograph(
+    item: Item, camera: Camera, light: Light, rng: np.random.Generator
+) -> tuple[UInt8[np.ndarray, "h w 3"], Bool[np.ndarray, "h w"]]:
+    """Draw an item (id 1) on a random ground at height 0; return the picture and its mask.
+
+    The ground is drawn around the item alone; the rest of the picture has its mean colour.
+    """
+    tile = patterns.surface(rng)
+    low, high = item.vertices[:, :2].min(0), item.vertices[:, :2].max(0)
+    middle, half = (low + high) / 2, 1.5 * float((high - low).max()) + 0.1
+    corners = middle + half * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    uv = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])
+    ground = Item(np.column_stack([corners, np.zeros(4)]), np.array([[0, 1, 2], [0, 2, 3]]),
+                  uv, tile, 0)  # fmt: skip
+    pixels = camera.project(item.vertices)
+    pad = 0.15 * np.ptp(pixels, axis=0).max() + 8
+    box = np.concatenate([np.floor(pixels.min(0) - pad), np.ceil(pixels.max(0) + pad)])
+    box = np.clip(box, 0, [WIDTH, HEIGHT] * 2)
+    red, green, blue = (int(v) for v in tile.reshape(-1, 3).mean(0))
+    drawn = render([ground, item], window(camera, box), light=light, background=(red, green, blue))
+    x0, y0, x1, y1 = box.astype(int)
+    picture = np.full((camera.height, camera.width, 3), (red, green, blue), np.uint8)
+    mask = np.zeros(picture.shape[:2], bool)
+    picture[y0:y1, x0:x1], mask[y0:y1, x0:x1] = drawn.image, drawn.ids == 1
+    return picture, mask
+
+
+def _painted(
+    picture: UInt8[np.ndarray, "h w 3"], front: Bool[np.ndarray, "h w"], rng: np.random.Generator
+) -> UInt8[np.ndarray, "h w 3"]:
+    """Paint what stands in front."""
+    pattern = patterns.clutter(rng, 128, 24)
+    size = (picture.shape[1], picture.shape[0])
+    return np.where(front[..., None], cv2.resize(pattern, size), picture)
+
+
+def cut_out(
+    model: Model, picture: UInt8[np.ndarray, "h w 3"], mask: Bool[np.ndarray, "h w"], hidden: bool
+) -> Instance:
+    """Return the instance of a mask; its crop lacks what is hidden."""
+    box = mask_box(mask)
+    around = np.clip(box + np.array([-8, -8, 8, 8]), 0, [WIDTH, HEIGHT] * 2)
+    x0, y0, x1, y1 = around.astype(int)
+    crop = np.dstack([picture, mask.astype(np.uint8) * 255])[y0:y1, x0:x1]
+    return Instance("thing", model.label, box, mask, crop, around, hidden)
+
+
+def usable(models: Sequence[Model], symmetric: bool) -> tuple[Model, ...]:
+    """Return the foreign models that can make a case: see ``Draw.symmetric``.
+
+    Raises:
+        InputError: none can.
+    """
+    orders = [order(m.mesh, m.size) for m in models]
+    most = math.inf if symmetric else 2
+    kept = tuple(m for m, n in zip(models, orders, strict=True) if n < most)
+    if not kept:
+        raise InputError(
+            "Every mesh looks the same when it is turned, so none makes a case. Pass others"
+            + (", not of revolution." if symmetric else ", or --symmetric.")
+        )
+    return kept

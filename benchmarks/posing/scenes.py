@@ -1,0 +1,274 @@
+"""Whole scenes from their picture alone: the run, objects matched to the truth, the summary."""
+
+from __future__ import annotations
+
+import math
+import os
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from jaxtyping import Bool, UInt8
+from scipy.optimize import linear_sum_assignment
+
+from generator.errors import SceneError, TabletopError
+from generator.pipeline import Generation, generate
+from generator.scene import TABLE, Object
+
+from . import tables
+from .distinct import DISTINCT
+from .figures import column, cumulative, error_cells, median, share
+from .symmetry import best_turn, cloud, order, posed, yaw_error
+from .tables import Row
+from .truth import Truth, apart, azimuth_error, draw_truth, seen, table_width
+
+KEY = ("scene",)
+FIELDS = (
+    "scene", "of", "text", "object", "category", "on", "visible_pixels", "found", "iou",
+    "found_label", "found_category", "order", "apart", "yaw_state", "yaw_error_deg", "place_cm",
+    "place_percent", "size_percent", "size_relative_percent", "support_right",
+    "table_width_percent", "azimuth_off_deg", "elevation_off_deg", "extra", "cpu_seconds", "error",
+)  # fmt: skip
+
+MATCH = 0.5
+"""Least overlap (IoU) of two masks of one thing."""
+
+_SHOWS = 1e-4  # share of the picture from which a thing can be found
+_POINTS = 1200
+
+
+@dataclass(frozen=True)
+class ScenesResult:
+    """The rows of a run and what is written about them."""
+
+    rows: list[Row]
+    text: str
+    plot: UInt8[np.ndarray, "h w 3"]
+
+
+def match(
+    true: Sequence[Bool[np.ndarray, "h w"]], found: Sequence[Bool[np.ndarray, "h w"]]
+) -> dict[int, tuple[int, float]]:
+    """Return for each true mask the found one of it, with their overlap; none below ``MATCH``.
+
+    Every mask is used once at most, so that the overlaps' sum is largest.
+    """
+    if not true or not found:
+        return {}
+    overlap = np.array([[_iou(a, b) for b in found] for a in true])
+    rows, columns = linear_sum_assignment(-overlap)
+    pairs = zip(rows, columns, strict=True)
+    return {int(i): (int(j), float(overlap[i, j])) for i, j in pairs if overlap[i, j] >= MATCH}
+
+
+def _iou(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
+    return float((a & b).sum() / max(int((a | b).sum()), 1))
+
+
+def compare(truth: Truth, made: Generation, seconds: float) -> list[Row]:
+    """Return one row for each object that the picture shows."""
+    true = truth.scene.objects
+    shown = [k for k in range(len(true)) if (truth.ids == k + 1).mean() >= _SHOWS]
+    if not shown:
+        raise SceneError("Nothing on the table shows in its picture.")
+    masks = {i.name: np.asarray(i.mask) for i in made.instances}
+    found = [o for o in made.scene.objects if o.name in masks]
+    pairs = match([truth.ids == k + 1 for k in shown], [masks[o.name] for o in found])
+    names = {found[j].name: true[shown[i]].name for i, (j, _) in pairs.items()} | {TABLE: TABLE}
+    view = made.scene.view
+    turned = azimuth_error(truth, view.azimuth)
+    widths = table_width(truth.scene, truth.view.azimuth), table_width(made.scene, view.azimuth)
+    shared = {
+        "of": len(shown),
+        "text": truth.text,
+        "table_width_percent": _percent(widths[1], widths[0]),
+        "azimuth_off_deg": "" if turned is None else round(turned, 2),
+        "elevation_off_deg": round(float(np.rad2deg(view.elevation - truth.view.elevation)), 2),
+        "extra": len(found) - len(pairs),
+        "cpu_seconds": round(seconds, 1),
+    }
+    rows = []
+    for i, k in enumerate(shown):
+        thing = true[k]
+        row = dict.fromkeys(FIELDS, "") | shared | {
+            "object": thing.name, "category": thing.model.category, "on": thing.placement.on,
+            "visible_pixels": int((truth.ids == k + 1).sum()), "found": int(i in pairs),
+        }  # fmt: skip
+        if i in pairs:
+            j, iou = pairs[i]
+            row |= {"iou": round(iou, 3)} | _held(truth, k, made, found[j], widths)
+            row["support_right"] = int(names.get(found[j].placement.on) == thing.placement.on)
+        rows.append(row)
+    return rows
+
+
+def _held(
+    truth: Truth, index: int, made: Generation, found: Object, widths: tuple[float, float]
+) -> dict[str, Any]:
+    """Return how one found object differs from the true one, ``index`` of the scene's."""
+    true = truth.scene.objects[index]
+    a, b = seen(true, truth.view.azimuth), seen(found, made.scene.view.azimuth)
+    state, error, other = "judged", "", math.nan
+    symmetry = order(true.model.mesh, np.asarray(true.scale))
+    if math.isinf(symmetry):
+        state = "round"
+    elif not a.upright or not b.upright:
+        state = "tilted"
+    elif (other := apart(truth, index, symmetry)) < DISTINCT:
+        state = "alike"
+    else:
+        clouds = [
+            posed(cloud(o.model.mesh, np.asarray(o.scale), _POINTS), s.yaw)
+            for o, s in ((found, b), (true, a))
+        ]
+        turn = best_turn(clouds[0], clouds[1])
+        state = "unclear" if turn is None else "judged"
+        error = "" if turn is None else round(yaw_error(turn, 0.0, symmetry), 2)
+    return {
+        "found_label": found.label,
+        "found_category": found.model.category,
+        "order": f"{symmetry:g}",
+        "apart": "" if math.isnan(other) else round(other, 3),
+        "yaw_state": state,
+        "yaw_error_deg": error,
+        "place_cm": round(100 * float(np.linalg.norm(b.place - a.place)), 2),
+        "place_percent": round(
+            100 * float(np.linalg.norm(b.place / widths[1] - a.place / widths[0])), 2
+        ),
+        "size_percent": _percent(b.reach, a.reach),
+        "size_relative_percent": _percent(b.reach / widths[1], a.reach / widths[0]),
+    }
+
+
+def _percent(found: float, true: float) -> float:
+    """Return by how many percent a found length is too large (positive) or too small."""
+    return round(100 * (found / true - 1), 2)
+
+
+def work(number: int, split: str, seed: int, sheets: Path | None) -> list[Row]:
+    """Draw one scene, rebuild it from its picture, and compare; a failure is a row too."""
+    begin = time.process_time()
+    try:
+        truth = draw_truth(split, seed, number)
+        begin = time.process_time()
+        made = generate(np.asarray(truth.picture), seed=number)
+        rows = compare(truth, made, time.process_time() - begin)
+        if sheets is not None:
+            _save_sheet(made, sheets / f"{number:03d}.png")
+    except Exception as error:  # one scene must not end the run
+        told = (
+            f"{error}" if isinstance(error, TabletopError) else f"{type(error).__name__}: {error}"
+        )
+        rows = [dict.fromkeys(FIELDS, "") | {"of": 1, "error": told[:300],
+                "cpu_seconds": round(time.process_time() - begin, 1)}]  # fmt: skip
+    return [r | {"scene": number} for r in rows]
+
+
+def _save_sheet(made: Generation, path: Path) -> None:
+    from PIL import Image
+
+    from generator.bundle import Segments
+    from generator.comparison import compare as compared
+    from generator.comparison import comparison_sheet
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    held = compared(made.scene, Segments.of(made.instances), np.asarray(made.reference.image))
+    part = path.with_suffix(f".{os.getpid()}.png")
+    Image.fromarray(comparison_sheet(held)).save(part)
+    part.replace(path)
+
+
+def run(
+    split: str, seed: int, cases: int, workers: int, table: Path, command: str, sheets: Path | None
+) -> ScenesResult:
+    """Run what of the scenes ``table`` does not hold yet, and sum up all of them."""
+    rows = tables.resume(table, FIELDS, KEY, of="of")
+    done = {int(r["scene"]) for r in rows}
+    left = [k for k in range(cases) if k not in done]
+    job = partial(work, split=split, seed=seed, sheets=sheets)
+    rows = tables.run(table, FIELDS, KEY, rows, left, job, workers, say)
+    rows = [r for r in rows if int(r["scene"]) < cases]
+    plot = cumulative(
+        "Objects of scenes rebuilt from their picture",
+        {
+            "yaw, degrees": column(rows, "yaw_error_deg"),
+            "place, % of the table's width": column(rows, "place_percent"),
+            "size against the table, %": np.abs(column(rows, "size_relative_percent")),
+        },
+        "error: degrees, or percent",
+    )
+    return ScenesResult(rows, summary(rows, command), plot)
+
+
+def say(rows: list[Row]) -> str:
+    r = rows[0]
+    if r["error"]:
+        return f"scene {r['scene']}: {r['error']}"
+    found = sum(int(row["found"]) for row in rows)
+    yaw = median(column(rows, "yaw_error_deg"), "°")
+    told = f"{found} of {len(rows)} found, yaw {yaw}, {r['cpu_seconds']} s"
+    return f"scene {r['scene']} {r['text']}: {told}"
+
+
+def summary(rows: Sequence[Row], command: str) -> str:
+    """Return the results as Markdown."""
+    shown = [r for r in rows if not r["error"]]
+    found = [r for r in shown if int(r["found"])]
+    firsts = list({str(r["scene"]): r for r in shown}.values())
+    scenes = {str(r["scene"]) for r in rows}
+    states = {s: sum(r["yaw_state"] == s for r in found)
+              for s in ("judged", "round", "alike", "tilted", "unclear")}  # fmt: skip
+    errors = column(found, "yaw_error_deg")
+    told = error_cells(errors)
+    figures = [
+        ("scenes rebuilt", f"{len(firsts)} of {len(scenes)}"),
+        ("objects shown; found (mask IoU ≥ 0.5)",
+         f"{len(shown)}; {share([bool(int(r['found'])) for r in shown])}"),
+        ("objects built of nothing that is there", str(int(column(firsts, "extra").sum()))),
+        ("yaw error modulo symmetry, median; within 2°, 5°, 10°",
+         f"{told[0]}; {', '.join(told[1:])}"),
+        ("yaw judged; round; alike from another side; tilted; model round, object not",
+         "; ".join(str(n) for n in states.values())),
+        ("more than 170° off", str(int((errors > 170).sum()))),
+        ("place, median: cm; % of the table's width",
+         f"{median(column(found, 'place_cm'))}; {median(column(found, 'place_percent'))}"),
+        ("size error, median: metric; against the table's width",
+         f"{median(np.abs(column(found, 'size_percent')), ' %')}; "
+         f"{median(np.abs(column(found, 'size_relative_percent')), ' %')}"),
+        ("stands on the right thing", share(column(found, "support_right") > 0)),
+        ("table's width, median error",
+         median(np.abs(column(firsts, "table_width_percent")), " %")),
+        ("camera: azimuth (of tables that are not round), elevation, median error",
+         f"{median(column(firsts, 'azimuth_off_deg'), '°')}, "
+         f"{median(np.abs(column(firsts, 'elevation_off_deg')), '°')}"),
+        ("CPU seconds a scene, median", median(column(firsts, "cpu_seconds"))),
+    ]  # fmt: skip
+    lines = [
+        "# Scenes rebuilt from their picture alone, against the truth",
+        f"`{command}`, {tables.where()}",
+        "",
+        "Both scenes are turned to the camera and held together by the middles of their tables.",
+        "",
+        "| figure | value |",
+        "|---|---|",
+        *(f"| {name} | {value} |" for name, value in figures),
+        "",
+    ]
+    worst = sorted(
+        (r for r in found if str(r["yaw_error_deg"]) and float(r["yaw_error_deg"]) > 10),
+        key=lambda r: -float(r["yaw_error_deg"]),
+    )
+    lines += ["More than 10° off:"] if worst else []
+    for r in worst:
+        taken = f"taken for {r['found_label']}, {r['found_category']}"
+        off = f"{float(r['yaw_error_deg']):.0f}°"
+        lines.append(f"- scene {r['scene']} {r['object']} ({taken}): {off}")
+    missed = [f"scene {r['scene']} {r['object']}" for r in shown if not int(r["found"])]
+    lines += ["", f"Not found: {', '.join(missed)}."] if missed else []
+    failed = {str(r["scene"]): r["error"] for r in rows if r["error"]}
+    lines += [f"- scene {scene} failed: {error}" for scene, error in failed.items()]
+    return "\n".join([*lines, ""])

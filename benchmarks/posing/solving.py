@@ -1,0 +1,123 @@
+"""The one place that calls the rotation stage, and what its answer is worth."""
+
+from __future__ import annotations
+
+import time
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.backends.embedded.encoder import Encoder
+from generator.geometry import hull_points, mask_box, rotation_z
+from generator.stages.rotation import RotationConfig, estimate_rotations
+
+from .cases import Case, looking_camera
+from .symmetry import yaw_error
+
+CONFIGS = ("default", "paper")
+
+FIELDS = (
+    "case", "config", "object", "order", "yaw_deg", "found_deg", "error_deg", "flip",
+    "scale_error_percent", "cpu_seconds", "hidden", "elevation_off_deg", "azimuth_off_deg",
+    "pixels", "apart", "dropped_symmetric", "dropped_alike", "dropped_other", "error",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Found:
+    """What the stage found: yaw in radians in the believed world frame, and its loss."""
+
+    yaw: float
+    loss: float
+
+
+def solve(case: Case, config: str) -> Found:
+    """Ask the rotation stage for the yaw of a case, by its settings' name."""
+    settings = RotationConfig.paper() if config == "paper" else RotationConfig()
+    name = case.instance.name
+    found = estimate_rotations(
+        case.reference, (case.instance,), {name: case.model}, case.view, Encoder(), settings
+    )[name]
+    return Found(found.yaw, found.loss)
+
+
+def implied_scale(case: Case, yaw: float) -> float:
+    """Return the factor on the believed size under which the object, so turned, fits its crop.
+
+    It stands on the table as the believed camera sees it; its box agrees with the visible mask's
+    in its middle and its area.
+    """
+    camera = looking_camera(case.view)
+    box = mask_box(np.asarray(case.instance.mask))
+    shape = hull_points(case.model.mesh.vertices * case.model.size) @ rotation_z(yaw).T
+    aim, area = (box[:2] + box[2:]) / 2, float(np.prod(box[2:] - box[:2]))
+    factor, pixel = 1.0, aim
+    for _ in range(30):
+        foot = camera.on_plane(pixel[None], 0.0)[0]
+        if not np.isfinite(foot).all():
+            return float("nan")
+        points = factor * (shape - [0, 0, shape[:, 2].min()]) + foot
+        shown = camera.project(points)
+        low, high = shown.min(0), shown.max(0)
+        pixel = pixel + aim - (low + high) / 2
+        factor *= float(np.sqrt(area / np.prod(high - low)))
+    return factor
+
+
+def camera_yaw_error(case: Case, yaw: float) -> float:
+    """Return the error of a yaw found in the believed world, degrees, modulo the symmetry.
+
+    Both yaws are held against the camera: a believed azimuth that is off turns the whole world,
+    the table with it, and no object against another.
+    """
+    true = case.yaw - _azimuth(case.camera.rotation)
+    return yaw_error(yaw - case.view.azimuth, true, case.order)
+
+
+def _azimuth(rotation: Float[np.ndarray, "3 3"]) -> float:
+    return float(np.arctan2(rotation[0, 1], rotation[0, 0]))
+
+
+def row_of(case: Case, number: int, config: str) -> dict[str, Any]:
+    """Solve a case and return its row of the table."""
+    begin = time.process_time()
+    found = solve(case, config)
+    seconds = time.process_time() - begin
+    error = camera_yaw_error(case, found.yaw)
+    sizes = np.prod(case.model.size / case.true.size) ** (1 / 3)
+    scale = implied_scale(case, found.yaw) * sizes
+    box = case.instance.box
+    reasons = [reason for _, reason in case.dropped]
+    return start_of_row(number, config) | {
+        "object": case.variant,
+        "order": f"{case.order:g}",
+        "yaw_deg": round(float(np.rad2deg(case.yaw)), 2),
+        "found_deg": round(float(np.rad2deg(found.yaw)), 2),
+        "error_deg": round(error, 3),
+        "flip": int(case.order == 1 and error > 170),
+        "scale_error_percent": round(100 * abs(float(scale) - 1), 2),
+        "cpu_seconds": round(seconds, 2),
+        "hidden": round(case.hidden, 3),
+        "elevation_off_deg": round(_off(case.view.elevation, _elevation(case)), 2),
+        "azimuth_off_deg": round(_off(case.view.azimuth, _azimuth(case.camera.rotation)), 2),
+        "pixels": round(float((box[2:] - box[:2]).max())),
+        "apart": round(case.apart, 3),
+        "dropped_symmetric": reasons.count("symmetric"),
+        "dropped_alike": reasons.count("alike"),
+        "dropped_other": len(reasons) - reasons.count("symmetric") - reasons.count("alike"),
+    }
+
+
+def start_of_row(number: int, config: str) -> dict[str, Any]:
+    """Return a row that says no more than which case it is of."""
+    return dict.fromkeys(FIELDS, "") | {"case": number, "config": config}
+
+
+def _elevation(case: Case) -> float:
+    return float(np.arcsin(np.clip(-case.camera.rotation[2, 2], -1, 1)))
+
+
+def _off(believed: float, true: float) -> float:
+    return float(np.rad2deg(believed - true))

@@ -1,0 +1,120 @@
+"""Tables written row by row as cases end, so that a run that was cut off goes on."""
+
+from __future__ import annotations
+
+import csv
+import datetime
+import os
+import platform
+import sys
+from collections.abc import Callable, Sequence
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from pathlib import Path
+from typing import Any
+
+from generator.errors import InputError
+
+Row = dict[str, Any]
+
+
+def resume(
+    path: Path, fields: Sequence[str], key: Sequence[str], of: str | None = None
+) -> list[Row]:
+    """Return the rows of the cases that a table holds whole, and leave just these in the file.
+
+    Args:
+        path: the table; it is made if there is none.
+        fields: its columns. A table with other columns is another benchmark's, or an older one's.
+        key: the columns that tell cases apart.
+        of: the column that says how many rows the case has; None for one.
+
+    Raises:
+        InputError: the file holds another table.
+    """
+    rows: list[Row] = []
+    if path.exists():
+        try:
+            with path.open(newline="", encoding="utf-8") as file:
+                reader = csv.DictReader(file)
+                rows = list(reader)
+                head = reader.fieldnames
+        except (UnicodeDecodeError, csv.Error) as error:
+            raise InputError(f"{path} is no CSV table ({error}). Move it away.") from error
+        if rows and list(head or ()) != list(fields):
+            raise InputError(f"{path} has other columns than this benchmark. Move it away first.")
+    whole = [r for r in rows if all(r.get(f) is not None for f in fields)]
+    counts: dict[tuple[str, ...], int] = {}
+    for row in whole:
+        counts[_key(row, key)] = counts.get(_key(row, key), 0) + 1
+    kept = [r for r in whole if of is None or counts[_key(r, key)] == int(r[of])]
+    part = path.with_name(path.name + ".part")
+    with part.open("w", newline="", encoding="utf-8") as file:
+        writer: csv.DictWriter[str] = csv.DictWriter(file, fields)
+        writer.writeheader()
+        writer.writerows(kept)
+    part.replace(path)
+    return kept
+
+
+def run(
+    path: Path,
+    fields: Sequence[str],
+    key: Sequence[str],
+    rows: Sequence[Row],
+    jobs: Sequence[Any],
+    work: Callable[[Any], list[Row]],
+    workers: int,
+    say: Callable[[list[Row]], str],
+) -> list[Row]:
+    """Do the jobs, append each one's rows to the table as it ends, and return all rows, sorted.
+
+    ``say`` makes the line printed for a job's rows.
+    """
+    out = [*rows]
+    with path.open("a", newline="", encoding="utf-8") as file:
+        writer: csv.DictWriter[str] = csv.DictWriter(file, fields)
+
+        def done(number: int, new: list[Row]) -> None:
+            out.extend(new)
+            writer.writerows(new)
+            file.flush()
+            print(f"[{number}/{len(jobs)}] {say(new)}", flush=True)
+
+        if workers <= 1:
+            for number, job in enumerate(jobs, start=1):
+                done(number, work(job))
+        else:
+            with ProcessPoolExecutor(workers, initializer=alone) as pool:
+                futures = [pool.submit(work, job) for job in jobs]
+                for number, future in enumerate(as_completed(futures), start=1):
+                    done(number, future.result())
+    return sorted(out, key=lambda r: [_sortable(r[k]) for k in key])
+
+
+def where() -> str:
+    """Return the machine and the day, for the head of a summary."""
+    day = datetime.date.today().isoformat()
+    return f"{platform.machine()}, {os.cpu_count()} cores, {day}"
+
+
+def command_line() -> str:
+    """Return the command that was given; of absolute paths, the last part alone."""
+    given = (Path(word).name if Path(word).is_absolute() else word for word in sys.argv[1:])
+    return " ".join(["python benchmarks/pose.py", *given])
+
+
+def alone() -> None:
+    """Keep this process to one thread: seconds compare, and workers do not wait for each other."""
+    os.environ["OMP_NUM_THREADS"] = "1"
+    import torch
+
+    torch.set_num_threads(1)
+
+
+def _key(row: Row, key: Sequence[str]) -> tuple[str, ...]:
+    return tuple(str(row[k]) for k in key)
+
+
+def _sortable(value: Any) -> tuple[int, str]:
+    text = str(value)
+    return (int(text), "") if text.isdigit() else (0, text)
