@@ -41,7 +41,8 @@ class Case:
 
     ``true`` is the object as it is, ``model`` what the optimiser is told (its size may be wrong);
     ``camera`` and ``yaw`` are true, ``view`` is what is believed. ``instance`` and ``reference``
-    are the spoiled input. ``order`` is the object's rotational symmetry, ``hidden`` the share of it
+    are the spoiled input; ``front`` is where something else stands before the object, as the
+    masks of a picture's other instances tell. ``order`` is the object's rotational symmetry, ``hidden`` the share of it
     that is hidden, ``apart`` the difference of the most alike other side in this picture.
     ``dropped`` names the objects drawn before it, with the reason each made no case.
     """
@@ -59,6 +60,7 @@ class Case:
     order: float
     hidden: float
     apart: float
+    front: Bool[np.ndarray, "h w"]
     dropped: tuple[tuple[str, str], ...] = ()
 
 
@@ -148,7 +150,7 @@ def pose_case(
     told = dataclasses.replace(model, size=wrong_size(model.size, spoiling.size_error, rng))
     return Case(
         variant, model, told, cut_out(model, picture, visible, hidden > 0), Reference(picture),
-        camera, believed, light, yaw, position, symmetry, hidden, apart,
+        camera, believed, light, yaw, position, symmetry, hidden, apart, front,
     )  # fmt: skip
 
 

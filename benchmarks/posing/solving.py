@@ -11,7 +11,7 @@ from jaxtyping import Float
 
 from generator.backends.embedded.encoder import Encoder
 from generator.geometry import hull_points, mask_box, rotation_z
-from generator.stages.rotation import RotationConfig, estimate_rotations
+from generator.stages.rotation import RotationConfig, optimise_rotation
 
 from .cases import Case, looking_camera
 from .symmetry import yaw_error
@@ -36,10 +36,11 @@ class Found:
 def solve(case: Case, config: str) -> Found:
     """Ask the rotation stage for the yaw of a case, by its settings' name."""
     settings = RotationConfig.paper() if config == "paper" else RotationConfig()
-    name = case.instance.name
-    found = estimate_rotations(
-        case.reference, (case.instance,), {name: case.model}, case.view, Encoder(), settings
-    )[name]
+    height, width = case.reference.image.shape[:2]
+    found = optimise_rotation(
+        case.model, case.instance, case.view, Encoder(), settings, (width, height),
+        hidden=case.front if case.hidden else None,
+    )  # fmt: skip
     return Found(found.yaw, found.loss)
 
 

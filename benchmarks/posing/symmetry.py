@@ -46,9 +46,9 @@ def cloud(
     from generator.render.soft import sample_surface
 
     drawn = sample_surface(mesh, size, count, seed=0)
-    open_air = ~drawn.covered.numpy()
-    position = drawn.position.numpy().astype(float)[open_air]
-    color = drawn.color.numpy().astype(float)[open_air]
+    open_air = ~drawn.covered[0].numpy()
+    position = drawn.position[0].numpy().astype(float)[open_air]
+    color = drawn.color[0].numpy().astype(float)[open_air]
     near = KDTree(position).query(position, k=min(around, len(position)))[1]
     smooth = color[near.reshape(len(position), -1)].mean(1)
     middle = np.array([*position[:, :2].mean(0), position[:, 2].min()])
