@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import product
 
 import cv2
@@ -13,7 +14,7 @@ from scipy.optimize import minimize
 
 from .framing import simplex
 from .projection import Projection, fill_hull
-from .table_form import LegStyle, TableForm, corners_of
+from .table_form import LegStyle, TableForm, at_height, corners_of
 
 _TALL = (0.2, 1.4)  # metres: what a table's height may be
 _SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # metres: thicknesses tried
@@ -36,12 +37,12 @@ class Silhouette:
     shown: Mask
     projection: Projection
 
-    @property
+    @cached_property
     def bottom(self) -> int:
         """The lowest row of the table."""
         return int(np.flatnonzero((self.mask & self.shown).sum(1) > 1)[-1])
 
-    @property
+    @cached_property
     def cut_below(self) -> bool:
         """Whether the frame hides how far down the table goes."""
         return not self.shown[min(self.bottom + 2, len(self.shown) - 1)].any()
@@ -181,8 +182,10 @@ def place_top(
 
 def _drawn(pieces: Iterable[Float[np.ndarray, "n 3"]], view: Projection) -> Mask:
     canvas = np.zeros((view.height, view.width), np.uint8)
-    for piece in pieces:
-        fill_hull(canvas, view.project(piece))
+    solids = list(pieces)
+    ends = np.cumsum([len(piece) for piece in solids])[:-1]
+    for flat in np.split(view.project(np.concatenate(solids)), ends):
+        fill_hull(canvas, flat)
     return canvas > 0
 
 
@@ -193,7 +196,7 @@ class _Legs:
         self, form: TableForm, scale: float, shift: Float[np.ndarray, "3"], seen: Silhouette
     ) -> None:
         self.form, self.scale, self.shift, self.seen = form, scale, shift, seen
-        self.top = _drawn([self._placed(np.insert(form.outline, 2, 0.0, axis=1))], seen.projection)
+        self.top = _drawn([self._placed(at_height(form.outline, 0.0))], seen.projection)
         brush = np.ones((3, 3), np.uint8)
         beside = cv2.dilate(self.top.astype(np.uint8), brush) == 0
         self.counted = beside & seen.shown
@@ -204,9 +207,7 @@ class _Legs:
 
     def drawn(self, form: TableForm) -> Mask:
         """Return the silhouette of a form's slab and legs."""
-        slab = np.concatenate(
-            [np.insert(form.outline, 2, z, axis=1) for z in (-form.thickness, 0.0)]
-        )
+        slab = np.concatenate([at_height(form.outline, z) for z in (-form.thickness, 0.0)])
         down = np.array([0.0, 0.0, form.height])
         pieces = [piece.reshape(-1, 3) - down for piece in form.pieces()]
         return _drawn([self._placed(p) for p in [slab, *pieces]], self.seen.projection)
@@ -223,11 +224,10 @@ class _Legs:
         Where the frame cuts the legs, it is at least as high as usual.
         """
         low, high = _TALL
+        feet = form.feet()
         for _ in range(12):
             middle = (low + high) / 2
-            tried = replace(form, height=middle)
-            feet = np.concatenate([p[0] for p in tried.pieces()]) - [0, 0, middle]
-            rows = self.seen.projection.project(self._placed(feet))[:, 1]
+            rows = self.seen.projection.project(self._placed(at_height(feet, -middle)))[:, 1]
             low, high = (middle, high) if rows.max() < self.seen.bottom + 1 else (low, middle)
         found = max(low, usual) if self.seen.cut_below else low
         return replace(form, height=found)

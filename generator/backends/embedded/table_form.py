@@ -78,8 +78,13 @@ class TableForm:
         for ring in rings:
             flat = ring[..., :2]
             under, over = low - flat.min(1, keepdims=True), flat.max(1, keepdims=True) - high
-            ring[..., :2] = np.clip(flat + under.clip(0) - over.clip(0), low, high)
+            if under.max() > 0 or over.max() > 0:
+                ring[..., :2] = np.clip(flat + under.clip(0) - over.clip(0), low, high)
         return rings
+
+    def feet(self) -> Float[np.ndarray, "n 2"]:
+        """Return the corners of what stands on the floor, which does not depend on the height."""
+        return np.concatenate([ring[0, :, :2] for ring in self.pieces() if ring[0, 0, 2] == 0])
 
     def _posts(self, top: float) -> list[Ring]:
         joints = self.joints()
@@ -167,7 +172,17 @@ def _hits(
 def _piece(
     lower: Float[np.ndarray, "k 2"], z0: float, upper: Float[np.ndarray, "k 2"], z1: float
 ) -> Ring:
-    return np.stack([np.insert(lower, 2, z0, axis=1), np.insert(upper, 2, z1, axis=1)])
+    ring = np.empty((2, len(lower), 3))
+    ring[0, :, :2], ring[0, :, 2] = lower, z0
+    ring[1, :, :2], ring[1, :, 2] = upper, z1
+    return ring
+
+
+def at_height(ring: Float[np.ndarray, "k 2"], z: float) -> Float[np.ndarray, "k 3"]:
+    """Return a level ring's points."""
+    points = np.full((len(ring), 3), float(z))
+    points[:, :2] = ring
+    return points
 
 
 def _board(
@@ -192,4 +207,4 @@ def _thinned(
     ways = np.column_stack([np.cos(at), np.sin(at)])
     ways = np.concatenate([ways, [[1, 0], [-1, 0], [0, 1], [0, -1]]])
     ring = outline[np.unique((outline @ ways.T).argmax(0))]
-    return np.concatenate([np.insert(ring, 2, z, axis=1) for z in heights])
+    return np.concatenate([at_height(ring, z) for z in heights])
