@@ -42,8 +42,9 @@ class Case:
     ``true`` is the object as it is, ``model`` what the optimiser is told (its size may be wrong);
     ``camera`` and ``yaw`` are true, ``view`` is what is believed. ``instance`` and ``reference``
     are the spoiled input; ``front`` is where something else stands before the object, as the
-    masks of a picture's other instances tell. ``order`` is the object's rotational symmetry, ``hidden`` the share of it
-    that is hidden, ``apart`` the difference of the most alike other side in this picture.
+    masks of a picture's other instances tell. ``order`` is the object's rotational symmetry,
+    ``hidden`` the share of it that is hidden, ``apart`` the difference of the most alike other
+    side in this picture.
     ``dropped`` names the objects drawn before it, with the reason each made no case.
     """
 

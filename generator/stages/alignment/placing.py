@@ -1,4 +1,4 @@
-"""Top-view Spatial Alignment, TSA (Sec. 3.3): translations and scales from a view from above."""
+"""TSA as a stage: from a top view to every object's translation and scale."""
 
 from __future__ import annotations
 
@@ -7,17 +7,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from jaxtyping import Float
-from scipy.optimize import linear_sum_assignment
 
-from ..backends.protocols import Imager, Reasoner, Segmenter
-from ..errors import SceneError
-from ..geometry import rotated_extent, rotation_z
-from ..render.contact import Body, resting_height
-from ..scene import (
+from ...backends.protocols import Imager, Reasoner, Segmenter
+from ...geometry import rotated_extent
+from ...render.contact import Body, resting_height
+from ...scene import (
     TABLE,
-    Detection,
     Instance,
-    Mesh,
     Model,
     Placement,
     Reference,
@@ -27,6 +23,16 @@ from ..scene import (
     TopView,
     View,
 )
+from .checking import check_top_view
+from .equations import (
+    metres_per_pixel,
+    own_extent,
+    pixel_area_and_ratio_error,
+    rectangle_box,
+    rma_score,
+    select_anchor,
+)
+from .matching import complete_boxes
 
 
 @dataclass(frozen=True)
@@ -39,12 +45,15 @@ class AlignmentConfig:
         sizes, are guesses there.
     table_limit: an anchor that would make the table this much larger or smaller than its
         commonsense size is passed over.
+    check: hold the top view against the reference picture, and repair by geometry what an image
+        model moved or dropped. The paper takes it as it comes.
     """
 
     tau: float = 0.25
     size_limit: float = 1.6
     guess_limit: float = 4.0
     table_limit: float = 2.0
+    check: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,91 +72,6 @@ class Alignment:
     stacking: Mapping[str, Stacking]
     scores: Mapping[str, float]
     warnings: tuple[str, ...] = ()
-
-
-# ------------------------------------------------------------------------------------ equations
-
-
-def pixel_area_and_ratio_error(
-    box: Float[np.ndarray, "4"], size: Float[np.ndarray, "3"], yaw: float
-) -> tuple[float, float]:
-    """Return A_px and epsilon_ratio of Eq. 5.
-
-    A_px = w_img h_img and epsilon_ratio = |log r_phys - log r_img|, with r = width / height; r_phys
-    is of the physical ``size`` (metres) turned by ``yaw`` and projected onto the XY-plane.
-    """
-    w_img, h_img = box[2] - box[0], box[3] - box[1]
-    w_phys, h_phys = rotated_extent(np.asarray(size), yaw)
-    error = abs(np.log(w_phys / h_phys) - np.log(w_img / h_img))
-    return float(w_img * h_img), float(error)
-
-
-def rma_score(area: float, ratio_error: float, tau: float = 0.25) -> float:
-    """Return the Ratio-Matched and Area-Weighted Score, Eq. 6: A_px / (1 + (eps / tau)^2)."""
-    return area / (1.0 + (ratio_error / tau) ** 2)
-
-
-def select_anchor(scores: Mapping[str, float]) -> str:
-    """Return the name with the highest RMA-Score (the first of equals)."""
-    if not scores:
-        raise SceneError("No object can be the scaling anchor: the top view shows none.")
-    return max(scores, key=lambda name: scores[name])
-
-
-def metres_per_pixel(
-    box: Float[np.ndarray, "4"], size: Float[np.ndarray, "3"], yaw: float
-) -> float:
-    """Return alpha, metres per top-view pixel, from the anchor: root of the areas' ratio."""
-    w_phys, h_phys = rotated_extent(np.asarray(size), yaw)
-    return float(np.sqrt(w_phys * h_phys / ((box[2] - box[0]) * (box[3] - box[1]))))
-
-
-def own_extent(
-    across: Float[np.ndarray, "2"], yaw: float, size: Float[np.ndarray, "3"]
-) -> Float[np.ndarray, "3"]:
-    """Return the extent along an object's own axes, given its axis-aligned top-view extent.
-
-    Args:
-        across: width and height of the box in the top view, metres (along world x and y).
-        yaw: the object's yaw, radians.
-        size: commonsense extent; gives the proportions where the box does not.
-
-    The box is W = |cos| l + |sin| w, H = |sin| l + |cos| w. Its inverse is used as far as it is
-    well-conditioned (|cos 2 yaw| near 1) and agrees with the proportions to within a factor 1.4;
-    near 45 degrees the proportions of ``size`` are kept. Height follows the mean scale.
-    """
-    c, s = abs(np.cos(yaw)), abs(np.sin(yaw))
-    box = rotated_extent(size, yaw)
-    factor = float(np.sqrt(across.prod() / box.prod()))
-    kept = size * factor
-    det = c * c - s * s
-    trust = float(np.clip((abs(det) - 0.3) / 0.5, 0.0, 1.0))
-    if trust > 0:
-        solved = np.array([c * across[0] - s * across[1], c * across[1] - s * across[0]]) / det
-        change = np.log(np.maximum(solved, 1e-6) / kept[:2])
-        if (solved > 0).all() and np.abs(change).max() < np.log(1.4):
-            kept[:2] *= np.exp(trust * change)
-    return kept
-
-
-def rectangle_box(
-    box: Float[np.ndarray, "4"], mesh: Mesh, size: Float[np.ndarray, "3"], yaw: float
-) -> Float[np.ndarray, "4"]:
-    """Return the top-view box of an object's own turned rectangle, given its outline's box.
-
-    Eqs. 5 and 6 project the box of the physical size. What the top view shows is the outline of
-    the thing itself, which is smaller (a mug turned by 45 degrees) and may lie off the centre (its
-    handle). ``mesh`` is canonical, ``size`` in metres, ``yaw`` in radians.
-    """
-    points = mesh.vertices[:, :2] * size[:2] @ rotation_z(yaw)[:2, :2].T
-    low, high = points.min(0), points.max(0)
-    pixels = (box[2:] - box[:2]) / np.maximum(high - low, 1e-6)  # per metre, along u and v
-    middle = (box[:2] + box[2:]) / 2 - (low + high) / 2 * [1, -1] * pixels
-    half = rotated_extent(size, yaw) / 2 * pixels
-    return np.concatenate([middle - half, middle + half])
-
-
-# ---------------------------------------------------------------------------------------- stage
 
 
 def align(
@@ -172,7 +96,14 @@ def align(
     """
     config = config or AlignmentConfig()
     shown = imager.top_view(reference, instances, models, rotations, view)
-    top_view = complete_boxes(shown, instances, segmenter)
+    stacking = dict(reasoner.stacking_order(reference, instances, view))
+    top_view, told = complete_boxes(shown, instances, segmenter)
+    if config.check:
+        height, width = reference.image.shape[:2]
+        top_view, repairs = check_top_view(
+            top_view, instances, models, rotations, stacking, view, (width, height)
+        )
+        told = (*told, *repairs)
     names = [i.name for i in instances if i.name != TABLE and i.name in top_view.boxes]
     yaws = {n: rotations[n].yaw if n in rotations else 0.0 for n in names}
     physical = {n: np.asarray(models[n].size) for n in names}
@@ -185,12 +116,11 @@ def align(
         n: rma_score(*pixel_area_and_ratio_error(top.boxes[n], physical[n], yaws[n]), config.tau)
         for n in names
     }
-    warnings: list[str] = []
+    warnings = list(told)
     anchor, alpha = _scale(top, scores, physical, yaws, sizes, config, warnings)
     modelled = reference.plan is None and TABLE in models
     usual = np.asarray(models[TABLE].size) if modelled else sizes[TABLE].extent
     table_scale = _table_scale(top, alpha, usual, modelled)
-    stacking = dict(reasoner.stacking_order(reference, instances, view))
     limit = config.guess_limit if reference.plan is None else config.size_limit
     scales = {}
     for n in names:
@@ -304,48 +234,3 @@ def _place(
             name, yaws[name], bodies[name].position, scales[name], on=on, inside=inside
         )
     return tuple(placed[name] for name in names)
-
-
-# ------------------------------------------------------------- boxes in a top view drawn freely
-
-
-def complete_boxes(top: TopView, instances: tuple[Instance, ...], segmenter: Segmenter) -> TopView:
-    """Return the top view with a box for every instance that can be found in its picture.
-
-    Detections are matched to instances of the same label, nearest relative position first; a
-    wrong label costs more than any distance.
-
-    Raises:
-        SceneError: the picture shows no object.
-    """
-    missing = [i for i in instances if i.name != TABLE and i.name not in top.boxes]
-    if not missing:
-        return top
-    labels = (TABLE, *dict.fromkeys(i.label for i in missing))
-    found = segmenter.segment(np.asarray(top.image), labels)
-    table = next((d for d in found if d.label == TABLE), None)
-    things = [d for d in found if d.label != TABLE]
-    if table is None or not things:
-        raise SceneError("The top view shows no object on the table; draw it again.")
-    frame = next(np.asarray(i.box) for i in instances if i.name == TABLE)
-    cost = np.array([[_cost(i, frame, d, np.asarray(table.box)) for d in things] for i in missing])
-    boxes = dict(top.boxes)
-    for row, column in zip(*linear_sum_assignment(cost), strict=True):
-        boxes[missing[row].name] = things[column].box
-    table_box = top.table_box if top.boxes else table.box
-    return replace(top, table_box=table_box, boxes=boxes)
-
-
-def _cost(
-    instance: Instance,
-    frame: Float[np.ndarray, "4"],
-    detection: Detection,
-    table: Float[np.ndarray, "4"],
-) -> float:
-    here = _relative(np.asarray(instance.box), frame)
-    there = _relative(np.asarray(detection.box), table)
-    return float(np.linalg.norm(here - there)) + 2.0 * (instance.label != detection.label)
-
-
-def _relative(box: Float[np.ndarray, "4"], frame: Float[np.ndarray, "4"]) -> np.ndarray:
-    return ((box[:2] + box[2:]) / 2 - frame[:2]) / np.maximum(frame[2:] - frame[:2], 1)
