@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from .backends import Backends
@@ -35,6 +35,7 @@ from .stages.reference import (
     refer,
     source_digest,
 )
+from .stages.refinement import Refinement, RefinementConfig, refine_scene
 from .stages.rotation import RotationConfig, estimate_rotations
 from .supplement import NOTHING, Supplement, supplement
 
@@ -42,7 +43,7 @@ Progress = Callable[[str, int, int], None]
 """Called with the name of the stage that starts, its number, and how many there are."""
 
 STAGES = ("reference", "extraction", "view and sizes", "modeling", "rotation", "alignment",
-          "assembly")  # fmt: skip
+          "refinement", "assembly")  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,7 @@ class Config:
     extraction: ExtractionConfig = field(default_factory=ExtractionConfig)
     rotation: RotationConfig = field(default_factory=RotationConfig)
     alignment: AlignmentConfig = field(default_factory=AlignmentConfig)
+    refinement: RefinementConfig = field(default_factory=RefinementConfig)
     assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
     supplement: bool = True
 
@@ -72,6 +74,7 @@ class Generation:
     models: Mapping[str, Model]
     rotations: Mapping[str, Rotation]
     alignment: Alignment
+    refinement: Refinement
     scene: Scene
 
     def save(self, folder: str | Path, *, allow_failed: bool = False) -> Path:
@@ -156,10 +159,19 @@ def generate(
         b.imager, b.segmenter, b.reasoner, config.alignment,
     )  # fmt: skip
 
+    step()  # beyond the paper: everything together against all outlines; depth knows better
+    placements = alignment.placements
+    height, width = reference.image.shape[:2]
+    refined = refine_scene(
+        instances, models, placements, alignment.table_scale, view, (width, height),
+        config.refinement if depth is None else replace(config.refinement, steps=0), seed,
+    )  # fmt: skip
+    placements = refined.placements
+
     extra = NOTHING
     if config.supplement:
         extra = supplement(
-            reference.plan, instances, models, alignment.placements, alignment.table_scale, seed
+            reference.plan, instances, models, placements, alignment.table_scale, seed
         )
     warnings = _hidden(reference, instances) + alignment.warnings
 
@@ -167,7 +179,7 @@ def generate(
         told = warnings + extra.warnings
         return assemble(
             {n: model for n, model in {**models, **extra.models}.items() if n != TABLE},
-            (*alignment.placements, *extra.placements),
+            (*placements, *extra.placements),
             models[TABLE],
             alignment.table_scale,
             provenance=_provenance(source, depth, intrinsics, reference, b, config, seed, told),
@@ -181,7 +193,12 @@ def generate(
     scene = assembled(extra)
     if extra.placements and scene.report is not None and not scene.report.passed:
         scene = assembled(NOTHING)  # what nobody saw must not spoil what was seen
-    return Generation(reference, instances, view, sizes, models, rotations, alignment, scene)
+    if scene.report is not None and refined.before:
+        misfit = (round(refined.before, 6), round(refined.after, 6))
+        scene = scene.replace(report=replace(scene.report, misfit=misfit))
+    return Generation(
+        reference, instances, view, sizes, models, rotations, alignment, refined, scene
+    )
 
 
 def _table(instances: tuple[Instance, ...]) -> Instance:

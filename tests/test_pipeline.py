@@ -77,6 +77,8 @@ def test_a_picture_alone_is_enough(from_text: Generation) -> None:
     assert again.scene.report.passed, again.scene.report.failures
     assert len(again.scene.objects) == 3
     assert [s for s, _, _ in stages] == list(STAGES)
+    before, after = again.scene.report.misfit or (0.0, 0.0)
+    assert 0 < after <= before
 
 
 @pytest.mark.parametrize("picture", ["white", "noise"])

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from jaxtyping import Float
 
 from ..geometry import rotation_z
-from ..scene import Mesh
+from ..scene import TABLE, Mesh, Model, Placement
 from .raster import rasterise
 
 _CELLS = 96  # across the lowered object
@@ -79,3 +80,20 @@ def resting_height(body: Body, support: Body | None, table_height: float) -> flo
     over = height_field(support, low, cell, (int(rows), int(columns)), top=True)
     gap = over - under
     return max(lowest, float(np.nanmax(gap))) if np.isfinite(gap).any() else lowest
+
+
+def at_rest(
+    placements: Sequence[Placement], models: Mapping[str, Model], table_height: float
+) -> tuple[Placement, ...]:
+    """Return the placements, each lowered onto what it stands on or in, in the same order."""
+    bodies: dict[str, Body] = {}
+    waiting = list(placements)
+    known = {p.name for p in placements}
+    while waiting:
+        ready = [p for p in waiting if p.on not in known or p.on in bodies] or waiting[:1]
+        for p in ready:
+            body = Body(models[p.name].mesh, p.scale, p.yaw, p.translation)
+            support = bodies.get(p.on) if p.on != TABLE else None
+            bodies[p.name] = body.at_height(resting_height(body, support, table_height))
+        waiting = [p for p in waiting if p.name not in bodies]
+    return tuple(dataclasses.replace(p, translation=bodies[p.name].position) for p in placements)

@@ -3,7 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from jaxtyping import Float, UInt8
+from jaxtyping import Bool, Float, UInt8
+
+from ..errors import InputError
+from ..geometry import mask_box
+from ..scene import Instance
 
 MARGIN = 0.05
 """Empty border of a tight crop, as a share of its side, so that contours lie inside."""
@@ -41,3 +45,37 @@ def tight_crop(
     matrix = np.column_stack([np.diag(scale), shift])
     large = cv2.warpAffine(picture, matrix, (side, side), flags=cv2.INTER_LINEAR)
     return cv2.resize(large, (resolution, resolution), interpolation=cv2.INTER_AREA)
+
+
+def tight_box(instance: Instance) -> Float[np.ndarray, "4"]:
+    """Return the bounds of what an instance's crop shows, in pixels of the crop.
+
+    Raises:
+        InputError: the crop is wholly transparent.
+    """
+    alpha = instance.crop[..., 3] > 127
+    if not alpha.any():
+        raise InputError(f"Instance {instance.name!r} has an empty crop; it shows no object.")
+    return mask_box(alpha)
+
+
+def in_reference(instance: Instance, box: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
+    """Carry a box of an instance's crop into reference pixels."""
+    low, high = instance.crop_box[:2], instance.crop_box[2:]
+    height, width = instance.crop.shape[:2]
+    pixel = (high - low) / np.array([width, height])
+    return np.concatenate([low + box[:2] * pixel, low + box[2:] * pixel])
+
+
+def mask_in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> UInt8[np.ndarray, "ch cw 4"]:
+    """Cut a reference picture's mask out where the instance's crop is: RGBA, its alpha the mask."""
+    import cv2
+
+    height, width = instance.crop.shape[:2]
+    low, high = instance.crop_box[:2], instance.crop_box[2:]
+    scale = np.array([width, height]) / (high - low)
+    matrix = np.column_stack([np.diag(scale), -low * scale + scale / 2 - 0.5])
+    alpha = cv2.warpAffine(
+        mask.astype(np.uint8) * 255, matrix, (width, height), flags=cv2.INTER_LINEAR
+    )
+    return np.repeat(alpha[..., None], 4, axis=2)

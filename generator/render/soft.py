@@ -96,6 +96,17 @@ class Fit:
 
 
 @dataclass(frozen=True, eq=False)
+class Window:
+    """What part of the image a crop shows, if it is not to be tight around the object.
+
+    ``middle`` is its centre in x/z, y/z; ``scale`` is in pixels per unit of those.
+    """
+
+    middle: Float[Tensor, "b 2"]
+    scale: Float[Tensor, "b 1"]
+
+
+@dataclass(frozen=True, eq=False)
 class SoftImages:
     """A batch of renders, each cropped tightly around its object.
 
@@ -261,8 +272,9 @@ def render(
     keep_aspect: bool = True,
     owner: Int[Tensor, "b"] | None = None,
     fit: Fit | None = None,
+    window: Window | None = None,
 ) -> SoftImages:
-    """Draw objects in ``b`` poses, each in its own tight square crop.
+    """Draw objects in ``b`` poses, each in its own square crop.
 
     Args:
         surface: sample points of the objects.
@@ -272,16 +284,20 @@ def render(
         keep_aspect: fit the longer side and pad the other; False stretches both to the crop.
         owner: which object each pose is of; None if there is only one.
         fit: moves the objects in their crops; None leaves them tight.
+        window: what the crops show; None makes them tight.
     """
     index = torch.zeros_like(rotation[:, 0, 0], dtype=torch.long) if owner is None else owner
-    low, high = bounds(surface.corners[index], rotation, center)
-    scale = pixel_scale(high - low, resolution, keep_aspect)
+    if window is None:
+        low, high = bounds(surface.corners[index], rotation, center)
+        middle, scale = (low + high) / 2, pixel_scale(high - low, resolution, keep_aspect)
+    else:
+        middle, scale = window.middle, window.scale.expand(-1, 2)
     p = turned(surface.position[index], rotation) + center[:, None]
     normal = turned(surface.normal[index], rotation)
     depth = p[..., 2]
     if fit is not None:
         scale = scale * fit.zoom.exp()[:, None]
-    pixel = (p[..., :2] / depth[..., None] - (low + high)[:, None] / 2) * scale[:, None]
+    pixel = (p[..., :2] / depth[..., None] - middle[:, None]) * scale[:, None]
     pixel = pixel + resolution / 2
     if fit is not None:
         pixel = pixel + resolution * fit.shift[:, None]
@@ -367,3 +383,14 @@ def sobel_edges(silhouette: Float[Tensor, "b h w"]) -> Float[Tensor, "b h w"]:
     x, y = sobel(functional.pad(silhouette, (1, 1, 1, 1)))
     tiny = 1e-3
     return (x.square() + y.square() + tiny**2).sqrt() - tiny
+
+
+def soft_iou(
+    soft: Float[Tensor, "b h w"],
+    mask: Float[Tensor, "*b h w"],
+    weight: Float[Tensor, "*b h w"] | float = 1.0,
+) -> Float[Tensor, "b"]:
+    """Return the soft intersection over union of silhouettes and masks."""
+    both = (weight * soft * mask).sum((-2, -1))
+    either = (weight * (mask + soft - soft * mask)).sum((-2, -1))
+    return both / (either + 1e-6)

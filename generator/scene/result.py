@@ -166,6 +166,8 @@ class Report:
     off_table: objects whose centre of mass is outside the top's outline.
     moved: the largest correction that separating overlaps needed; settling: by settling.
     reach: from the best side of the table, the farthest object's distance to that side.
+    misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
+        over the objects: before and after the joint refinement.
     """
 
     penetration: float
@@ -180,6 +182,7 @@ class Report:
     seconds: float = 2.0
     dropped: tuple[str, ...] = ()
     failures: tuple[str, ...] = ()
+    misfit: tuple[float, float] | None = None
 
     @property
     def passed(self) -> bool:

@@ -14,7 +14,8 @@ from itertools import combinations
 import numpy as np
 from jaxtyping import Float
 
-from ...geometry import Camera, mask_box, rotated_extent
+from ...geometry import Camera, rotated_extent
+from ...render.crop import in_reference, tight_box
 from ...scene import TABLE, Instance, Model, Rotation, Stacking, TopView, View
 
 _ASTRAY = 0.07  # of the table's longer side: how far a box may be from where geometry has it
@@ -94,14 +95,11 @@ def _foot(
 ) -> Float[np.ndarray, "2"] | None:
     """Return where the front of a thing's foot is on a plane one unit below the camera.
 
-    In top-view axes: right and down. None if that ray does not meet the plane.
+    In top-view axes: right and down. None if it shows nothing, or the ray does not meet the plane.
     """
-    alpha = instance.crop[..., 3] > 127
-    if not alpha.any():
+    if not (instance.crop[..., 3] > 127).any():
         return None
-    low, high = instance.crop_box[:2], instance.crop_box[2:]
-    pixel = (high - low) / np.array([alpha.shape[1], alpha.shape[0]])
-    tight = mask_box(alpha).reshape(2, 2) * pixel + low
+    tight = in_reference(instance, tight_box(instance)).reshape(2, 2)
     camera = Camera.looking_at(np.zeros(3), view, 1.0, *image_size)
     ray = camera.rays(np.array([[tight[:, 0].mean(), tight[1, 1]]]))[0]
     if ray[2] > -0.02:

@@ -10,7 +10,7 @@ from jaxtyping import Float
 
 from ...backends.protocols import Imager, Reasoner, Segmenter
 from ...geometry import rotated_extent
-from ...render.contact import Body, resting_height
+from ...render.contact import at_rest
 from ...scene import (
     TABLE,
     Instance,
@@ -212,11 +212,10 @@ def _place(
     """Put each object at its box's centre and lower it onto its support, supports first."""
     table = np.asarray(top.table_box)
     middle = (table[:2] + table[2:]) / 2
-    bodies: dict[str, Body] = {}
     placed: dict[str, Placement] = {}
     for name in sorted(names, key=lambda n: stacking[n].order if n in stacking else 2):
         rank = stacking.get(name, Stacking(2))
-        on = rank.on if rank.on in bodies else TABLE
+        on = rank.on if rank.on in placed else TABLE
         inside = rank.inside and on != TABLE
         box = np.asarray(top.boxes[name])
         xy = ((box[:2] + box[2:]) / 2 - middle) * alpha * [1, -1]
@@ -224,13 +223,8 @@ def _place(
             reach = rotated_extent(scales[on], yaws[on]) / 2
             own = rotated_extent(scales[name], yaws[name]) / 2
             room = np.maximum(0.8 * reach - own, 0) if inside else 0.8 * reach
-            at = bodies[on].position[:2]
+            at = placed[on].translation[:2]
             xy = at + np.clip(xy - at, -room, room)
-        body = Body(models[name].mesh, scales[name], yaws[name], np.array([*xy, 0.0]))
-        support = bodies.get(on)
-        z = resting_height(body, support, float(table_scale[2]))
-        bodies[name] = body.at_height(z)
-        placed[name] = Placement(
-            name, yaws[name], bodies[name].position, scales[name], on=on, inside=inside
-        )
-    return tuple(placed[name] for name in names)
+        position = np.array([*xy, 0.0])
+        placed[name] = Placement(name, yaws[name], position, scales[name], on=on, inside=inside)
+    return at_rest([placed[name] for name in names], models, float(table_scale[2]))

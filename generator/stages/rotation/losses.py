@@ -24,9 +24,9 @@ def silhouette_loss(
     weight: Float[Tensor, "*b h w"] | float = 1.0,
 ) -> Float[Tensor, "b"]:
     """Eq. 2: one minus the soft intersection over union of silhouette and mask."""
-    both = (weight * soft * mask).sum((-2, -1))
-    either = (weight * (mask + soft - soft * mask)).sum((-2, -1))
-    return 1 - both / (either + _EPSILON)
+    from ...render.soft import soft_iou
+
+    return 1 - soft_iou(soft, mask, weight)
 
 
 def edge_loss(

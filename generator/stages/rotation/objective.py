@@ -9,8 +9,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from ...backends.protocols import Encoder
-from ...errors import InputError
-from ...geometry import mask_box, view_rotation
+from ...geometry import view_rotation
 from ...scene import Instance, Model, View
 from .config import RotationConfig
 from .losses import (
@@ -116,10 +115,10 @@ def make_target(
     import torch
     from torch.nn import functional
 
-    from ...render.crop import tight_crop
+    from ...render.crop import mask_in_crop, tight_box, tight_crop
     from ...render.soft import smooth
 
-    tight = _tight_box(instance)
+    tight = tight_box(instance)
     rgba = tight_crop(instance.crop, tight, resolution, config.keep_aspect)
     pixels = torch.as_tensor(rgba).permute(2, 0, 1)[None]
     soft = smooth(pixels)
@@ -129,7 +128,7 @@ def make_target(
         features = encoder.features(image)
     weight = torch.ones_like(soft[:, 3])
     if hidden is not None and config.unsure < 1:
-        over = tight_crop(_in_crop(hidden, instance), tight, resolution, config.keep_aspect)
+        over = tight_crop(mask_in_crop(hidden, instance), tight, resolution, config.keep_aspect)
         weight = weight - (1 - config.unsure) * torch.as_tensor(over[..., 3])
     sizes = [level.shape[-2:] for level in features]
     weights = tuple(functional.interpolate(weight[None], s, mode="area")[0] for s in sizes)
@@ -152,10 +151,11 @@ def make_objective(
     """
     import torch
 
+    from ...render.crop import in_reference, tight_box
     from ...render.soft import sample_surface, stack
 
     focal = image_size[1] / 2 / np.tan(view.fov / 2)
-    boxes = np.array([_in_reference(i, _tight_box(i)) for i in instances])
+    boxes = np.array([in_reference(i, tight_box(i)) for i in instances])
     middle = ((boxes[:, :2] + boxes[:, 2:]) / 2 - np.array(image_size) / 2) / focal
     span = (boxes[:, 2:] - boxes[:, :2]) / focal
     surface = stack([sample_surface(m.mesh, m.size, config.points, seed) for m in models])
@@ -198,33 +198,3 @@ def _stacked(targets: list[Target], device: str) -> Target:
         joined(*(t.weight for t in targets)),
         tuple(joined(*level) for level in zip(*(t.weights for t in targets), strict=True)),
     )
-
-
-def _tight_box(instance: Instance) -> Float[np.ndarray, "4"]:
-    """Return the bounds of what an instance's crop shows, in pixels of the crop."""
-    alpha = instance.crop[..., 3] > 127
-    if not alpha.any():
-        raise InputError(f"Instance {instance.name!r} has an empty crop; it shows no object.")
-    return mask_box(alpha)
-
-
-def _in_reference(instance: Instance, tight: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
-    """Carry a box of the crop into reference pixels."""
-    low, high = instance.crop_box[:2], instance.crop_box[2:]
-    height, width = instance.crop.shape[:2]
-    pixel = (high - low) / np.array([width, height])
-    return np.concatenate([low + tight[:2] * pixel, low + tight[2:] * pixel])
-
-
-def _in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> np.ndarray:
-    """Cut an image's mask out where the instance's crop is: RGBA whose alpha is the mask."""
-    import cv2
-
-    height, width = instance.crop.shape[:2]
-    low, high = instance.crop_box[:2], instance.crop_box[2:]
-    scale = np.array([width, height]) / (high - low)
-    matrix = np.column_stack([np.diag(scale), -low * scale + scale / 2 - 0.5])
-    alpha = cv2.warpAffine(
-        mask.astype(np.uint8) * 255, matrix, (width, height), flags=cv2.INTER_LINEAR
-    )
-    return np.repeat(alpha[..., None], 4, axis=2)

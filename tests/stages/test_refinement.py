@@ -1,0 +1,157 @@
+"""Joint refinement: yaw, place and size of all objects come nearer to the truth, never farther."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from generator.catalogue import build
+from generator.errors import InputError
+from generator.geometry import Camera, mask_box, wrap, yaw_quaternion
+from generator.render.raster import place, render
+from generator.scene import Instance, Model, Placement, View
+from generator.stages.refinement import Refinement, RefinementConfig, refine_scene
+
+SIZE = (640, 480)
+VIEW = View(azimuth=0.1, elevation=np.deg2rad(45.0), fov=np.deg2rad(40.0))
+TABLE_SCALE = np.array([1.0, 0.7, 0.74])
+TRUTH = {
+    "toy_train": (-0.2, 0.1, 0.5), "laptop": (0.15, 0.12, -0.3), "stapler": (0.1, -0.2, 1.2),
+    "hairbrush": (-0.2, -0.15, -0.9),
+}  # fmt: skip
+MODELS = {name: build(name, 3) for name in TRUTH}
+
+
+def placements(models: dict[str, Model] = MODELS) -> tuple[Placement, ...]:
+    """Return where things truly stand."""
+    return tuple(
+        Placement(n, yaw, np.array([x, y, 0.74 + models[n].size[2] / 2]), models[n].size)
+        for n, (x, y, yaw) in TRUTH.items()
+    )
+
+
+def photographed(placed: tuple[Placement, ...]) -> tuple[Instance, ...]:
+    camera = Camera.looking_at(np.array([0, 0, 0.74]), VIEW, 1.5, *SIZE)
+    items = [
+        place(MODELS[p.name].mesh, p.scale, p.translation, yaw_quaternion(p.yaw), k)
+        for k, p in enumerate(placed)
+    ]
+    instances = []
+    for k, p in enumerate(placed):
+        alone = render([items[k]], camera)
+        mask = render(items, camera).ids == k
+        whole = alone.ids >= 0
+        box = mask_box(whole)
+        x0, y0, x1, y1 = box.astype(int)
+        crop = np.dstack([alone.image, whole * np.uint8(255)])[y0:y1, x0:x1]
+        instances.append(
+            Instance(p.name, p.name, mask_box(mask), mask, crop, box, bool((whole & ~mask).any()))
+        )
+    return tuple(instances)
+
+
+@pytest.fixture(scope="module")
+def instances() -> tuple[Instance, ...]:
+    return photographed(placements())
+
+
+def refined(instances, placed, view: View = VIEW, **settings) -> Refinement:
+    config = RefinementConfig(**settings)
+    return refine_scene(instances, MODELS, placed, TABLE_SCALE, view, SIZE, config)
+
+
+def disturbed(seed: int) -> tuple[Placement, ...]:
+    rng = np.random.default_rng(seed)
+    return tuple(
+        dataclasses.replace(
+            p,
+            yaw=p.yaw + float(np.deg2rad(rng.uniform(-4, 4))),
+            translation=p.translation + np.append(rng.uniform(-0.012, 0.012, 2), 0.0),
+            scale=p.scale * float(np.exp(rng.uniform(-0.05, 0.05))),
+        )
+        for p in placements()
+    )
+
+
+def errors(found: tuple[Placement, ...]) -> np.ndarray:
+    """Return mean errors of yaw (degrees), of places against one another (mm), and of sizes (%).
+
+    Where the camera stands is not known: the scene as a whole may be shifted, and scaled.
+    """
+    pairs = list(zip(found, placements(), strict=True))
+    yaw = np.mean([abs(np.rad2deg(wrap(a.yaw - b.yaw))) for a, b in pairs])
+    here, there = (np.array([p[k].translation[:2] for p in pairs]) for k in (0, 1))
+    here, there = here - here.mean(0), there - there.mean(0)
+    factor = float((here * there).sum() / (here * here).sum())
+    size = np.array([a.scale[0] / b.scale[0] for a, b in pairs])
+    return np.array(
+        [
+            yaw,
+            1e3 * np.linalg.norm(factor * here - there, axis=1).mean(),
+            100 * np.abs(size / size.mean() - 1).mean(),
+        ]
+    )
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2])
+def test_disturbed_scenes_come_nearer_to_the_truth(instances, seed):
+    start = disturbed(seed)
+    found = refined(instances, start)
+    floor = refined(instances, placements(), steps=1).before  # soft outlines never agree wholly
+    assert found.after - floor < 0.3 * (found.before - floor)
+    before, after = errors(start), errors(found.placements)
+    assert (after < 0.7 * before).all(), (before, after)
+
+
+def test_it_never_gets_worse(instances):
+    found = refined(instances, placements())
+    assert found.after <= found.before
+    assert errors(found.placements)[1] < 2.0
+
+
+def test_things_stay_where_they_stand(instances):
+    found = refined(instances, disturbed(0))
+    for p in found.placements:
+        low = p.translation[2] - p.scale[2] / 2
+        assert low == pytest.approx(0.74, abs=0.004)
+
+
+def test_what_is_carried_moves_with_its_support():
+    train, laptop, *rest = placements()
+    on_top = 0.74 + laptop.scale[2] + train.scale[2] / 2
+    train = dataclasses.replace(
+        train, on="laptop", translation=np.array([*laptop.translation[:2], on_top])
+    )
+    true = (train, laptop, *rest)
+    seen = photographed(true)
+    shifted = tuple(
+        dataclasses.replace(p, translation=p.translation + np.array([0.01, 0.0, 0.0]))
+        if p.name in ("laptop", "toy_train") else p for p in true
+    )  # fmt: skip
+    found = refined(seen, shifted)
+    assert found.after <= found.before
+    there = {p.name: p.translation for p in found.placements}
+    apart = there["toy_train"][:2] - there["laptop"][:2]
+    assert np.linalg.norm(apart) < 0.012
+    assert there["toy_train"][2] - train.scale[2] / 2 > 0.745
+
+
+def test_without_steps_or_with_one_object_nothing_moves(instances):
+    start = disturbed(0)
+    assert refined(instances, start, steps=0).placements == start
+    alone = refined(instances[:1], start[:1])
+    assert alone.placements == start[:1] and alone.before == 0.0
+
+
+def test_same_seed_same_scene(instances):
+    one, two = (refined(instances, disturbed(1), steps=6) for _ in range(2))
+    for a, b in zip(one.placements, two.placements, strict=True):
+        assert a.yaw == b.yaw
+        np.testing.assert_array_equal(a.translation, b.translation)
+
+
+def test_settings_out_of_range_are_refused():
+    with pytest.raises(InputError, match="RefinementConfig needs"):
+        RefinementConfig(resolution=4)
