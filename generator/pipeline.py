@@ -191,8 +191,9 @@ def generate(
 
     step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
     scene = assembled(extra)
-    if extra.placements and scene.report is not None and not scene.report.passed:
-        scene = assembled(NOTHING)  # what nobody saw must not spoil what was seen
+    while extra.placements and scene.report is not None and not scene.report.passed:
+        extra = extra.without(scene.report.failures)
+        scene = assembled(extra)
     if scene.report is not None and refined.before:
         misfit = (round(refined.before, 6), round(refined.after, 6))
         scene = scene.replace(report=replace(scene.report, misfit=misfit))

@@ -26,6 +26,24 @@ class Supplement:
     placements: tuple[Placement, ...]
     warnings: tuple[str, ...]
 
+    def without(self, failures: Sequence[str]) -> Supplement:
+        """Return what is left without the things that a failed gate names, and all on them.
+
+        Nothing is left if it names none: what nobody saw must not spoil what was seen.
+        """
+        words = {word.strip(";,.") for failure in failures for word in failure.split()}
+        gone = {p.name for p in self.placements if p.name in words}
+        if not gone:
+            gone = {p.name for p in self.placements}
+        while more := {p.name for p in self.placements if p.on in gone} - gone:
+            gone |= more
+        told = tuple(f"{name} would not stand there and was left out." for name in sorted(gone))
+        return Supplement(
+            {name: model for name, model in self.models.items() if name not in gone},
+            tuple(p for p in self.placements if p.name not in gone),
+            self.warnings + told,
+        )
+
 
 NOTHING = Supplement({}, (), ())
 

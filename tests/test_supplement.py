@@ -120,6 +120,14 @@ def test_without_room_it_is_left_out_and_said():
     assert any("no room" in warning for warning in extra.warnings)
 
 
+def test_what_spoils_the_gate_is_left_out_again():
+    extra = Found(TEXT, "book_1", "apple_1", "pencil_1").add()
+    less = extra.without(("book_1 overlaps seen_laptop_1 by 2.0 mm",))
+    assert {p.name for p in less.placements} == set(less.models) == {"pencil_1"}
+    assert sum("left out" in warning for warning in less.warnings) == 2
+    assert not extra.without(("seen_laptop_1 floats",)).placements
+
+
 def test_same_seed_same_places():
     found = Found(TEXT, "stapler_1", "pencil_1")
     one, two = found.add(3), found.add(3)
