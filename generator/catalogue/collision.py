@@ -44,10 +44,11 @@ def hull_of(*solids: Solid) -> ConvexPart:
     return hull_part(np.concatenate([s.vertices for s in solids]))
 
 
-def footed(points: Any, share: float = 0.3) -> ConvexPart:
+def footed(points: Any, share: float = 0.12) -> ConvexPart:
     """Return the hull of ``points`` with the lowest ``share`` of its height set down on z = 0.
 
-    What is round below gets a flat foot this way and does not roll.
+    What is drawn with a flat spot below gets the same flat foot this way, and does not roll. A
+    wider foot than is drawn would hold the thing up in the air when it lies against another.
     """
     p = np.array(points, float)
     p[p[:, 2] < share * p[:, 2].max(), 2] = 0.0

@@ -121,7 +121,7 @@ def hot_dog(look: Look) -> Shape:
     return shape(
         [(bun, bread), (sausage, meat),
          (line, textures.plain(look.fixed("yellow", "red", "mustard")))],
-        [footed(bun.vertices, 0.3), hull_of(sausage)],
+        [footed(bun.vertices), hull_of(sausage)],
     )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ from jaxtyping import Float
 
 from ..geometry import quaternion_matrix
 from ..scene import ConvexPart, Model, Object, Pose
+from .covering import covering
 
 THINNEST = 4e-4
 """No part is thinner than this along an axis, metres; thinner ones grow about their middle, and so
@@ -36,7 +37,8 @@ def model_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart
     from .decomposition import decompose
 
     parts = model.parts or decompose(model.mesh, scale)
-    return tuple(scaled(part, scale) for part in parts)
+    metric = [scaled(part, scale) for part in parts]
+    return covering(metric, model.mesh.vertices.astype(np.float64) * scale, model.mesh.faces)
 
 
 def lowest(thing: Object) -> float:

@@ -10,7 +10,7 @@ from .simulation import Simulation
 
 _CHUNK = 0.1
 _DAMPING = 3.0
-_STILL = np.array([2e-3, 2e-2])  # m/s, rad/s
+_STILL = np.array([2e-4, 2e-3])  # m/s, rad/s: a twentieth of what the gate lets pass
 
 
 def settle(scene: Scene, seconds: float, least: float = 0.0) -> tuple[Pose, ...]:

@@ -1,0 +1,203 @@
+"""Convex parts grown until the drawn mesh nowhere sticks out of them.
+
+A shape's convex parts are often coarser than what is drawn: a ring of wedges has chords where the
+wall is round, a hull few corners. What is drawn outside of the parts touches nothing, and two such
+things sink into each other for all to see. Here every vertex of the mesh outside of all parts is
+given to the nearest one, whose hull grows by it; what is far from every part gets hulls of its own.
+A hull takes only the vertices it needs: of those outside each of its faces the farthest, until
+none is left (after C. Barber et al., "The quickhull algorithm for convex hulls", 1996).
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+import numpy as np
+from jaxtyping import Float, Int
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import ConvexHull, QhullError
+
+from ..mjcf import primitive
+from ..scene import ConvexPart
+
+TOLERANCE = 2.5e-4
+"""A vertex may stick out of the parts by this much, metres: half of an overlap one could see."""
+
+REACH = 6e-3
+"""A part grows at most by this much, metres; what is farther out gets hulls of its own."""
+
+_ROUNDS = 8
+_CELLS = 5  # far vertices are hulled by cells of a fifth of the longest side
+_MUCH = 1e-3  # metres
+_LARGE = 0.3  # or a larger one than this share of the longest side by _MUCH
+_FEW = 48  # corners that need no thinning
+_WAYS = np.array([*itertools.product((-1.0, 0.0, 1.0), repeat=3)])
+_CONVEX = 0.9  # share of its hull that a convex piece fills
+_SPECK = np.stack(np.meshgrid(*[(-2e-4, 2e-4)] * 3), -1).reshape(-1, 3)
+
+
+def covering(
+    parts: Sequence[ConvexPart],
+    vertices: Float[np.ndarray, "n 3"],
+    faces: Int[np.ndarray, "m 3"],
+) -> tuple[ConvexPart, ...]:
+    """Return parts that hold the mesh to ``TOLERANCE``: ``parts`` grown, and hulls added to them.
+
+    A piece of the mesh that is convex by itself and sticks out is hulled as it is; parts that lie
+    within such a hull are left out.
+
+    Args:
+        parts: convex parts, metres.
+        vertices: the drawn mesh's vertices, metres, same frame.
+        faces: its triangles.
+    """
+    places, index = np.unique(vertices.round(6), axis=0, return_inverse=True)
+    faces = index.reshape(-1)[faces]
+    drawn = np.concatenate([places, _between(places, faces)])
+    lacking = _lacking(parts, drawn)
+    hulls = _convex_pieces(places, faces, parts, lacking) if len(lacking) else []
+    if hulls:
+        spare = [(_distance(hulls, p.vertices) <= _MUCH).all() for p in parts]
+        parts = [p for p, drop in zip(parts, spare, strict=True) if not drop] + hulls
+        lacking = _lacking(parts, drawn)
+    if not len(lacking):
+        return tuple(parts)
+    out = np.stack([outside(part, drawn[lacking]) for part in parts])
+    near, depth = out.argmin(0), out.min(0)
+    grown = list(parts)
+    for k in np.unique(near[depth <= REACH]):
+        mine = drawn[lacking[(near == k) & (depth <= REACH)]]
+        if primitive(parts[k])[0] != "mesh":  # a hull does not hold its roundness: the mesh does
+            from_it = outside(parts[k], drawn)
+            mine = drawn[(from_it > -2 * TOLERANCE) & (from_it <= REACH)]
+        grown[k] = _grown(parts[k], mine)
+    far = np.zeros(len(drawn), bool)
+    far[lacking[depth > REACH]] = True
+    return (*grown, *_cells(places, faces[far[faces].any(1)]))
+
+
+def _lacking(
+    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]
+) -> Int[np.ndarray, "k"]:
+    """Return the indices of points outside of every part."""
+    left = np.arange(len(points))
+    for part in parts:
+        left = left[outside(part, points[left]) > TOLERANCE]
+    return left
+
+
+def _distance(
+    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]
+) -> Float[np.ndarray, "n"]:
+    return np.min([outside(part, points) for part in parts], axis=0)
+
+
+def _between(
+    places: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> Float[np.ndarray, "k 3"]:
+    """Return points along the long edges: two parts may hold the ends and not the middle."""
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    edges = edges[edges[:, 0] < edges[:, 1]]
+    a, b = places[edges[:, 0]], places[edges[:, 1]]
+    long = np.linalg.norm(b - a, axis=1) > np.ptp(places, axis=0).max() / 16
+    a, b = a[long, None], b[long, None]
+    return (a + (b - a) * np.linspace(0, 1, 9)[1:-1, None]).reshape(-1, 3)
+
+
+def _convex_pieces(
+    places: Float[np.ndarray, "n 3"],
+    faces: Int[np.ndarray, "m 3"],
+    parts: Sequence[ConvexPart],
+    lacking: Int[np.ndarray, "k"],
+) -> list[ConvexPart]:
+    """Return hulls of the mesh's connected pieces that are convex and stick out by much."""
+    links = coo_array((np.ones(2 * len(faces)), (faces[:, :2].ravel(), faces[:, 1:].ravel())),
+                      shape=(len(places),) * 2)  # fmt: skip
+    count, piece = connected_components(links, directed=False)
+    lacking = lacking[lacking < len(places)]
+    worst = np.zeros(count)
+    np.maximum.at(worst, piece[lacking], _distance(parts, places[lacking]))
+    hulls = []
+    longest = _LARGE * float(np.ptp(places, axis=0).max())
+    for k in np.flatnonzero(worst > _MUCH):
+        points, triangles = places[piece == k], places[faces[piece[faces[:, 0]] == k]]
+        if worst[k] <= REACH and np.ptp(points, axis=0).max() < longest:
+            continue
+        volume = float(np.linalg.det(triangles).sum()) / 6
+        try:
+            hull = ConvexHull(points)
+        except QhullError:  # flat
+            continue
+        if volume > _CONVEX * hull.volume:
+            hulls.append(_thinned(points[hull.vertices]))
+    return hulls
+
+
+def _thinned(corners: Float[np.ndarray, "n 3"]) -> ConvexPart:
+    """Return the hull of ``corners``, all of them extreme, without those it can do without."""
+    if len(corners) <= _FEW:
+        return ConvexPart(corners.round(6))
+    start = corners[np.unique((corners @ _WAYS.T).argmax(0))]
+    return _grown(ConvexPart(start), corners)
+
+
+def outside(part: ConvexPart, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:
+    """Return how far ``points`` are outside of a part, metres; negative inside.
+
+    Beside an edge or a corner that is the distance to the farthest plane, a lower bound.
+    """
+    low, high = part.bounds
+    middle, half = (low + high) / 2, (high - low) / 2
+    kind = primitive(part)[0]
+    if kind == "cylinder":
+        radius = float(np.delete(half, part.axis).mean())
+        across = np.linalg.norm(np.delete(points - middle, part.axis, axis=1), axis=1) - radius
+        return np.maximum(across, np.abs(points - middle)[:, part.axis] - half[part.axis])
+    if kind in ("sphere", "ellipsoid"):
+        return (np.linalg.norm((points - middle) / half, axis=1) - 1) * float(half.min())
+    if kind == "box":
+        return (np.abs(points - middle) - half).max(1)
+    return _beyond(ConvexHull(part.vertices), points)
+
+
+def _beyond(hull: ConvexHull, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:
+    return (points @ hull.equations[:, :3].T + hull.equations[:, 3]).max(1)
+
+
+def _grown(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
+    """Return the part with as many of the points as it takes to hold them all."""
+    corners, left = part.vertices, lacking
+    for _ in range(_ROUNDS):
+        hull = ConvexHull(corners)
+        corners = corners[hull.vertices]
+        distance = left @ hull.equations[:, :3].T + hull.equations[:, 3]
+        own, farthest = distance.argmax(1), distance.max(1)
+        keep = farthest > TOLERANCE
+        if not keep.any():
+            break
+        left, own, farthest = left[keep], own[keep], farthest[keep]
+        order = np.lexsort((-farthest, own))
+        first = order[np.unique(own[order], return_index=True)[1]]
+        corners = np.concatenate([corners, left[first]])
+    return ConvexPart(corners.round(6))
+
+
+def _cells(
+    places: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> list[ConvexPart]:
+    """Return hulls of triangles that lie together, in cells of a grid over the whole shape."""
+    if not len(faces):
+        return []
+    cell = float(np.ptp(places, axis=0).max()) / _CELLS
+    where = ((places[faces].mean(1) - places.min(0)) / cell).astype(int) @ [1, 64, 4096]
+    hulls = []
+    for place in np.unique(where):
+        points = places[np.unique(faces[where == place])]
+        try:
+            corners = points[ConvexHull(points).vertices]
+        except QhullError:  # flat
+            corners = (points[:, None] + _SPECK).reshape(-1, 3)
+        hulls.append(_thinned(corners))
+    return hulls
