@@ -35,6 +35,9 @@ in a heap creeps by half a millimetre a second; the speed falls with this factor
 ROUND = 0.02
 """Cross-sections whose two diameters differ by more than this share are not round."""
 
+SLENDER, THIN = 0.35, 0.04
+"""A thing is slender if it is thinner than this share of its length, and than this, metres."""
+
 _TOP_VIEW = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(30.0))
 _AXIS_QUATERNION = {
     0: (np.sqrt(0.5), 0.0, np.sqrt(0.5), 0.0),
@@ -186,8 +189,10 @@ def _body(world: ET.Element, thing: Object, assets: _Assets) -> None:
         fullinertia=_text([i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2]]),
     )  # fmt: skip
     assets.draw(body, thing.model.mesh, thing.scale)
+    across, along = np.sort(thing.scale)[1:]
+    slender = bool(across < min(SLENDER * along, THIN))
     for part in thing.parts:
-        assets.collide(body, part, thing.friction)
+        assets.collide(body, part, thing.friction, slender)
 
 
 class _Assets:
@@ -225,10 +230,17 @@ class _Assets:
         )  # fmt: skip
         ET.SubElement(body, "geom", {"class": "visual"}, mesh=mesh_name, material=material)
 
-    def collide(self, body: ET.Element, part: ConvexPart, friction: float) -> None:
-        """Add a convex part as a collision geom, a primitive where it is one."""
+    def collide(
+        self, body: ET.Element, part: ConvexPart, friction: float, slender: bool = False
+    ) -> None:
+        """Add a convex part as a collision geom, a primitive where it is one.
+
+        What is round, or belongs to a ``slender`` thing, resists rolling: fruit has soft spots,
+        pens have clips and edges, and both stay where they are on a table that leans a little.
+        """
         kind, attributes = primitive(part)
-        rolls = kind in ("sphere", "ellipsoid") or (kind == "cylinder" and part.axis != 2)
+        round_ = kind in ("sphere", "ellipsoid") or (kind == "cylinder" and part.axis != 2)
+        rolls = round_ or slender
         if rolls:
             attributes["condim"] = "6"
         if kind == "mesh":

@@ -215,7 +215,7 @@ def whisk(look: Look) -> Shape:
     balloon = np.concatenate([solid.vertices for solid, _ in turned[1:]])
     return shape(
         turned,
-        [footed(balloon[np.abs(balloon[:, 0] + 0.075) < 0.04]), hull_of(turned[0][0])],
+        [footed(balloon[np.abs(balloon[:, 0] + 0.075) < 0.04], 0.15), hull_of(turned[0][0])],
     )
 
 

@@ -182,7 +182,7 @@ def mushroom(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("mushroom", mushroom, (0.056, 0.056, 0.052), 0.025, ("champignon", "toadstool"),
+    Category("mushroom", mushroom, (0.056, 0.056, 0.052), 0.021, ("champignon", "toadstool"),
              ("kitchen", "food"), ("round", "edible"), ("cream",)),
     Category("avocado", avocado, (0.104, 0.065, 0.045), 0.13, ("avocado half", "half avocado"),
              ("kitchen", "food"), ("edible",), ("green",), state="lying flat"),
@@ -193,7 +193,7 @@ CATEGORIES = (
     Category("corn", corn, (0.19, 0.08, 0.046), 0.25,
              ("corn cob", "ear of corn", "corn on the cob", "maize", "sweetcorn"),
              ("kitchen", "food"), ("edible",), ("yellow",), state="lying flat"),
-    Category("bell_pepper", bell_pepper, (0.08, 0.08, 0.105), 0.17,
+    Category("bell_pepper", bell_pepper, (0.08, 0.08, 0.105), 0.16,
              ("sweet pepper", "capsicum", "paprika", "red pepper", "green pepper", "chili"),
              ("kitchen", "food"), ("round", "edible"), ("red", "yellow", "green")),
     Category("broccoli", broccoli, (0.11, 0.11, 0.105), 0.25, ("cauliflower", "broccoli head"),

@@ -29,7 +29,8 @@ REACH = 6e-3
 """A part grows at most by this much, metres; what is farther out gets hulls of its own."""
 
 _ROUNDS = 8
-_CELLS = 5  # far vertices are hulled by cells of a fifth of the longest side
+_CELLS = 3  # far faces are hulled by cells of a third of the longest side
+_LEAST_CELL = 0.02  # metres
 _MUCH = 1e-3  # metres
 _LARGE = 0.3  # or a larger one than this share of the longest side by _MUCH
 _FEW = 48  # corners that need no thinning
@@ -187,11 +188,16 @@ def _grown(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
 def _cells(
     places: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
 ) -> list[ConvexPart]:
-    """Return hulls of triangles that lie together, in cells of a grid over the whole shape."""
+    """Return hulls of triangles that lie together, in cells of a grid over the whole shape.
+
+    Those that face along x, y and z are hulled apart, so that no hull fills a corner.
+    """
     if not len(faces):
         return []
-    cell = float(np.ptp(places, axis=0).max()) / _CELLS
-    where = ((places[faces].mean(1) - places.min(0)) / cell).astype(int) @ [1, 64, 4096]
+    cell = max(float(np.ptp(places, axis=0).max()) / _CELLS, _LEAST_CELL)
+    a, b, c = places[faces].transpose(1, 0, 2)
+    facing = np.abs(np.cross(b - a, c - a)).argmax(1)
+    where = ((places[faces].mean(1) - places.min(0)) / cell).astype(int) @ [3, 192, 12288] + facing
     hulls = []
     for place in np.unique(where):
         points = places[np.unique(faces[where == place])]
