@@ -16,7 +16,6 @@ from .shape import Shape, mesh_of
 from .solids import signed_volume
 from .styles import styled
 
-
 _VARIATION = 0.5, 2.0  # a variant's mass, in nominal ones
 _WALL_DENSITY = 2000.0  # kg/m^3; only its product with the wall's thickness counts
 

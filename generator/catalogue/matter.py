@@ -75,17 +75,19 @@ MATERIALS: Mapping[str, str] = MappingProxyType(
 """The material that a category's underside, or most of it, is made of."""
 
 HOLLOW = frozenset(
-    "mug teacup glass wine_glass bowl plate saucer tray teapot kettle french_press pot pan "
-    "sugar_bowl basket vase cake_stand pet_bowl desk_tray pencil_holder box beaker flask petri_dish "
-    "toothbrush_cup thermos toolbox globe ball rubber_duck cap trophy figurine pencil_case "
-    "test_tube_rack matryoshka".split()
-)
+    {"mug", "teacup", "glass", "wine_glass", "bowl", "plate", "saucer", "tray", "teapot", "kettle",
+     "french_press", "pot", "pan", "sugar_bowl", "basket", "vase", "cake_stand", "pet_bowl",
+     "desk_tray", "pencil_holder", "box", "beaker", "flask", "petri_dish", "toothbrush_cup",
+     "thermos", "toolbox", "globe", "ball", "rubber_duck", "cap", "trophy", "figurine",
+     "pencil_case", "test_tube_rack", "matryoshka"}
+)  # fmt: skip
 """Things that are walls around air."""
 
 ASSEMBLED = frozenset(
-    "potted_plant picture_frame eyeglasses keys wristwatch candle bandage_roll pencil_holder vase "
-    "chess_board basket pill_bottle map folded_map photo_print cap figurine".split()
-)
+    {"potted_plant", "picture_frame", "eyeglasses", "keys", "wristwatch", "candle", "bandage_roll",
+     "pencil_holder", "vase", "chess_board", "basket", "pill_bottle", "map", "folded_map",
+     "photo_print", "cap", "figurine"}
+)  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 
 

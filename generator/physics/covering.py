@@ -14,7 +14,7 @@ import itertools
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Float, Int
+from jaxtyping import Bool, Float, Int
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
@@ -29,8 +29,8 @@ REACH = 6e-3
 """A part grows at most by this much, metres; what is farther out gets hulls of its own."""
 
 _ROUNDS = 8
-_CELLS = 3  # far faces are hulled by cells of a third of the longest side
-_LEAST_CELL = 0.02  # metres
+_BURIED = 1e-3  # growth may cover what is drawn by this much, metres
+_OVERHANG = 3e-3  # metres
 _MUCH = 1e-3  # metres
 _LARGE = 0.3  # or a larger one than this share of the longest side by _MUCH
 _FEW = 48  # corners that need no thinning
@@ -56,7 +56,7 @@ def covering(
     """
     places, index = np.unique(vertices.round(6), axis=0, return_inverse=True)
     faces = index.reshape(-1)[faces]
-    drawn = np.concatenate([places, _between(places, faces)])
+    drawn, normals = _surface(places, faces)
     lacking = _lacking(parts, drawn)
     hulls = _convex_pieces(places, faces, parts, lacking) if len(lacking) else []
     if hulls:
@@ -65,23 +65,24 @@ def covering(
         lacking = _lacking(parts, drawn)
     if not len(lacking):
         return tuple(parts)
+    bare = drawn[_seen_from_above(drawn, normals)]
+    bare = bare[_distance(parts, bare) > -_BURIED / 2]
+    grown = list(parts)
     out = np.stack([outside(part, drawn[lacking]) for part in parts])
     near, depth = out.argmin(0), out.min(0)
-    grown = list(parts)
     for k in np.unique(near[depth <= REACH]):
-        mine = drawn[lacking[(near == k) & (depth <= REACH)]]
+        mine = lacking[(near == k) & (depth <= REACH)]
         if primitive(parts[k])[0] != "mesh":  # a hull does not hold its roundness: the mesh does
             from_it = outside(parts[k], drawn)
-            mine = drawn[(from_it > -2 * TOLERANCE) & (from_it <= REACH)]
-        grown[k] = _grown(parts[k], mine)
-    far = np.zeros(len(drawn), bool)
-    far[lacking[depth > REACH]] = True
-    return (*grown, *_cells(places, faces[far[faces].any(1)]))
+            mine = np.flatnonzero((from_it > -2 * TOLERANCE) & (from_it <= REACH))
+        grown[k] = _grown_where_solid(parts[k], drawn[mine], normals[mine], bare)
+    left = np.zeros(len(drawn), bool)
+    left[lacking[_distance(grown, drawn[lacking]) > TOLERANCE]] = True
+    left = left[: len(places)][faces].any(1)
+    return (*grown, *_patches(places, faces[left], bare))
 
 
-def _lacking(
-    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]
-) -> Int[np.ndarray, "k"]:
+def _lacking(parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "k"]:
     """Return the indices of points outside of every part."""
     left = np.arange(len(points))
     for part in parts:
@@ -95,16 +96,38 @@ def _distance(
     return np.min([outside(part, points) for part in parts], axis=0)
 
 
-def _between(
+def _surface(
     places: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> Float[np.ndarray, "k 3"]:
-    """Return points along the long edges: two parts may hold the ends and not the middle."""
+) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"]]:
+    """Return the vertices, then points along the long edges, and the normal at each.
+
+    Two parts may hold the ends of an edge and not its middle.
+    """
+    a, b, c = places[faces].transpose(1, 0, 2)
+    turn = np.cross(b - a, c - a)
+    normals = np.zeros_like(places)
+    for k in range(3):
+        np.add.at(normals, faces[:, k], turn)
     edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    edges = edges[edges[:, 0] < edges[:, 1]]
-    a, b = places[edges[:, 0]], places[edges[:, 1]]
-    long = np.linalg.norm(b - a, axis=1) > np.ptp(places, axis=0).max() / 16
-    a, b = a[long, None], b[long, None]
-    return (a + (b - a) * np.linspace(0, 1, 9)[1:-1, None]).reshape(-1, 3)
+    beside = np.concatenate([turn] * 3)
+    length = np.linalg.norm(places[edges[:, 1]] - places[edges[:, 0]], axis=1)
+    long = (edges[:, 0] < edges[:, 1]) & (length > np.ptp(places, axis=0).max() / 16)
+    start, end = places[edges[long]].transpose(1, 0, 2)
+    steps = np.linspace(0, 1, 9)[1:-1, None]
+    between = (start[:, None] + (end - start)[:, None] * steps).reshape(-1, 3)
+    normals = np.concatenate([normals, np.repeat(beside[long], len(steps), axis=0)])
+    return np.concatenate([places, between]), normals
+
+
+def _seen_from_above(
+    drawn: Float[np.ndarray, "n 3"], normals: Float[np.ndarray, "n 3"]
+) -> Bool[np.ndarray, "n"]:
+    """Whether points face up with nothing above them: on these, other things may come to lie."""
+    steep = normals[:, 2] < 0.3 * np.linalg.norm(normals, axis=1)
+    column = ((drawn[:, :2] - drawn[:, :2].min(0)) / (np.ptp(drawn, axis=0).max() / 48)).astype(int)
+    top = np.full((49, 49), -np.inf)
+    np.maximum.at(top, tuple(column.T), drawn[:, 2])
+    return ~steep & (drawn[:, 2] > top[tuple(column.T)] - _OVERHANG)
 
 
 def _convex_pieces(
@@ -185,25 +208,54 @@ def _grown(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
     return ConvexPart(corners.round(6))
 
 
-def _cells(
-    places: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> list[ConvexPart]:
-    """Return hulls of triangles that lie together, in cells of a grid over the whole shape.
+def _grown_where_solid(
+    part: ConvexPart,
+    lacking: Float[np.ndarray, "n 3"],
+    normals: Float[np.ndarray, "n 3"],
+    bare: Float[np.ndarray, "k 3"],
+) -> ConvexPart:
+    """Return the part grown by the points that this buries no drawn surface for.
 
-    Those that face along x, y and z are hulled apart, so that no hull fills a corner.
+    They are tried side by side, by the direction their surface faces.
     """
+    axis = np.abs(normals).argmax(1)
+    facing = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
+    for way in np.unique(facing):
+        wider = _grown(part, lacking[facing == way])
+        if not _buries(wider, bare):
+            part = wider
+    return part
+
+
+def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
+    """Whether points of the drawn surface lie deep inside of a part."""
+    low, high = part.bounds
+    inside = bare[((bare > low + _BURIED) & (bare < high - _BURIED)).all(1)]
+    return bool(len(inside)) and bool((outside(part, inside) < -_BURIED).any())
+
+
+def _patches(
+    places: Float[np.ndarray, "n 3"],
+    faces: Int[np.ndarray, "m 3"],
+    bare: Float[np.ndarray, "k 3"],
+    halvings: int = 4,
+) -> list[ConvexPart]:
+    """Return hulls of triangles, halved along their longest side while they bury ``bare``."""
     if not len(faces):
         return []
-    cell = max(float(np.ptp(places, axis=0).max()) / _CELLS, _LEAST_CELL)
-    a, b, c = places[faces].transpose(1, 0, 2)
-    facing = np.abs(np.cross(b - a, c - a)).argmax(1)
-    where = ((places[faces].mean(1) - places.min(0)) / cell).astype(int) @ [3, 192, 12288] + facing
-    hulls = []
-    for place in np.unique(where):
-        points = places[np.unique(faces[where == place])]
-        try:
-            corners = points[ConvexHull(points).vertices]
-        except QhullError:  # flat
-            corners = (points[:, None] + _SPECK).reshape(-1, 3)
-        hulls.append(_thinned(corners))
-    return hulls
+    points = places[np.unique(faces)]
+    try:
+        hull = _thinned(points[ConvexHull(points).vertices])
+    except QhullError:  # flat
+        hull = ConvexPart((points[:, None] + _SPECK).reshape(-1, 3).round(6))
+    if not halvings or len(faces) <= 2 or not _buries(hull, bare):
+        return [hull]
+    middles = places[faces].mean(1)
+    axis = int(np.ptp(middles, axis=0).argmax())
+    first = np.argsort(middles[:, axis], kind="stable")[: len(faces) // 2]
+    half = np.zeros(len(faces), bool)
+    half[first] = True
+    return [
+        *_patches(places, faces[half], bare, halvings - 1),
+        *_patches(places, faces[~half], bare, halvings - 1),
+    ]

@@ -38,7 +38,6 @@ from ..scene import (
     View,
 )
 
-
 _SHAKE = 1.5  # in leans of the gate
 
 
