@@ -238,7 +238,7 @@ def _patches(
     places: Float[np.ndarray, "n 3"],
     faces: Int[np.ndarray, "m 3"],
     bare: Float[np.ndarray, "k 3"],
-    halvings: int = 4,
+    halvings: int = 3,
 ) -> list[ConvexPart]:
     """Return hulls of triangles, halved along their longest side while they bury ``bare``."""
     if not len(faces):
