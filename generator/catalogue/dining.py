@@ -67,7 +67,7 @@ def plate(look: Look) -> Shape:
     )
     return shape([(body, _plate_glaze(look, color))], [
         cylinder_part(well, t + 0.002),
-        *ring_parts([(well, 0), (r, h - t * 0.6), (r, h)], [(well, t + 0.002)], 12),
+        *ring_parts([(well, 0), (r, h - t * 0.6), (r, h)], [(well, t + 0.002)], 16),
     ])  # fmt: skip
 
 

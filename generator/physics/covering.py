@@ -56,7 +56,7 @@ def covering(
     """
     places, index = np.unique(vertices.round(6), axis=0, return_inverse=True)
     faces = index.reshape(-1)[faces]
-    drawn, normals = _surface(places, faces)
+    drawn, normals, owner = _surface(places, faces)
     lacking = _lacking(parts, drawn)
     hulls = _convex_pieces(places, faces, parts, lacking) if len(lacking) else []
     if hulls:
@@ -76,9 +76,10 @@ def covering(
             from_it = outside(parts[k], drawn)
             mine = np.flatnonzero((from_it > -2 * TOLERANCE) & (from_it <= REACH))
         grown[k] = _grown_where_solid(parts[k], drawn[mine], normals[mine], bare)
-    left = np.zeros(len(drawn), bool)
-    left[lacking[_distance(grown, drawn[lacking]) > TOLERANCE]] = True
-    left = left[: len(places)][faces].any(1)
+    bad = np.zeros(len(drawn), bool)
+    bad[lacking[_distance(grown, drawn[lacking]) > TOLERANCE]] = True
+    left = bad[: len(places)][faces].any(1)
+    left[owner[bad[len(places) :]]] = True
     return (*grown, *_patches(places, faces[left], bare))
 
 
@@ -98,8 +99,8 @@ def _distance(
 
 def _surface(
     places: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"]]:
-    """Return the vertices, then points along the long edges, and the normal at each.
+) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"], Int[np.ndarray, "e"]]:
+    """Return the vertices and points along the long edges; the normal at each; whose edges.
 
     Two parts may hold the ends of an edge and not its middle.
     """
@@ -109,14 +110,14 @@ def _surface(
     for k in range(3):
         np.add.at(normals, faces[:, k], turn)
     edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
-    beside = np.concatenate([turn] * 3)
+    beside = np.tile(np.arange(len(faces)), 3)
     length = np.linalg.norm(places[edges[:, 1]] - places[edges[:, 0]], axis=1)
     long = (edges[:, 0] < edges[:, 1]) & (length > np.ptp(places, axis=0).max() / 16)
     start, end = places[edges[long]].transpose(1, 0, 2)
     steps = np.linspace(0, 1, 9)[1:-1, None]
     between = (start[:, None] + (end - start)[:, None] * steps).reshape(-1, 3)
-    normals = np.concatenate([normals, np.repeat(beside[long], len(steps), axis=0)])
-    return np.concatenate([places, between]), normals
+    owner = np.repeat(beside[long], len(steps))
+    return np.concatenate([places, between]), np.concatenate([normals, turn[owner]]), owner
 
 
 def _seen_from_above(

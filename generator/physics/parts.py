@@ -35,7 +35,7 @@ def scaled(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
 
 
 def model_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart, ...]:
-    """Return the collision shape of ``model`` at ``scale`` (its extent in metres).
+    """Return the convex parts of ``model`` at ``scale`` (its extent in metres), as they are.
 
     Raises:
         SceneError: the mesh has no parts and cannot be decomposed.
@@ -43,9 +43,17 @@ def model_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart
     from .decomposition import decompose
 
     parts = model.parts or decompose(model.mesh, scale)
-    metric = [scaled(part, scale) for part in parts]
+    return tuple(scaled(part, scale) for part in parts)
+
+
+def body_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart, ...]:
+    """Return the collision shape of ``model`` at ``scale``: parts that cover what is drawn.
+
+    Raises:
+        SceneError: the mesh has no parts and cannot be decomposed.
+    """
     vertices = model.mesh.vertices.astype(np.float64) * scale
-    return on_base(covering(metric, vertices, model.mesh.faces))
+    return on_base(covering(model_parts(model, scale), vertices, model.mesh.faces))
 
 
 def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:

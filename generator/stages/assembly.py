@@ -18,7 +18,7 @@ from ..errors import InputError, choices
 from ..geometry import convex_outline, yaw_quaternion
 from ..physics.gate import Limits, fallen, judge
 from ..physics.inertia import body_mass
-from ..physics.parts import lowest, model_parts
+from ..physics.parts import body_parts, lowest, model_parts
 from ..physics.seating import carried, relocate, seat_on_table, seat_stacked
 from ..physics.separation import ancestry, separate, with_poses
 from ..physics.settling import has_toppled, settle
@@ -169,7 +169,7 @@ def _table(model: Model, scale: Float[np.ndarray, "3"]) -> Table:
 
 
 def _object(model: Model, placement: Placement) -> Object:
-    parts = model_parts(model, placement.scale)
+    parts = body_parts(model, placement.scale)
     weighed = body_mass(model.mesh, placement.scale, model.physics, parts)
     pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
     return Object(

@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 import pytest
-from shapes import MANUAL, TABLE_SIZE, ball, box, cup, put, table
+from shapes import MANUAL, TABLE_SIZE, ball, box, cup, drawn, put, table
 
 from generator.errors import InputError
 from generator.physics.gate import judge
@@ -132,7 +132,8 @@ def test_a_thing_that_cannot_stand_gets_a_weighted_foot() -> None:
     """Collision as of a club on its thin end: it would lie down."""
     top = [[x, y, 0.5] for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
     skewed = [[0.3, 0, -0.5], [0.4, 0.1, -0.5], [0.4, -0.1, -0.5], *top]
-    club = dataclasses.replace(box(), parts=(ConvexPart(np.array(skewed)),))
+    parts = (ConvexPart(np.array(skewed)),)
+    club = dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
     scene = build({"club_1": (club, put("club_1", (0, 0), (0.06, 0.06, 0.25)))})
     assert scene.report is not None
     assert scene.report.passed
