@@ -36,8 +36,8 @@ ROUND = 0.02
 """Cross-sections whose two diameters differ by more than this share are not round."""
 
 FLAT_SPOT = 0.25
-"""Rolling resistance of round things, in radii. With it, and MuJoCo's soft friction, they stay where
-they are on a table that leans by two degrees, as fruit does; a glass marble would not."""
+"""Rolling resistance of round things, in radii. With it, and MuJoCo's soft friction, they stay
+where they are on a table that leans by two degrees, as fruit does; a glass marble would not."""
 
 SLENDER, THIN = 0.35, 0.04
 """A thing is slender if it is thinner than this share of its length, and than this, metres."""

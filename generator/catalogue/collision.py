@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any, Literal
 
 import numpy as np
+from jaxtyping import Float
 
 from ..scene import ConvexPart
 from .outlines import ellipse, lifted
@@ -108,7 +109,7 @@ def ring_parts(
 
 
 def bowl_parts(
-    outer: Sequence[Sequence[float]], inner: Sequence[Sequence[float]], wedges: int = 14
+    outer: Float[np.ndarray, "n 2"], inner: Float[np.ndarray, "n 2"], wedges: int = 14
 ) -> tuple[ConvexPart, ...]:
     """Return the wall of a round bowl as two rings of wedges, so that its hollow stays hollow.
 

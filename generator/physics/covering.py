@@ -2,8 +2,11 @@
 
 A shape's convex parts are often coarser than what is drawn: a ring of wedges has chords where the
 wall is round, a hull few corners. What is drawn outside of the parts touches nothing, and two such
-things sink into each other for all to see. Here every vertex of the mesh outside of all parts is
-given to the nearest one, whose hull grows by it; what is far from every part gets hulls of its own.
+things sink into each other for all to see. Here what is drawn outside of all parts is given to the
+nearest one, whose hull grows by it; what is far from every part gets hulls of its own. Where other
+things may come to lie, on surfaces open from above, hulls do not grow by more than a millimetre
+beyond what is drawn, so that a bowl stays hollow.
+
 A hull takes only the vertices it needs: of those outside each of its faces the farthest, until
 none is left (after C. Barber et al., "The quickhull algorithm for convex hulls", 1996).
 """
@@ -28,11 +31,11 @@ TOLERANCE = 2.5e-4
 REACH = 6e-3
 """A part grows at most by this much, metres; what is farther out gets hulls of its own."""
 
-_ROUNDS = 8
+_ROUNDS = 8  # most times that a hull is grown
 _BURIED = 1e-3  # growth may cover what is drawn by this much, metres
-_OVERHANG = 3e-3  # metres
-_MUCH = 1e-3  # metres
-_LARGE = 0.3  # or a larger one than this share of the longest side by _MUCH
+_OVERHANG = 3e-3  # what lies this far below the top of its column is covered, metres
+_MUCH = 1e-3  # a convex piece is hulled as it is if it is _LARGE and sticks out by this, metres
+_LARGE = 0.3  # share of the shape's longest side
 _FEW = 48  # corners that need no thinning
 _WAYS = np.array([*itertools.product((-1.0, 0.0, 1.0), repeat=3)])
 _CONVEX = 0.9  # share of its hull that a convex piece fills
@@ -66,7 +69,7 @@ def covering(
     if not len(lacking):
         return tuple(parts)
     bare = drawn[_seen_from_above(drawn, normals)]
-    bare = bare[_distance(parts, bare) > -_BURIED / 2]
+    bare = bare[_lacking(parts, bare, _BURIED / 2)]
     grown = list(parts)
     out = np.stack([outside(part, drawn[lacking]) for part in parts])
     near, depth = out.argmin(0), out.min(0)
@@ -78,16 +81,22 @@ def covering(
         grown[k] = _grown_where_solid(parts[k], drawn[mine], normals[mine], bare)
     bad = np.zeros(len(drawn), bool)
     bad[lacking[_distance(grown, drawn[lacking]) > TOLERANCE]] = True
-    left = bad[: len(places)][faces].any(1)
+    left = np.asarray(bad[: len(places)][faces].any(1))
     left[owner[bad[len(places) :]]] = True
     return (*grown, *_patches(places, faces[left], bare))
 
 
-def _lacking(parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "k"]:
-    """Return the indices of points outside of every part."""
+def _lacking(
+    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"], depth: float = -TOLERANCE
+) -> Int[np.ndarray, "k"]:
+    """Return the indices of points that lie in no part, or less deep in it than ``depth``."""
     left = np.arange(len(points))
     for part in parts:
-        left = left[outside(part, points[left]) > TOLERANCE]
+        low, high = part.bounds
+        at = points[left]
+        near = np.flatnonzero(((at > low + depth) & (at < high - depth)).all(1))
+        within = near[outside(part, at[near]) < -depth]
+        left = np.delete(left, within)
     return left
 
 
@@ -165,7 +174,10 @@ def _thinned(corners: Float[np.ndarray, "n 3"]) -> ConvexPart:
     if len(corners) <= _FEW:
         return ConvexPart(corners.round(6))
     start = corners[np.unique((corners @ _WAYS.T).argmax(0))]
-    return _grown(ConvexPart(start), corners)
+    try:
+        return _grown(ConvexPart(start), corners)
+    except QhullError:  # a sheet whose extreme corners lie in a plane
+        return ConvexPart(corners.round(6))
 
 
 def outside(part: ConvexPart, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:

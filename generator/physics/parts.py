@@ -53,7 +53,8 @@ def body_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart,
         SceneError: the mesh has no parts and cannot be decomposed.
     """
     vertices = model.mesh.vertices.astype(np.float64) * scale
-    return on_base(covering(model_parts(model, scale), vertices, model.mesh.faces))
+    covered = covering(model_parts(model, scale), vertices, model.mesh.faces)
+    return on_base([scaled(part, np.ones(3)) for part in covered])
 
 
 def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:

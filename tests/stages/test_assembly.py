@@ -7,6 +7,7 @@ import pytest
 from shapes import MANUAL, TABLE_SIZE, ball, box, cup, drawn, put, table
 
 from generator.errors import InputError
+from generator.geometry import quaternion_matrix
 from generator.physics.gate import judge
 from generator.scene import ConvexPart, Model, Placement, PlannedTable, Scene, ScenePlan, View
 from generator.stages.assembly import AssemblyConfig, assemble
@@ -203,3 +204,18 @@ def test_a_model_without_parts_is_decomposed(tmp_path, monkeypatch) -> None:
     assert scene.report.passed
     (part,) = scene.object("box_1").parts
     np.testing.assert_allclose(np.ptp(part.vertices, axis=0), [0.1, 0.08, 0.05], atol=2e-3)
+
+
+def test_what_stands_free_in_a_cup_is_shaken_against_its_rim() -> None:
+    """Let down upright it would stand on its end, and fall over on a leaning table."""
+    rod = (0.005, 0.005, 0.18)
+    scene = build(
+        {
+            "cup_1": (cup((0.09, 0.09, 0.09)), put("cup_1", (0, 0), (0.09, 0.09, 0.09))),
+            "rod_1": (box(), put("rod_1", (0, 0), rod, on="cup_1", inside=True)),
+        }
+    )
+    assert scene.report is not None
+    assert scene.report.passed, scene.report.failures
+    up = quaternion_matrix(scene.object("rod_1").pose.quaternion)[2, 2]
+    assert np.arccos(up) > np.deg2rad(5)
