@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+from scipy.spatial import ConvexHull
 from toy import corners, cube_mesh, ring_parts
 
 from generator.geometry import parts_to_unit_box, to_unit_box
@@ -25,10 +28,23 @@ def ball(density: float = 600.0) -> Model:
 
 
 def cup(size: tuple[float, float, float]) -> Model:
-    """An open cup with walls of 6 mm; drawn as a box."""
+    """An open cup with walls of 6 mm."""
     parts = parts_to_unit_box(ring_parts(np.array(size), 0.006, 0.006), np.zeros(3), np.array(size))
     physics = Physics(2000.0, 0.6, shell=0.004)
-    return Model("cup", "cup", cube_mesh(), np.array(size), physics, parts, container=True)
+    return Model("cup", "cup", drawn(parts), np.array(size), physics, parts, container=True)
+
+
+def drawn(parts: Sequence[ConvexPart]) -> Mesh:
+    """A mesh that shows convex parts as they are."""
+    points, faces, count = [], [], 0
+    for part in parts:
+        hull = ConvexHull(part.vertices)
+        points.append(part.vertices)
+        faces.append(hull.simplices + count)
+        count += len(part.vertices)
+    uv = np.zeros((count, 2))
+    picture = np.full((4, 4, 3), 200, np.uint8)
+    return Mesh(np.concatenate(points), np.concatenate(faces), uv, picture)
 
 
 def table() -> Model:

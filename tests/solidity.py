@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from generator.catalogue.solids import signed_volume
+from generator.physics.inertia import body_mass
+from generator.physics.parts import model_parts
 from generator.scene import Mesh, Model
 
 
@@ -21,9 +22,7 @@ def is_closed(mesh: Mesh) -> bool:
 
 def mass_of(model: Model) -> float:
     """Mass in kilograms at the model's own size."""
-    return model.physics.density * signed_volume(
-        model.mesh.vertices.astype(float) * model.size, model.mesh.faces
-    )
+    return body_mass(model.mesh, model.size, model.physics, model_parts(model, model.size)).mass
 
 
 def fingerprint(model: Model) -> tuple[bytes, ...]:

@@ -42,7 +42,7 @@ def croissant(look: Look) -> Shape:
     body = tube(path, radii, 10, squash=0.75)
     body = body.moved(z=-float(body.vertices[:, 2].min()))
     tile = textures.scratched(look.rng, color, tinted(color, 0.6), 120)
-    return shape([(body, tile)], halves(body, 3))
+    return shape([(body, tile)], halves(body, 5))
 
 
 def donut(look: Look) -> Shape:

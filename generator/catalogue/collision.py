@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Sequence
 from typing import Any, Literal
 
 import numpy as np
+from jaxtyping import Float
 
 from ..scene import ConvexPart
 from .outlines import ellipse, lifted
@@ -44,10 +44,11 @@ def hull_of(*solids: Solid) -> ConvexPart:
     return hull_part(np.concatenate([s.vertices for s in solids]))
 
 
-def footed(points: Any, share: float = 0.3) -> ConvexPart:
+def footed(points: Any, share: float = 0.12) -> ConvexPart:
     """Return the hull of ``points`` with the lowest ``share`` of its height set down on z = 0.
 
-    What is round below gets a flat foot this way and does not roll.
+    What is drawn with a flat spot below gets the same flat foot this way, and does not roll. A
+    wider foot than is drawn would hold the thing up in the air when it lies against another.
     """
     p = np.array(points, float)
     p[p[:, 2] < share * p[:, 2].max(), 2] = 0.0
@@ -82,27 +83,45 @@ def resting_ball(x: float, y: float, z: float, flat: float = 0.45) -> ConvexPart
 def ring_parts(
     outer: Sequence[tuple[float, float]],
     inner: Sequence[tuple[float, float]],
-    wedges: int = 10,
+    wedges: int = 14,
     *,
     stretch: tuple[float, float] = (1.0, 1.0),
 ) -> tuple[ConvexPart, ...]:
     """Return the wall of a hollow round thing as wedges.
 
     ``outer`` and ``inner`` are (radius, z) points of the wall's two sides (at most 6 together).
-    Each wedge is a convex hull, so an inner side that bends outwards gets filled to its chord.
-    ``stretch`` scales x and y.
+    Each wedge is a convex hull, bent once outside; so an inner side that bends outwards gets filled
+    to its chord. ``stretch`` scales x and y.
     """
-    profile = np.array([*outer, *inner], float)
-    angles = 2 * np.pi * np.arange(wedges + 1) / wedges
+    angles = 2 * np.pi * np.arange(2 * wedges + 1) / (2 * wedges)
     parts = []
-    for pair in itertools.pairwise(angles):
+    for k in range(wedges):
+        start, middle, end = angles[2 * k : 2 * k + 3]
+        sides = [(outer, (start, middle, end)), (inner, (start, end))]
         points = [
             (r * np.cos(a) * stretch[0], r * np.sin(a) * stretch[1], z)
-            for a in pair
+            for profile, ways in sides
+            for a in ways
             for r, z in profile
         ]
         parts.append(hull_part(points))
     return tuple(parts)
+
+
+def bowl_parts(
+    outer: Float[np.ndarray, "n 2"], inner: Float[np.ndarray, "n 2"], wedges: int = 14
+) -> tuple[ConvexPart, ...]:
+    """Return the wall of a round bowl as two rings of wedges, so that its hollow stays hollow.
+
+    ``outer`` and ``inner`` are (radius, z) points from the bottom up, as many on each side.
+    """
+    sides = [[(float(r), float(z)) for r, z in side] for side in (outer, inner)]
+    last, middle = len(sides[0]) - 1, (len(sides[0]) - 1) // 2
+    rings = []
+    for low, high in ((0, middle), (middle, last)):
+        out, within = ((s[low], s[(low + high) // 2], s[high]) for s in sides)
+        rings += ring_parts(out, (within[2], within[0]), wedges)
+    return tuple(rings)
 
 
 def frame_parts(x: float, y: float, z: float, wall: float, bottom: float) -> tuple[ConvexPart, ...]:

@@ -7,7 +7,7 @@ import numpy as np
 from ..scene import ConvexPart
 from . import textures
 from .category import Category
-from .collision import box_part, cylinder_part, ring_parts
+from .collision import bowl_parts, box_part, cylinder_part, ring_parts
 from .colors import RGB, tinted
 from .glazes import glazed
 from .look import Look
@@ -122,10 +122,7 @@ def teacup(look: Look) -> Shape:
     kind = look.pick(EARS)
     ends = np.interp([0.36 * h, 0.86 * h], outer[:, 1], outer[:, 0]) - 0.0016
     ear = handle((ends[0], ends[1]), 0.36 * h, 0.86 * h, look.between(0.017, 0.022), 0.0032, kind)
-    rim = float(outer[-1, 0])
-    wedges = ring_parts(
-        [(foot, 0), tuple(outer[2]), (rim, h)], [(rim - wall, h), (foot - wall, 0.01)]
-    )
+    wedges = bowl_parts(np.array([(foot, 0), *outer[1:]]), inner[::-1])
     level = float(np.interp(0.82 * h, inner[::-1, 1], inner[::-1, 0])) + 0.0005
     return shape(
         [(body, tile), (ear, look.surface(color, "ceramic")), *_drink(look, level, 0.82 * h)],

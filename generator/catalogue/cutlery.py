@@ -179,7 +179,7 @@ CATEGORIES = (
         "fork",
         fork,
         (0.195, 0.023, 0.0104),
-        0.04,
+        0.036,
         ("salad fork",),
         ("dining", "kitchen"),
         ("flat",),

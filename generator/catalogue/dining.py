@@ -6,7 +6,7 @@ import numpy as np
 
 from . import textures
 from .category import Category
-from .collision import box_part, cylinder_part, frame_parts, ring_parts
+from .collision import bowl_parts, box_part, cylinder_part, frame_parts, ring_parts
 from .colors import RGB, tinted
 from .glazes import SIDE, glazed
 from .look import Look
@@ -38,10 +38,7 @@ def bowl(look: Look) -> Shape:
     within = inside if look.chance(0.7) else glazed(look, color)[::-1]
     rim = textures.plain(tinted(color, 0.5)) if look.chance(0.3) else inside
     tile = textures.stacked((glazed(look, color), 48), (rim, 4), (within, 48), side=192)
-    wedges = ring_parts(
-        [(foot, 0), tuple(outer[3]), tuple(outer[5]), (r, h)],
-        [(r - wall, h), (foot - wall, 0.007)],
-    )
+    wedges = bowl_parts(outer, inner[::-1])
     return shape([(body, tile)], [*wedges, cylinder_part(foot, 0.007)])
 
 
@@ -70,7 +67,7 @@ def plate(look: Look) -> Shape:
     )
     return shape([(body, _plate_glaze(look, color))], [
         cylinder_part(well, t + 0.002),
-        *ring_parts([(well, 0), (r, h - t * 0.6), (r, h)], [(well, t + 0.002)], 8),
+        *ring_parts([(well, 0), (r, h - t * 0.6), (r, h)], [(well, t + 0.002)], 16),
     ])  # fmt: skip
 
 

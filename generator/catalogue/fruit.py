@@ -100,7 +100,7 @@ def grapes(look: Look) -> Shape:
     bloom = skin(look, color, tinted(color, 1.35), 0.8)
     return shape(
         [(fruit, bloom), (stalk, textures.plain((108, 96, 56)))],
-        [footed(fruit.vertices, 0.35)],
+        [footed(fruit.vertices)],
     )
 
 
@@ -120,7 +120,7 @@ def strawberry(look: Look) -> Shape:
         leaves.append(blade([foot, foot + 0.6 * way + [0.002, 0, 0], foot + way], 0.009))
     stalk = tube([(end - 0.002, 0, 0.9 * r), (end + 0.01, 0, 1.1 * r)], 0.0014, 6)
     star = joined([*leaves, stalk])
-    return shape([(body, seeds), (star, textures.plain(LEAF))], [footed(body.vertices, 0.3)])
+    return shape([(body, seeds), (star, textures.plain(LEAF))], [footed(body.vertices, 0.18)])
 
 
 CATEGORIES = (

@@ -268,7 +268,7 @@ def paint_can(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("power_drill", power_drill, (0.255, 0.07, 0.217), 1.4,
+    Category("power_drill", power_drill, (0.255, 0.07, 0.217), 1.2,
              ("drill", "cordless drill", "electric drill", "hand drill", "drill driver"),
              ("workbench",), ("tall",), ("yellow", "teal")),
     Category("hand_saw", hand_saw, (0.415, 0.12, 0.024), 0.45, ("saw", "handsaw", "wood saw"),

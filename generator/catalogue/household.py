@@ -194,7 +194,7 @@ CATEGORIES = (
     Category("hair_dryer", hair_dryer, (0.205, 0.185, 0.073), 0.5,
              ("hairdryer", "blow dryer", "blowdryer"), ("vanity",), (), ("black", "pink"),
              state="lying flat"),
-    Category("sponge", sponge, (0.1, 0.065, 0.033), 0.012,
+    Category("sponge", sponge, (0.1, 0.065, 0.033), 0.008,
              ("kitchen sponge", "dish sponge", "scrubber", "scouring pad"), ("kitchen", "vanity"),
              ("flat",), ("yellow",), 0.8, "lying flat"),
     Category("first_aid_kit", first_aid_kit, (0.235, 0.13, 0.185), 0.9,

@@ -45,7 +45,7 @@ def pot(look: Look) -> Shape:
     pieces = [(body, tile), *((ear, dark) for ear in ears)]
     ends = [box_part(0.026, 0.055, 0.011, (s * (r + 0.012), 0, 0.78 * h)) for s in (-1, 1)]
     if open_:
-        walls = ring_parts(side, [(r - wall, h), (foot * r - wall, 0.006)], 8)
+        walls = ring_parts(side, [(r - wall, h), (foot * r - wall, 0.006)])
         return shape(pieces, [*walls, cylinder_part(foot * r, 0.006), *ends])
     lid = lathe([(0, h), (r, h), (1.01 * r, h + 0.003), (0.7 * r, h + 0.014), (0, h + 0.019)])
     knob = lathe([(0, h + 0.016), (0.007, h + 0.017), (0.007, h + 0.03), (0.016, h + 0.034),

@@ -121,7 +121,7 @@ def hot_dog(look: Look) -> Shape:
     return shape(
         [(bun, bread), (sausage, meat),
          (line, textures.plain(look.fixed("yellow", "red", "mustard")))],
-        [footed(bun.vertices, 0.3), hull_of(sausage)],
+        [footed(bun.vertices), hull_of(sausage)],
     )  # fmt: skip
 
 
@@ -184,7 +184,7 @@ CATEGORIES = (
     Category("burger", burger, (0.108, 0.108, 0.08), 0.28,
              ("hamburger", "cheeseburger", "beef burger"), ("dining", "food"),
              ("round", "edible")),
-    Category("hot_dog", hot_dog, (0.165, 0.065, 0.05), 0.2, ("hotdog", "sausage", "frankfurter"),
+    Category("hot_dog", hot_dog, (0.165, 0.065, 0.05), 0.13, ("hotdog", "sausage", "frankfurter"),
              ("dining", "food"), ("edible",), state="lying flat"),
     Category("sushi_plate", sushi_plate, (0.22, 0.11, 0.046), 0.6,
              ("sushi", "sushi board", "sushi roll", "sushi set", "maki", "nigiri"),

@@ -33,7 +33,7 @@ def avocado(look: Look) -> Shape:
     wide = float(np.ptp(body.vertices[:, 1])) / 2
     if look.chance(0.4):
         whole = grounded(body, 0.88 * wide)
-        return shape([(whole, rough)], [footed(whole.vertices, 0.25)])
+        return shape([(whole, rough)], [footed(whole.vertices)])
     lower = body.bent(lambda p: np.column_stack([p[:, :2], np.minimum(p[:, 2], 0)]))
     lower = grounded(lower, 0.88 * wide)
     top = float(lower.vertices[:, 2].max())
@@ -49,7 +49,7 @@ def avocado(look: Look) -> Shape:
     brown = skin(look, (126, 78, 42), (92, 54, 30))
     return shape(
         [(lower, rough), (edge, textures.plain((150, 176, 84))), (flesh, pale), (stone, brown)],
-        [footed(lower.vertices, 0.25), hull_part(stone.vertices[stone.vertices[:, 2] >= top])],
+        [footed(lower.vertices), hull_part(stone.vertices[stone.vertices[:, 2] >= top])],
     )
 
 
@@ -107,7 +107,7 @@ def corn(look: Look) -> Shape:
     keel = ellipsoid(0.55 * length, 1.9 * r, 0.7 * r, 16, 8).moved(-0.18 * length, 0, 0.35 * r)
     return shape(
         [(cob, kernels), (joined([*husk, keel]), green), (stalk, textures.plain((176, 190, 110)))],
-        [footed(cob.vertices, 0.35), hull_part(husk[0].vertices.clip(min=(-1, -1, 0))),
+        [footed(cob.vertices), hull_part(husk[0].vertices.clip(min=(-1, -1, 0))),
          hull_part(husk[1].vertices.clip(min=(-1, -1, 0)))],
     )  # fmt: skip
 
@@ -163,7 +163,7 @@ def potato(look: Look) -> Shape:
 
     body = grounded(ellipsoid(x, y, z, 26, 16).bent(bumps), 0.44 * z)
     peel = textures.spotted(look.rng, color, tinted(color, 0.55), 0.04)
-    return shape([(body, peel)], [footed(body.vertices, 0.3)])
+    return shape([(body, peel)], [footed(body.vertices)])
 
 
 def mushroom(look: Look) -> Shape:
@@ -182,7 +182,7 @@ def mushroom(look: Look) -> Shape:
 
 
 CATEGORIES = (
-    Category("mushroom", mushroom, (0.056, 0.056, 0.052), 0.025, ("champignon", "toadstool"),
+    Category("mushroom", mushroom, (0.056, 0.056, 0.052), 0.021, ("champignon", "toadstool"),
              ("kitchen", "food"), ("round", "edible"), ("cream",)),
     Category("avocado", avocado, (0.104, 0.065, 0.045), 0.13, ("avocado half", "half avocado"),
              ("kitchen", "food"), ("edible",), ("green",), state="lying flat"),
@@ -193,7 +193,7 @@ CATEGORIES = (
     Category("corn", corn, (0.19, 0.08, 0.046), 0.25,
              ("corn cob", "ear of corn", "corn on the cob", "maize", "sweetcorn"),
              ("kitchen", "food"), ("edible",), ("yellow",), state="lying flat"),
-    Category("bell_pepper", bell_pepper, (0.08, 0.08, 0.105), 0.17,
+    Category("bell_pepper", bell_pepper, (0.08, 0.08, 0.105), 0.16,
              ("sweet pepper", "capsicum", "paprika", "red pepper", "green pepper", "chili"),
              ("kitchen", "food"), ("round", "edible"), ("red", "yellow", "green")),
     Category("broccoli", broccoli, (0.11, 0.11, 0.105), 0.25, ("cauliflower", "broccoli head"),

@@ -59,10 +59,16 @@ def build_table(plan: PlannedTable, seed: int) -> Model:
         TABLE,
         unit,
         np.array(plan.size),
-        Physics(600.0, 0.7),
+        Physics(600.0, _friction(plan.material)),
         parts_to_unit_box(made.parts, center, extent),
         category=TABLE,
     )
+
+
+def _friction(material: str) -> float:
+    """Return the sliding friction of a tabletop: polished stone, glass and metal are smoother."""
+    smooth = {"glass", "marble", "stone", *METALS}
+    return 0.45 if smooth & set(material.lower().replace("-", " ").split()) else 0.5
 
 
 def _table(plan: PlannedTable, rng: np.random.Generator) -> Shape:

@@ -218,7 +218,7 @@ CATEGORIES = (
         "wrench",
         wrench,
         (0.195, 0.036, 0.009),
-        0.16,
+        0.21,
         ("spanner",),
         ("workbench",),
         ("flat",),

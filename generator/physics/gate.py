@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from jaxtyping import Float
 
 from ..geometry import inside_margin
 from ..scene import Report, Scene
@@ -15,13 +16,26 @@ from .simulation import ON_FLOOR, ON_TABLE, Simulation, shifted, supported, turn
 
 @dataclass(frozen=True)
 class Limits:
-    """What passes. Lengths in metres, angles in radians, time in seconds."""
+    """What passes. Lengths in metres, angles in radians, time in seconds.
 
-    penetration: float = 1e-3
-    drift: float = 0.01
-    tilt: float = float(np.deg2rad(5.0))
-    gap: float = 2e-3
-    seconds: float = 2.0
+    penetration: deepest overlap of two collision shapes at the start.
+    drift, tilt: how far a thing may move and turn.
+    gap: what nothing touches within this distance floats.
+    seconds: how long it is watched.
+    lean: the same must hold with gravity leaning by this angle to each of four sides; 0 leaves
+        that out.
+    """
+
+    penetration: float = 5e-4
+    drift: float = 5e-3
+    tilt: float = float(np.deg2rad(2.0))
+    gap: float = 1e-3
+    seconds: float = 5.0
+    lean: float = float(np.deg2rad(2.0))
+
+
+_STRIDE = 0.25  # seconds between two looks
+_LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold with that too
 
 
 def judge(scene: Scene, limits: Limits | None = None) -> Report:
@@ -38,9 +52,10 @@ def judge(scene: Scene, limits: Limits | None = None) -> Report:
     overlaps = simulation.contacts().deepest()
     held = supported(simulation.contacts(margin=limits.gap), len(names))
     off = inside_margin(simulation.centers_of_mass[:, :2], scene.table.outline) < 0
-    simulation.run(limits.seconds)
-    drift, tilt = shifted(poses, simulation.poses), turned(poses, simulation.poses)
+    drift, tilt = watched(simulation, limits)
     fell = fallen(simulation)
+    level = _moving(names, drift, tilt, limits, "")
+    leaning, leans = (0.0, []) if level or not limits.lean else _leaning(simulation, limits)
     report = Report(
         penetration=max(overlaps.values(), default=0.0),
         drift=float(drift.max(initial=0.0)),
@@ -50,21 +65,80 @@ def judge(scene: Scene, limits: Limits | None = None) -> Report:
         off_table=tuple(n for n, out in zip(names, off, strict=True) if out),
         moved=scene.report.moved if scene.report else 0.0,
         settling=scene.report.settling if scene.report else 0.0,
+        leaning=leaning,
         reach=reach(scene),
         seconds=limits.seconds,
         dropped=scene.report.dropped if scene.report else (),
     )
     failures = [
         *_overlapping(overlaps, names, limits.penetration),
-        *(f"{n} moved {1e3 * d:.1f} mm in {limits.seconds:g} s"
-          for n, d in zip(names, drift, strict=True) if d > limits.drift),
-        *(f"{n} turned {np.rad2deg(t):.1f}° in {limits.seconds:g} s"
-          for n, t in zip(names, tilt, strict=True) if t > limits.tilt),
+        *level,
+        *leans,
         *(f"{n} floats" for n in report.floating),
         *(f"{n} fell from the table" for n in report.fallen),
         *(f"{n} has its centre of mass beyond the table's edge" for n in report.off_table),
-    ]  # fmt: skip
+    ]
     return dataclasses.replace(report, failures=tuple(failures))
+
+
+def watched(
+    simulation: Simulation, limits: Limits
+) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
+    """Simulate ``limits.seconds``; return how far each object moved and turned.
+
+    What creeps evenly is not watched to the end: once two looks in a row show no object moving or
+    turning faster than before, and going on so would use up no more than half of the limits, that
+    forecast is returned. Toppling speeds up, and is watched.
+    """
+    start = simulation.poses
+    bounds = np.array([limits.drift, limits.tilt])
+    last = np.zeros((len(start), 2))
+    gone, calm = last, 0
+    looks = max(1, round(limits.seconds / _STRIDE))
+    for k in range(looks):
+        before = gone
+        simulation.run(limits.seconds / looks)
+        now = simulation.poses
+        gone = np.stack([shifted(start, now), turned(start, now)], axis=1)
+        step = np.abs(gone - before)
+        steady = (step <= np.maximum(1.05 * last, 1e-3 * bounds)).all()
+        forecast = gone + step * (looks - 1 - k)
+        calm = calm + 1 if k > 0 and steady and (forecast <= bounds / 2).all() else 0
+        last = step
+        if calm == 2:
+            return forecast[:, 0], forecast[:, 1]
+    return gone[:, 0], gone[:, 1]
+
+
+def _leaning(simulation: Simulation, limits: Limits) -> tuple[float, list[str]]:
+    """Return the farthest any object moves under leaning gravity, and what moves too far."""
+    names = [o.name for o in simulation.scene.objects]
+    worst, failures = 0.0, {}
+    for side in range(4):
+        simulation.place([o.pose for o in simulation.scene.objects])
+        with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
+            drift, tilt = watched(simulation, limits)
+        worst = max(worst, float(drift.max(initial=0.0)))
+        for said in _moving(names, drift, tilt, limits, " on a leaning table"):
+            failures.setdefault(said.split(" ")[0], said)
+        if failures:
+            break
+    return worst, list(failures.values())
+
+
+def _moving(
+    names: Sequence[str],
+    drift: Float[np.ndarray, "n"],
+    tilt: Float[np.ndarray, "n"],
+    limits: Limits,
+    where: str,
+) -> list[str]:
+    return [
+        *(f"{n} moved {1e3 * d:.1f} mm in {limits.seconds:g} s{where}"
+          for n, d in zip(names, drift, strict=True) if d > limits.drift),
+        *(f"{n} turned {np.rad2deg(t):.1f}° in {limits.seconds:g} s{where}"
+          for n, t in zip(names, tilt, strict=True) if t > limits.tilt),
+    ]  # fmt: skip
 
 
 def reach(scene: Scene) -> float:

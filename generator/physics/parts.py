@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 from jaxtyping import Float
 
-from ..geometry import quaternion_matrix
+from ..geometry import convex_outline, inside_margin, quaternion_matrix
 from ..scene import ConvexPart, Model, Object, Pose
+from .covering import covering
 
 THINNEST = 4e-4
 """No part is thinner than this along an axis, metres; thinner ones grow about their middle, and so
 do sheets that lie askew."""
+
+_HAIR = 2e-4  # metres
+_ROOM = 1.5e-3  # what stands within the widest foot, or beyond it by this much, is raised, metres
 
 
 def scaled(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
@@ -28,7 +35,7 @@ def scaled(part: ConvexPart, scale: Float[np.ndarray, "3"]) -> ConvexPart:
 
 
 def model_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart, ...]:
-    """Return the collision shape of ``model`` at ``scale`` (its extent in metres).
+    """Return the convex parts of ``model`` at ``scale`` (its extent in metres), as they are.
 
     Raises:
         SceneError: the mesh has no parts and cannot be decomposed.
@@ -37,6 +44,51 @@ def model_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart
 
     parts = model.parts or decompose(model.mesh, scale)
     return tuple(scaled(part, scale) for part in parts)
+
+
+def body_parts(model: Model, scale: Float[np.ndarray, "3"]) -> tuple[ConvexPart, ...]:
+    """Return the collision shape of ``model`` at ``scale``: parts that cover what is drawn.
+
+    Raises:
+        SceneError: the mesh has no parts and cannot be decomposed.
+    """
+    vertices = model.mesh.vertices.astype(np.float64) * scale
+    covered = covering(model_parts(model, scale), vertices, model.mesh.faces)
+    return on_base([scaled(part, np.ones(3)) for part in covered])
+
+
+def on_base(parts: Sequence[ConvexPart]) -> tuple[ConvexPart, ...]:
+    """Raise the undersides of parts that stand beside a wide one, by a hair.
+
+    A mug's wall of wedges ends where its bottom does; each would touch the table at several points
+    that the bottom's edge makes superfluous, and contacts are what a step's time goes to.
+    """
+    low = min(float(part.vertices[:, 2].min()) for part in parts)
+    feet = [part.vertices[part.vertices[:, 2] < low + _HAIR / 2, :2] for part in parts]
+    widest = max(feet, key=lambda foot: float(np.prod(np.ptp(foot, axis=0))) if len(foot) else 0.0)
+    if len(widest) < 3 or np.linalg.matrix_rank(widest - widest[0], 1e-4) < 2:
+        return tuple(parts)
+    outline = convex_outline(widest)
+    return tuple(
+        _raised(part, low + _HAIR)
+        if foot is not widest and len(foot) and _within(foot, outline) and _upright(part)
+        else part
+        for part, foot in zip(parts, feet, strict=True)
+    )
+
+
+def _within(points: Float[np.ndarray, "n 2"], outline: Float[np.ndarray, "k 2"]) -> bool:
+    return bool(inside_margin(points, outline).min() > -_ROOM)
+
+
+def _upright(part: ConvexPart) -> bool:
+    """Whether a part keeps its kind when its underside is raised."""
+    return part.kind in ("hull", "box") or (part.kind == "cylinder" and part.axis == 2)
+
+
+def _raised(part: ConvexPart, level: float) -> ConvexPart:
+    heights = np.maximum(part.vertices[:, 2], level)
+    return replace(part, vertices=np.column_stack([part.vertices[:, :2], heights]))
 
 
 def lowest(thing: Object) -> float:

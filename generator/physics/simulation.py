@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -107,6 +108,19 @@ class Simulation:
         self.model.dof_damping[:] = self._undamped + damping * inertia[start:].ravel()
         mujoco.mj_step(self.model, self.data, round(seconds / self.model.opt.timestep))
         self.model.dof_damping[:] = self._undamped
+
+    @contextmanager
+    def conditions(self, lean: float, toward: float, timestep: float) -> Iterator[None]:
+        """Meanwhile gravity leans by ``lean`` to ``toward`` (radians), and time steps differ."""
+        option = self.model.opt
+        before = option.gravity.copy(), option.timestep
+        across = np.array([np.cos(toward), np.sin(toward)]) * np.sin(lean)
+        option.gravity[:] = np.linalg.norm(before[0]) * np.append(across, -np.cos(lean))
+        option.timestep = timestep
+        try:
+            yield
+        finally:
+            option.gravity[:], option.timestep = before
 
     def speeds(self) -> Float[np.ndarray, "n 2"]:
         """Return each object's linear (m/s) and angular (rad/s) speed."""

@@ -165,6 +165,7 @@ class Report:
     floating: objects with no contact and a gap below them; fallen: objects that left the table.
     off_table: objects whose centre of mass is outside the top's outline.
     moved: the largest correction that separating overlaps needed; settling: by settling.
+    leaning: largest move with gravity leaning by the gate's angle to any of four sides.
     reach: from the best side of the table, the farthest object's distance to that side.
     misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
         over the objects: before and after the joint refinement.
@@ -178,6 +179,7 @@ class Report:
     off_table: tuple[str, ...] = ()
     moved: float = 0.0
     settling: float = 0.0
+    leaning: float = 0.0
     reach: float = 0.0
     seconds: float = 2.0
     dropped: tuple[str, ...] = ()

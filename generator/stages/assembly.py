@@ -18,7 +18,7 @@ from ..errors import InputError, choices
 from ..geometry import convex_outline, yaw_quaternion
 from ..physics.gate import Limits, fallen, judge
 from ..physics.inertia import body_mass
-from ..physics.parts import lowest, model_parts
+from ..physics.parts import body_parts, lowest, model_parts
 from ..physics.seating import carried, relocate, seat_on_table, seat_stacked
 from ..physics.separation import ancestry, separate, with_poses
 from ..physics.settling import has_toppled, settle
@@ -37,6 +37,8 @@ from ..scene import (
     Table,
     View,
 )
+
+_SHAKE = 1.5  # in leans of the gate
 
 
 @dataclass(frozen=True)
@@ -167,7 +169,7 @@ def _table(model: Model, scale: Float[np.ndarray, "3"]) -> Table:
 
 
 def _object(model: Model, placement: Placement) -> Object:
-    parts = model_parts(model, placement.scale)
+    parts = body_parts(model, placement.scale)
     weighed = body_mass(model.mesh, placement.scale, model.physics, parts)
     pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
     return Object(
@@ -213,6 +215,16 @@ def _toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
     }
 
 
+def _again(scene: Scene, config: AssemblyConfig) -> Scene:
+    """Let a scene settle on, shaken by more than the gate leans it unless that topples a thing."""
+    down = _toppled(scene, [o.pose for o in scene.objects], config.topple)
+    for shake in (_SHAKE * config.limits.lean, 0.0):
+        poses = settle(scene, config.settle_seconds, config.settle_seconds / 4, shake)
+        if _toppled(scene, poses, config.topple) <= down:
+            break
+    return scene.replace(objects=with_poses(scene.objects, poses))
+
+
 def _footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
     """Return what :func:`rest` has put on a foot, in the scene's order."""
     pairs = zip(arranged.objects, rested.objects, strict=True)
@@ -237,7 +249,7 @@ def _recorded(
     dropped: set[str],
     config: AssemblyConfig,
 ) -> Scene:
-    """Judge the scene; where something still creeps, let it settle on from there."""
+    """Judge the scene; where something does not hold, let it settle on from there, shaken."""
     poses = [[o.pose for o in scene.objects] for scene in (wanted, arranged)]
     moved = [np.linalg.norm((b.position - a.position)[:2]) for a, b in zip(*poses, strict=True)]
     report = Report(
@@ -250,8 +262,7 @@ def _recorded(
         report = judge(scene.replace(report=report), config.limits)
         if report.passed:
             break
-        later = settle(scene, config.settle_seconds, least=config.limits.seconds)
-        scene = scene.replace(objects=with_poses(scene.objects, later))
+        scene = _again(scene, config)
     else:
         report = judge(scene.replace(report=report), config.limits)
     warnings = (

@@ -42,7 +42,7 @@ def test_model_is_sound(key: str):
 def test_collision_parts_fit_the_mesh(key: str):
     for seed in range(3):
         model = build(key, seed)
-        assert 1 <= len(model.parts) <= 12
+        assert 1 <= len(model.parts) <= 32
         bounds = np.stack([p.bounds for p in model.parts])
         assert np.abs(bounds).max() <= 0.5 + 0.004, "a part sticks out of the mesh"
         gap = (bounds[:, 0, 2].min() + 0.5) * model.size[2]
@@ -124,7 +124,7 @@ def test_size_words_scale_and_sizes_fix():
     plain = build("mug", 4)
     large = build("mug", 4, attributes={"size": "large"})
     np.testing.assert_allclose(large.size, 1.25 * plain.size)
-    assert mass_of(large) == pytest.approx(1.25**3 * mass_of(plain))
+    assert mass_of(large) == pytest.approx(1.25**2 * mass_of(plain))
     np.testing.assert_array_equal(build("mug", 4, size=(0.1, 0.2, 0.3)).size, [0.1, 0.2, 0.3])
 
 

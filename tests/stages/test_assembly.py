@@ -4,9 +4,10 @@ import dataclasses
 
 import numpy as np
 import pytest
-from shapes import MANUAL, TABLE_SIZE, ball, box, cup, put, table
+from shapes import MANUAL, TABLE_SIZE, ball, box, cup, drawn, put, table
 
 from generator.errors import InputError
+from generator.geometry import quaternion_matrix
 from generator.physics.gate import judge
 from generator.scene import ConvexPart, Model, Placement, PlannedTable, Scene, ScenePlan, View
 from generator.stages.assembly import AssemblyConfig, assemble
@@ -132,7 +133,8 @@ def test_a_thing_that_cannot_stand_gets_a_weighted_foot() -> None:
     """Collision as of a club on its thin end: it would lie down."""
     top = [[x, y, 0.5] for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
     skewed = [[0.3, 0, -0.5], [0.4, 0.1, -0.5], [0.4, -0.1, -0.5], *top]
-    club = dataclasses.replace(box(), parts=(ConvexPart(np.array(skewed)),))
+    parts = (ConvexPart(np.array(skewed)),)
+    club = dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
     scene = build({"club_1": (club, put("club_1", (0, 0), (0.06, 0.06, 0.25)))})
     assert scene.report is not None
     assert scene.report.passed
@@ -202,3 +204,18 @@ def test_a_model_without_parts_is_decomposed(tmp_path, monkeypatch) -> None:
     assert scene.report.passed
     (part,) = scene.object("box_1").parts
     np.testing.assert_allclose(np.ptp(part.vertices, axis=0), [0.1, 0.08, 0.05], atol=2e-3)
+
+
+def test_what_stands_free_in_a_cup_is_shaken_against_its_rim() -> None:
+    """Let down upright it would stand on its end, and fall over on a leaning table."""
+    rod = (0.005, 0.005, 0.18)
+    scene = build(
+        {
+            "cup_1": (cup((0.09, 0.09, 0.09)), put("cup_1", (0, 0), (0.09, 0.09, 0.09))),
+            "rod_1": (box(), put("rod_1", (0, 0), rod, on="cup_1", inside=True)),
+        }
+    )
+    assert scene.report is not None
+    assert scene.report.passed, scene.report.failures
+    up = quaternion_matrix(scene.object("rod_1").pose.quaternion)[2, 2]
+    assert np.arccos(up) > np.deg2rad(5)

@@ -1,0 +1,103 @@
+"""What things are made of: how slippery that is, and how weight grows with size.
+
+Friction is the sliding coefficient of a dry thing on a plain wooden top, after the usual handbook
+ranges (wood on wood 0.25-0.5, glass on wood 0.2-0.4, metal on wood 0.2-0.6, rubber 0.6-0.9,
+leather on wood 0.3-0.6), towards their upper end: things on tables rest for hours. In a contact
+MuJoCo takes the larger coefficient of the two.
+
+Weight: a *solid* thing, and a package with its contents, grows with its volume. A *hollow* one has
+walls of usual thickness whatever its size, and grows with their area. *Devices* and other things
+assembled from parts weigh about the same however their variants are built.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+FRICTION: Mapping[str, float] = MappingProxyType(
+    {
+        "ceramic": 0.5,
+        "glass": 0.45,
+        "metal": 0.45,
+        "wood": 0.5,
+        "stone": 0.5,
+        "plastic": 0.45,
+        "paper": 0.5,
+        "wax": 0.5,
+        "food": 0.55,
+        "leather": 0.6,
+        "device": 0.65,
+        "fabric": 0.7,
+        "rubber": 0.85,
+    }
+)
+"""Sliding friction by material; "device" is plastic or metal on rubber feet."""
+
+_MADE_OF: Mapping[str, str] = {
+    "ceramic": "mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
+    "sushi_plate potted_plant figurine toothbrush_cup",
+    "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
+    "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass salt_shaker "
+    "pepper_shaker cream_jar",
+    "metal": "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
+    "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy dumbbell "
+    "button_tin wristwatch toolbox spirit_level",
+    "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
+    "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder clipboard "
+    "chess_piece hairbrush hand_mirror basket",
+    "stone": "sculpture",
+    "plastic": "paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
+    "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser tape_measure "
+    "utility_knife stapler building_brick toy_car toy_robot toy_train stacking_rings puzzle_cube "
+    "die lipstick makeup_compact syringe thermometer eyeglasses first_aid_kit tool_kit paint_tube",
+    "paper": "napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup egg_carton "
+    "envelope binder folded_map book notebook box sticky_notes paper_stack playing_cards "
+    "open_book photo_print map fries",
+    "wax": "candle",
+    "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
+    "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom avocado "
+    "onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes cookie "
+    "chocolate_bar gourd",
+    "leather": "wallet ring_box",
+    "device": "toaster power_drill multimeter soldering_iron printer router vr_headset microphone "
+    "desk_fan power_strip hard_drive action_camera handheld_console hair_dryer calculator laptop "
+    "monitor keyboard computer_mouse smartphone tablet headphones speaker remote_control "
+    "walkie_talkie camera game_controller earbuds_case alarm_clock globe desk_lamp night_light "
+    "flashlight microscope",
+    "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat",
+    "rubber": "mousepad ball cutting_mat rubber_duck",
+}
+
+MATERIALS: Mapping[str, str] = MappingProxyType(
+    {key: material for material, keys in _MADE_OF.items() for key in keys.split()}
+)
+"""The material that a category's underside, or most of it, is made of."""
+
+HOLLOW = frozenset(
+    {"mug", "teacup", "glass", "wine_glass", "bowl", "plate", "saucer", "tray", "teapot", "kettle",
+     "french_press", "pot", "pan", "sugar_bowl", "basket", "vase", "cake_stand", "pet_bowl",
+     "desk_tray", "pencil_holder", "box", "beaker", "flask", "petri_dish", "toothbrush_cup",
+     "thermos", "toolbox", "globe", "ball", "rubber_duck", "cap", "trophy", "figurine",
+     "pencil_case", "test_tube_rack", "matryoshka"}
+)  # fmt: skip
+"""Things that are walls around air."""
+
+ASSEMBLED = frozenset(
+    {"potted_plant", "picture_frame", "eyeglasses", "keys", "wristwatch", "candle", "bandage_roll",
+     "pencil_holder", "vase", "chess_board", "basket", "pill_bottle", "map", "folded_map",
+     "photo_print", "cap", "figurine"}
+)  # fmt: skip
+"""Things whose box says little of their weight: handles, stems, lids and folds make it up."""
+
+
+def friction(key: str) -> float:
+    """Return the sliding friction coefficient of a category's usual material."""
+    return FRICTION[MATERIALS.get(key, "wood")]
+
+
+def growth(key: str) -> float:
+    """Return the power of a variant's box volume with which its mass grows."""
+    if key in ASSEMBLED or MATERIALS.get(key) == "device":
+        return 0.0
+    return 2 / 3 if key in HOLLOW else 1.0

@@ -1,0 +1,274 @@
+"""Convex parts grown until the drawn mesh nowhere sticks out of them.
+
+A shape's convex parts are often coarser than what is drawn: a ring of wedges has chords where the
+wall is round, a hull few corners. What is drawn outside of the parts touches nothing, and two such
+things sink into each other for all to see. Here what is drawn outside of all parts is given to the
+nearest one, whose hull grows by it; what is far from every part gets hulls of its own. Where other
+things may come to lie, on surfaces open from above, hulls do not grow by more than a millimetre
+beyond what is drawn, so that a bowl stays hollow.
+
+A hull takes only the vertices it needs: of those outside each of its faces the farthest, until
+none is left (after C. Barber et al., "The quickhull algorithm for convex hulls", 1996).
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Sequence
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import ConvexHull, QhullError
+
+from ..mjcf import primitive
+from ..scene import ConvexPart
+
+TOLERANCE = 2.5e-4
+"""A vertex may stick out of the parts by this much, metres: half of an overlap one could see."""
+
+REACH = 6e-3
+"""A part grows at most by this much, metres; what is farther out gets hulls of its own."""
+
+_ROUNDS = 8  # most times that a hull is grown
+_BURIED = 1e-3  # growth may cover what is drawn by this much, metres
+_OVERHANG = 3e-3  # what lies this far below the top of its column is covered, metres
+_MUCH = 1e-3  # a convex piece is hulled as it is if it is _LARGE and sticks out by this, metres
+_LARGE = 0.3  # share of the shape's longest side
+_FEW = 48  # corners that need no thinning
+_WAYS = np.array([*itertools.product((-1.0, 0.0, 1.0), repeat=3)])
+_CONVEX = 0.9  # share of its hull that a convex piece fills
+_SPECK = np.stack(np.meshgrid(*[(-2e-4, 2e-4)] * 3), -1).reshape(-1, 3)
+
+
+def covering(
+    parts: Sequence[ConvexPart],
+    vertices: Float[np.ndarray, "n 3"],
+    faces: Int[np.ndarray, "m 3"],
+) -> tuple[ConvexPart, ...]:
+    """Return parts that hold the mesh to ``TOLERANCE``: ``parts`` grown, and hulls added to them.
+
+    A piece of the mesh that is convex by itself and sticks out is hulled as it is; parts that lie
+    within such a hull are left out.
+
+    Args:
+        parts: convex parts, metres.
+        vertices: the drawn mesh's vertices, metres, same frame.
+        faces: its triangles.
+    """
+    places, index = np.unique(vertices.round(6), axis=0, return_inverse=True)
+    faces = index.reshape(-1)[faces]
+    drawn, normals, owner = _surface(places, faces)
+    lacking = _lacking(parts, drawn)
+    hulls = _convex_pieces(places, faces, parts, lacking) if len(lacking) else []
+    if hulls:
+        spare = [(_distance(hulls, p.vertices) <= _MUCH).all() for p in parts]
+        parts = [p for p, drop in zip(parts, spare, strict=True) if not drop] + hulls
+        lacking = _lacking(parts, drawn)
+    if not len(lacking):
+        return tuple(parts)
+    bare = drawn[_seen_from_above(drawn, normals)]
+    bare = bare[_lacking(parts, bare, _BURIED / 2)]
+    grown = list(parts)
+    out = np.stack([outside(part, drawn[lacking]) for part in parts])
+    near, depth = out.argmin(0), out.min(0)
+    for k in np.unique(near[depth <= REACH]):
+        mine = lacking[(near == k) & (depth <= REACH)]
+        if primitive(parts[k])[0] != "mesh":  # a hull does not hold its roundness: the mesh does
+            from_it = outside(parts[k], drawn)
+            mine = np.flatnonzero((from_it > -2 * TOLERANCE) & (from_it <= REACH))
+        grown[k] = _grown_where_solid(parts[k], drawn[mine], normals[mine], bare)
+    bad = np.zeros(len(drawn), bool)
+    bad[lacking[_distance(grown, drawn[lacking]) > TOLERANCE]] = True
+    left = np.asarray(bad[: len(places)][faces].any(1))
+    left[owner[bad[len(places) :]]] = True
+    return (*grown, *_patches(places, faces[left], bare))
+
+
+def _lacking(
+    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"], depth: float = -TOLERANCE
+) -> Int[np.ndarray, "k"]:
+    """Return the indices of points that lie in no part, or less deep in it than ``depth``."""
+    left = np.arange(len(points))
+    for part in parts:
+        low, high = part.bounds
+        at = points[left]
+        near = np.flatnonzero(((at > low + depth) & (at < high - depth)).all(1))
+        within = near[outside(part, at[near]) < -depth]
+        left = np.delete(left, within)
+    return left
+
+
+def _distance(
+    parts: Sequence[ConvexPart], points: Float[np.ndarray, "n 3"]
+) -> Float[np.ndarray, "n"]:
+    return np.min([outside(part, points) for part in parts], axis=0)
+
+
+def _surface(
+    places: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3"], Int[np.ndarray, "e"]]:
+    """Return the vertices and points along the long edges; the normal at each; whose edges.
+
+    Two parts may hold the ends of an edge and not its middle.
+    """
+    a, b, c = places[faces].transpose(1, 0, 2)
+    turn = np.cross(b - a, c - a)
+    normals = np.zeros_like(places)
+    for k in range(3):
+        np.add.at(normals, faces[:, k], turn)
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    beside = np.tile(np.arange(len(faces)), 3)
+    length = np.linalg.norm(places[edges[:, 1]] - places[edges[:, 0]], axis=1)
+    long = (edges[:, 0] < edges[:, 1]) & (length > np.ptp(places, axis=0).max() / 16)
+    start, end = places[edges[long]].transpose(1, 0, 2)
+    steps = np.linspace(0, 1, 9)[1:-1, None]
+    between = (start[:, None] + (end - start)[:, None] * steps).reshape(-1, 3)
+    owner = np.repeat(beside[long], len(steps))
+    return np.concatenate([places, between]), np.concatenate([normals, turn[owner]]), owner
+
+
+def _seen_from_above(
+    drawn: Float[np.ndarray, "n 3"], normals: Float[np.ndarray, "n 3"]
+) -> Bool[np.ndarray, "n"]:
+    """Whether points face up with nothing above them: on these, other things may come to lie."""
+    steep = normals[:, 2] < 0.3 * np.linalg.norm(normals, axis=1)
+    column = ((drawn[:, :2] - drawn[:, :2].min(0)) / (np.ptp(drawn, axis=0).max() / 48)).astype(int)
+    top = np.full((49, 49), -np.inf)
+    np.maximum.at(top, tuple(column.T), drawn[:, 2])
+    return ~steep & (drawn[:, 2] > top[tuple(column.T)] - _OVERHANG)
+
+
+def _convex_pieces(
+    places: Float[np.ndarray, "n 3"],
+    faces: Int[np.ndarray, "m 3"],
+    parts: Sequence[ConvexPart],
+    lacking: Int[np.ndarray, "k"],
+) -> list[ConvexPart]:
+    """Return hulls of the mesh's connected pieces that are convex and stick out by much."""
+    links = coo_array((np.ones(2 * len(faces)), (faces[:, :2].ravel(), faces[:, 1:].ravel())),
+                      shape=(len(places),) * 2)  # fmt: skip
+    count, piece = connected_components(links, directed=False)
+    lacking = lacking[lacking < len(places)]
+    worst = np.zeros(count)
+    np.maximum.at(worst, piece[lacking], _distance(parts, places[lacking]))
+    hulls = []
+    longest = _LARGE * float(np.ptp(places, axis=0).max())
+    for k in np.flatnonzero(worst > _MUCH):
+        points, triangles = places[piece == k], places[faces[piece[faces[:, 0]] == k]]
+        if worst[k] <= REACH and np.ptp(points, axis=0).max() < longest:
+            continue
+        volume = float(np.linalg.det(triangles).sum()) / 6
+        try:
+            hull = ConvexHull(points)
+        except QhullError:  # flat
+            continue
+        if volume > _CONVEX * hull.volume:
+            hulls.append(_thinned(points[hull.vertices]))
+    return hulls
+
+
+def _thinned(corners: Float[np.ndarray, "n 3"]) -> ConvexPart:
+    """Return the hull of ``corners``, all of them extreme, without those it can do without."""
+    if len(corners) <= _FEW:
+        return ConvexPart(corners.round(6))
+    start = corners[np.unique((corners @ _WAYS.T).argmax(0))]
+    try:
+        return _grown(ConvexPart(start), corners)
+    except QhullError:  # a sheet whose extreme corners lie in a plane
+        return ConvexPart(corners.round(6))
+
+
+def outside(part: ConvexPart, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:
+    """Return how far ``points`` are outside of a part, metres; negative inside.
+
+    Beside an edge or a corner that is the distance to the farthest plane, a lower bound.
+    """
+    low, high = part.bounds
+    middle, half = (low + high) / 2, (high - low) / 2
+    kind = primitive(part)[0]
+    if kind == "cylinder":
+        radius = float(np.delete(half, part.axis).mean())
+        across = np.linalg.norm(np.delete(points - middle, part.axis, axis=1), axis=1) - radius
+        return np.maximum(across, np.abs(points - middle)[:, part.axis] - half[part.axis])
+    if kind in ("sphere", "ellipsoid"):
+        return (np.linalg.norm((points - middle) / half, axis=1) - 1) * float(half.min())
+    if kind == "box":
+        return (np.abs(points - middle) - half).max(1)
+    return _beyond(ConvexHull(part.vertices), points)
+
+
+def _beyond(hull: ConvexHull, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n"]:
+    return (points @ hull.equations[:, :3].T + hull.equations[:, 3]).max(1)
+
+
+def _grown(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
+    """Return the part with as many of the points as it takes to hold them all."""
+    corners, left = part.vertices, lacking
+    for _ in range(_ROUNDS):
+        hull = ConvexHull(corners)
+        corners = corners[hull.vertices]
+        distance = left @ hull.equations[:, :3].T + hull.equations[:, 3]
+        own, farthest = distance.argmax(1), distance.max(1)
+        keep = farthest > TOLERANCE
+        if not keep.any():
+            break
+        left, own, farthest = left[keep], own[keep], farthest[keep]
+        order = np.lexsort((-farthest, own))
+        first = order[np.unique(own[order], return_index=True)[1]]
+        corners = np.concatenate([corners, left[first]])
+    return ConvexPart(corners.round(6))
+
+
+def _grown_where_solid(
+    part: ConvexPart,
+    lacking: Float[np.ndarray, "n 3"],
+    normals: Float[np.ndarray, "n 3"],
+    bare: Float[np.ndarray, "k 3"],
+) -> ConvexPart:
+    """Return the part grown by the points that this buries no drawn surface for.
+
+    They are tried side by side, by the direction their surface faces.
+    """
+    axis = np.abs(normals).argmax(1)
+    facing = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
+    for way in np.unique(facing):
+        wider = _grown(part, lacking[facing == way])
+        if not _buries(wider, bare):
+            part = wider
+    return part
+
+
+def _buries(part: ConvexPart, bare: Float[np.ndarray, "k 3"]) -> bool:
+    """Whether points of the drawn surface lie deep inside of a part."""
+    low, high = part.bounds
+    inside = bare[((bare > low + _BURIED) & (bare < high - _BURIED)).all(1)]
+    return bool(len(inside)) and bool((outside(part, inside) < -_BURIED).any())
+
+
+def _patches(
+    places: Float[np.ndarray, "n 3"],
+    faces: Int[np.ndarray, "m 3"],
+    bare: Float[np.ndarray, "k 3"],
+    halvings: int = 3,
+) -> list[ConvexPart]:
+    """Return hulls of triangles, halved along their longest side while they bury ``bare``."""
+    if not len(faces):
+        return []
+    points = places[np.unique(faces)]
+    try:
+        hull = _thinned(points[ConvexHull(points).vertices])
+    except QhullError:  # flat
+        hull = ConvexPart((points[:, None] + _SPECK).reshape(-1, 3).round(6))
+    if not halvings or len(faces) <= 2 or not _buries(hull, bare):
+        return [hull]
+    middles = places[faces].mean(1)
+    axis = int(np.ptp(middles, axis=0).argmax())
+    first = np.argsort(middles[:, axis], kind="stable")[: len(faces) // 2]
+    half = np.zeros(len(faces), bool)
+    half[first] = True
+    return [
+        *_patches(places, faces[half], bare, halvings - 1),
+        *_patches(places, faces[~half], bare, halvings - 1),
+    ]
