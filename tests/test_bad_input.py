@@ -321,7 +321,7 @@ def test_trouble_at_the_last_rename_leaves_nothing(
 
 
 STAGE_FUNCTIONS = ("refer", "extract", "estimate_view", "make_models", "estimate_rotations",
-                   "align", "assemble")  # fmt: skip
+                   "align", "refine_scene", "assemble")  # fmt: skip
 
 
 @pytest.mark.parametrize("at", range(len(STAGES)), ids=STAGES)
@@ -329,7 +329,7 @@ def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
     at: int, store: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The stages before are stubs; the one in question is interrupted."""
-    reference = SimpleNamespace(prompt=TEXT, plan=None)
+    reference = SimpleNamespace(prompt=TEXT, plan=None, image=np.zeros((4, 4, 3), np.uint8))
     answers: list[Any] = [
         reference,
         (reference, (SimpleNamespace(name="table"),)),
@@ -337,6 +337,7 @@ def test_an_interrupt_in_any_stage_of_generate_leaves_nothing(
         {"table": None},
         {},
         SimpleNamespace(placements=(), table_scale=np.ones(3), warnings=()),
+        SimpleNamespace(placements=(), before=0.0, after=0.0),
     ]
     ran: list[str] = []
 
@@ -387,7 +388,7 @@ def lines_of(process: subprocess.Popen[bytes], until: float) -> Iterator[str]:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
-@pytest.mark.parametrize("stage", ["[1/7]", "[2/7]"])
+@pytest.mark.parametrize("stage", ["[1/8]", "[2/8]"])
 def test_a_real_interrupt_of_the_command(stage: str, store: Path) -> None:
     process = subprocess.Popen(
         [sys.executable, "-m", "generator.cli", "generate", TEXT], stderr=subprocess.PIPE

@@ -53,20 +53,20 @@ def test_beyond_the_edge_is_off_the_table_and_falls() -> None:
     assert not found.stable
 
 
-def test_a_leaning_gravity_moves_what_rolls_and_not_what_stands() -> None:
-    ball = toy_object("ball_1", (0.05,) * 3, (0, 0), kind="ellipsoid")
-    scene = toy_scene((ball, cube("cube_1", 0.3)))
+def test_a_leaning_gravity_moves_what_barely_stands_and_not_what_stands() -> None:
+    pole = toy_object("pole_1", (0.012, 0.012, 0.5), (0, 0))
+    scene = toy_scene((pole, cube("cube_1", 0.3)))
     assert soundness(scene, dataclasses.replace(PLAIN, seconds=2.0)).stable
     for name in ("leaning to +x", "leaning to -y"):
         rule = dataclasses.replace(VARIANTS[name], seconds=2.0)
-        assert soundness(scene, rule).unstable == ("ball_1",)
+        assert soundness(scene, rule).unstable == ("pole_1",)
 
 
 @pytest.mark.parametrize(("toward", "falls"), [(90, True), (-90, False), (0, False)])
 def test_gravity_leans_the_way_it_says(toward: float, falls: bool) -> None:
-    ball = toy_object("ball_1", (0.05,) * 3, (0, 0.34), kind="ellipsoid")
-    rule = Rule(seconds=2.0, lean=0.1, toward=float(np.deg2rad(toward)))
-    assert soundness(toy_scene((ball,)), rule).objects[0].falls is falls
+    pole = toy_object("pole_1", (0.02, 0.02, 0.4), (0, 0.33))
+    rule = Rule(seconds=3.0, lean=0.1, toward=float(np.deg2rad(toward)))
+    assert soundness(toy_scene((pole,)), rule).objects[0].falls is falls
 
 
 def test_the_rules_own_time_step_is_used() -> None:
