@@ -43,7 +43,8 @@ def judge(scene: Scene, limits: Limits | None = None) -> Report:
 
     Penetration and floating are judged at the start; drift, turning and falling over
     ``limits.seconds`` (:func:`watched`), then drift and turning again on a table that leans, up to
-    the first side to which something moves. ``moved``, ``settling`` and ``dropped`` are kept from ``scene.report``.
+    the first side to which something moves. ``moved``, ``settling`` and ``dropped`` are kept from
+    ``scene.report``.
     """
     limits = limits or Limits()
     simulation = Simulation(scene)
