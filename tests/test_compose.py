@@ -10,6 +10,7 @@ import pytest
 
 from generator.compose import compose
 from generator.errors import InputError
+from generator.physics.simulation import Simulation, shifted
 from generator.scene import PlannedObject, PlannedTable, Relation, ScenePlan
 
 TEXTS = [
@@ -39,6 +40,18 @@ def test_composed_scenes_are_sound_and_complete(text: str) -> None:
     for thing in scene.objects:
         assert thing.pose.position[2] > scene.table.height
         assert np.all(np.abs(thing.pose.position[:2]) <= np.abs(outline).max(0))
+
+
+def test_a_scene_starts_at_rest() -> None:
+    """What the keyframe holds is where things lie: the first steps show no jump."""
+    scene = compose("a bowl with two apples in it, a mug with a pencil in it, two books", 3)
+    simulation = Simulation(scene)
+    start = [o.pose for o in scene.objects]
+    simulation.place(start)
+    for _ in range(10):
+        simulation.run(0.01)
+        assert simulation.speeds()[:, 0].max() < 0.01
+        assert shifted(start, simulation.poses).max() < 3e-4
 
 
 def test_asked_relations_hold_after_settling() -> None:

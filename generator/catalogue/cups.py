@@ -77,10 +77,10 @@ def mug(look: Look) -> Shape:
         "round": 0.62 + 0.42 * np.sin(np.pi / 2 * np.minimum(1.35 * t + 0.12, 1.15)),
     }[kind]
     side = np.column_stack([r * swell, 0.006 + (h - 0.008) * t])
-    inner = [(radius - wall, max(z, 0.009)) for radius, z in side[::-1]]
+    inner = [(radius - wall, max(z, 0.007)) for radius, z in side[::-1]]
     foot, top = 0.9 * side[0, 0], float(side[-1, 0])
     body = lathe(
-        [(0, 0), (foot, 0), *side, (top - wall / 2, h), *inner, (0, 0.006)],
+        [(0, 0), (foot, 0), *side, (top - wall / 2, h), *inner, (0, 0.007)],
         v=[0, 0, *np.linspace(0.02, 0.96, 7), 0.97, *np.linspace(0.98, 0.995, 7), 1],
     )
     low, high = look.between(0.16, 0.28) * h, look.between(0.78, 0.88) * h
@@ -92,12 +92,12 @@ def mug(look: Look) -> Shape:
     ear_color = look.pick([color, color, tinted(color, 0.5)])
     wedges = ring_parts(
         [(foot, 0.0), tuple(side[0]), tuple(side[3]), (top, h)],
-        [(top - wall, h), (float(side[0, 0]) - wall, 0.006)],
+        [(top - wall, h), (float(side[0, 0]) - wall, 0.007)],
     )
     level = float(np.interp(0.84 * h, side[:, 1], side[:, 0])) - wall + 0.0006
     return shape(
         [(body, tile), (ear, look.surface(ear_color, "ceramic")), *_drink(look, level, 0.84 * h)],
-        [*wedges, cylinder_part(foot, 0.006),
+        [*wedges, cylinder_part(foot, 0.007),
          handle_part(top_touch, low, 0.98 * high, 0.8 * reach - (top_touch - touch) / 2, thick)],
     )  # fmt: skip
 

@@ -41,8 +41,10 @@ _LEANING_TIMESTEP = 4e-3  # coarser than the scene's own: what leans must hold w
 def judge(scene: Scene, limits: Limits | None = None) -> Report:
     """Simulate a scene from its settled poses and report what happens.
 
-    Penetration and floating are judged at the start; drift, turning and falling after
-    ``limits.seconds``. ``moved``, ``settling`` and ``dropped`` are kept from ``scene.report``.
+    Penetration and floating are judged at the start; drift, turning and falling over
+    ``limits.seconds`` (:func:`watched`), then drift and turning again on a table that leans, up to
+    the first side to which something moves. ``moved``, ``settling`` and ``dropped`` are kept from
+    ``scene.report``.
     """
     limits = limits or Limits()
     simulation = Simulation(scene)
@@ -113,17 +115,15 @@ def watched(
 def _leaning(simulation: Simulation, limits: Limits) -> tuple[float, list[str]]:
     """Return the farthest any object moves under leaning gravity, and what moves too far."""
     names = [o.name for o in simulation.scene.objects]
-    worst, failures = 0.0, {}
+    worst = 0.0
     for side in range(4):
         simulation.place([o.pose for o in simulation.scene.objects])
         with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
             drift, tilt = watched(simulation, limits)
         worst = max(worst, float(drift.max(initial=0.0)))
-        for said in _moving(names, drift, tilt, limits, " on a leaning table"):
-            failures.setdefault(said.split(" ")[0], said)
-        if failures:
-            break
-    return worst, list(failures.values())
+        if failures := _moving(names, drift, tilt, limits, " on a leaning table"):
+            return worst, failures
+    return worst, []
 
 
 def _moving(
