@@ -6,14 +6,18 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+import numpy as np
+
 from .backends import Backends
 from .errors import InputError
 from .provenance import plain, scene_name, versions
+from .salvage import salvaged
 from .scene import (
     TABLE,
     Instance,
     Intrinsics,
     Model,
+    Placement,
     Provenance,
     Reference,
     Rotation,
@@ -51,7 +55,8 @@ class Config:
     """Settings of every stage; the defaults are the paper's unless a stage says otherwise.
 
     ``supplement``: put what a text asks for and no drawing shows where the plan has it; False
-    leaves it out.
+    leaves it out. ``leave_out``: the largest share of what was found that may be left out of a
+    scene that would not pass its gate otherwise, in [0, 1]; 0 leaves nothing out.
     """
 
     reference: ReferenceConfig = field(default_factory=ReferenceConfig)
@@ -61,6 +66,11 @@ class Config:
     refinement: RefinementConfig = field(default_factory=RefinementConfig)
     assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
     supplement: bool = True
+    leave_out: float = 0.2
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.leave_out <= 1:
+            raise InputError(f"Config.leave_out is a share in [0, 1], got {self.leave_out}.")
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,18 +178,19 @@ def generate(
     )  # fmt: skip
     placements = refined.placements
 
-    extra = NOTHING
-    if config.supplement:
-        extra = supplement(
-            reference.plan, instances, models, placements, alignment.table_scale, seed
-        )
     warnings = _hidden(reference, instances) + alignment.warnings
 
-    def assembled(extra: Supplement) -> Scene:
-        told = warnings + extra.warnings
+    def added(placed: tuple[Placement, ...]) -> Supplement:
+        plan, scale = reference.plan, alignment.table_scale
+        if not config.supplement:
+            return NOTHING
+        return supplement(plan, instances, models, placed, scale, seed)
+
+    def assembled(placed: tuple[Placement, ...], extra: Supplement, told: tuple[str, ...]) -> Scene:
+        told = warnings + extra.warnings + told
         return assemble(
             {n: model for n, model in {**models, **extra.models}.items() if n != TABLE},
-            (*placements, *extra.placements),
+            (*placed, *extra.placements),
             models[TABLE],
             alignment.table_scale,
             provenance=_provenance(source, depth, intrinsics, reference, b, config, seed, told),
@@ -190,10 +201,8 @@ def generate(
         )
 
     step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
-    scene = assembled(extra)
-    while extra.placements and scene.report is not None and not scene.report.passed:
-        extra = extra.without(scene.report.failures)
-        scene = assembled(extra)
+    most = int(np.ceil(config.leave_out * len(placements)))
+    scene = salvaged(assembled, added, placements, sizes, most)
     if scene.report is not None and refined.before:
         misfit = (round(refined.before, 6), round(refined.after, 6))
         scene = scene.replace(report=replace(scene.report, misfit=misfit))
