@@ -100,7 +100,7 @@ def where() -> str:
 def command_line() -> str:
     """Return the command that was given; of absolute paths, the last part alone."""
     given = (Path(word).name if Path(word).is_absolute() else word for word in sys.argv[1:])
-    return " ".join(["python benchmarks/pose.py", *given])
+    return " ".join([f"python benchmarks/{Path(sys.argv[0]).name}", *given])
 
 
 def alone() -> None:
