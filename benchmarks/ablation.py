@@ -35,6 +35,7 @@ def main() -> None:
     p.add_argument("--seed", type=int, default=1)
     p.add_argument("--workers", type=int, default=1)
     p.add_argument("--sheet", type=int, nargs="*", default=(0, 1, 2), help="scenes to show")
+    p.add_argument("--note", default="", help="what was seen, for below the table")
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
     if args.cases < 1 or args.workers < 1:
@@ -45,7 +46,9 @@ def main() -> None:
     try:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / f"{name}.csv"
-        text = ablations.run(how, args.cases, args.workers, table, command_line())
+        text = ablations.run(
+            how, args.cases, args.workers, table, command_line("--note"), args.note
+        )
         shown = ablations.sheet(args.sheet, how.strips)
         if shown is not None:
             write_picture(shown, args.out / f"{name}.png")

@@ -185,7 +185,7 @@ def main() -> None:
         write_picture(bars(rows), args.out / f"{name}.png")
     except TabletopError as error:
         raise SystemExit(str(error)) from error
-    text = summary(rows, tables.command_line(), args.note)
+    text = summary(rows, tables.command_line("--note"), args.note)
     (args.out / f"{name}.md").write_text(text)
     print(text)
 

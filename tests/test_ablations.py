@@ -88,6 +88,10 @@ class Guesses:
         return {}
 
 
+def guesses(yaws: Mapping[str, float]) -> Any:
+    return Guesses(yaws, {})
+
+
 REFERENCE = Reference(np.zeros((20, 20, 3), np.uint8))
 VIEW = View(0.0, 0.9, 0.6)
 SIZES = {n: SizePrior(n, np.array([0.1, 0.2, 0.3])) for n in (TABLE, "mug_1")}
@@ -101,17 +105,17 @@ def instances() -> tuple[Instance, ...]:
 @pytest.mark.parametrize("yaws", [{}, {"mug_1": float("nan")}])
 def test_a_missing_yaw_is_a_backends_error(yaws: dict[str, float]) -> None:
     with pytest.raises(BackendError, match=r"guess_rotations.*'mug_1'"):
-        ask_rotations(REFERENCE, instances(), SIZES, VIEW, Guesses(yaws, {}))
+        ask_rotations(REFERENCE, instances(), SIZES, VIEW, guesses(yaws))
 
 
 def test_a_yaw_is_wrapped() -> None:
-    told = ask_rotations(REFERENCE, instances(), SIZES, VIEW, Guesses({"mug_1": 7.0}, {}))
+    told = ask_rotations(REFERENCE, instances(), SIZES, VIEW, guesses({"mug_1": 7.0}))
     assert told["mug_1"].yaw == pytest.approx(7.0 - 2 * np.pi)
     assert set(told) == {"mug_1"}
 
 
 def test_a_missing_place_is_a_backends_error() -> None:
-    nothing: Any = Guesses({}, {})
+    nothing = guesses({})
     with pytest.raises(BackendError, match=r"guess_layout.*'mug_1'"):
         ask_layout(REFERENCE, instances(), {}, SIZES, {}, VIEW, nothing, nothing)
 

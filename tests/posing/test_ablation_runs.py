@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from posing import ablations
+from posing import ablations, tables
 from posing.ablations import FIELDS, VARIANTS, Run
 from posing.tables import Row
 from toy import toy_scene
@@ -42,11 +42,14 @@ def test_as_placed_undoes_what_came_after_the_picture() -> None:
 
 def test_the_table_has_a_row_for_each_variant() -> None:
     rows = [row(v, s) for s in (0, 1) for v in VARIANTS]
-    rows[4] = row("w/o both", placed_overlaps=2, placed_sunk=1, yaw_error_deg=40.0)
-    text = ablations.summary(rows, "bench")
+    rows[4] = row("w/o both", placed_overlaps=2, placed_sunk=1, yaw_error_deg=140.0)
+    text = ablations.summary(rows, "bench", "as seen")
+    assert "\nas seen\n" in text
     lines = {line.split(" | ")[0]: line.split(" | ") for line in text.splitlines()}
-    assert lines["| full"][1:6] == ["2.0°, 100 %", "1.0 %", "3.0 %, 4.0 %", "100 %", "0.00, 0 %"]
-    assert lines["| w/o both"][1] == "21.0°, 50 %"
+    assert lines["| full"][1:6] == [
+        "2.0°, 100 %, 2.0°", "1.0 %", "3.0 %, 4.0 %", "100 %", "0.00, 0 %",
+    ]  # fmt: skip
+    assert lines["| w/o both"][1] == "71.0°, 50 %, 21.0°"
     assert lines["| w/o both"][5] == "10.00, 50 %"
     assert all(f"| {variant}" in lines for variant in VARIANTS)
 
@@ -56,7 +59,7 @@ def test_a_variant_that_fails_is_told_and_left_out() -> None:
     rows[2] |= {"error": "no room"}
     text = ablations.summary(rows, "bench")
     assert "- scene 0, w/o DRO: no room" in text
-    assert "| w/o DRO | -, - |" in text
+    assert "| w/o DRO | -, -, - |" in text
 
 
 def test_a_failure_does_not_end_a_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -84,3 +87,10 @@ def test_strips_of_different_width_make_one_sheet(tmp_path: Path) -> None:
     assert both is not None
     assert both.shape == (2 * alone.shape[0], alone.shape[1], 3)
     np.testing.assert_array_equal(both[: alone.shape[0]], alone)
+
+
+def test_the_command_is_told_without_notes_and_folders(monkeypatch: pytest.MonkeyPatch) -> None:
+    words = ["/x/y/ablation.py", "--cases", "3", "--note", "two words", "--out", "/x/results"]
+    monkeypatch.setattr("sys.argv", words)
+    assert tables.command_line("--note") == "python benchmarks/ablation.py --cases 3 --out results"
+    assert "--note 'two words'" in tables.command_line()
