@@ -35,11 +35,13 @@ def model_picture(
 
 def bundle_images(generation: Generation) -> dict[str, UInt8[np.ndarray, "h w 3"]]:
     """Return the pictures a bundle keeps, by file stem."""
-    return {
+    pictures = {
         "reference": np.asarray(generation.reference.image),
         "preview": preview(generation.scene),
-        "top_view": np.asarray(generation.alignment.top_view.image),
     }
+    if generation.alignment.top_view is not None:
+        pictures["top_view"] = np.asarray(generation.alignment.top_view.image)
+    return pictures
 
 
 def preview(scene: Scene) -> UInt8[np.ndarray, "h w 3"]:
@@ -59,10 +61,12 @@ def save_figures(generation: Generation, folder: Path) -> tuple[Path, ...]:
         "fig09_completion": _completion(g),
         "fig10_canonical_models": _models(g),
         "fig11_rotation": _rotations(g),
-        "fig13_top_view": draw_boxes(g.alignment.top_view.image, g.alignment.top_view.boxes),
         "scene_front": preview(g.scene),
         "scene_top": render_scene(g.scene, TOP_DOWN, 960, 720).image,
     }
+    if g.alignment.top_view is not None:
+        seen = g.alignment.top_view
+        pictures["fig13_top_view"] = draw_boxes(seen.image, seen.boxes)
     rotations, alignment = to_paper(g.alignment.placements, g.alignment.anchor)
     texts = {"fig12_rotation": rotations, "fig14_alignment": alignment}
     written = [write_picture(image, folder / f"{stem}.png") for stem, image in pictures.items()]

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Literal, get_args
 
 import numpy as np
 
 from .backends import Backends
-from .errors import InputError
+from .errors import InputError, choices
+from .ledger import Seconds, Stopwatch
 from .provenance import plain, scene_name, versions
 from .salvage import salvaged
 from .scene import (
@@ -25,8 +27,9 @@ from .scene import (
     SizePrior,
     View,
 )
-from .stages.alignment import Alignment, AlignmentConfig, align
+from .stages.alignment import Alignment, AlignmentConfig, align, ask_layout
 from .stages.assembly import AssemblyConfig, assemble
+from .stages.direct import ask_rotations, pose_guesser
 from .stages.extraction import ExtractionConfig, extract
 from .stages.modeling import make_models
 from .stages.reference import (
@@ -49,14 +52,27 @@ Progress = Callable[[str, int, int], None]
 STAGES = ("reference", "extraction", "view and sizes", "modeling", "rotation", "alignment",
           "refinement", "assembly")  # fmt: skip
 
+Ablation = Literal["dro", "tsa"]
+"""A stage that can be left out (Sec. 4.3)."""
+
 
 @dataclass(frozen=True)
 class Config:
     """Settings of every stage; the defaults are the paper's unless a stage says otherwise.
 
     ``supplement``: put what a text asks for and no drawing shows where the plan has it; False
-    leaves it out. ``leave_out``: the largest share of what was found that may be left out of a
-    scene that would not pass its gate otherwise, in [0, 1]; 0 leaves nothing out.
+    leaves it out.
+
+    ``leave_out``: the largest share of what was found that may be left out of a scene that would
+    not pass its gate otherwise, in [0, 1]; 0 leaves nothing out.
+
+    ``without``: stages left out as in the paper's ablations (Sec. 4.3, Table 3): the reasoner is
+    asked for what "dro" (rotations) or "tsa" (places and sizes) would have found. The joint
+    refinement, which would repair what was left out, is then off too. By itself it is turned off
+    by ``RefinementConfig(steps=0)``.
+
+    Raises:
+        InputError: ``without`` names another stage, or ``leave_out`` is no share.
     """
 
     reference: ReferenceConfig = field(default_factory=ReferenceConfig)
@@ -67,15 +83,26 @@ class Config:
     assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
     supplement: bool = True
     leave_out: float = 0.2
+    without: tuple[Ablation, ...] = ()
 
     def __post_init__(self) -> None:
         if not 0 <= self.leave_out <= 1:
             raise InputError(f"Config.leave_out is a share in [0, 1], got {self.leave_out}.")
+        known: tuple[Ablation, ...] = get_args(Ablation)
+        unknown = next((s for s in self.without if s not in known), None)
+        if unknown is not None:
+            raise InputError(
+                f"Config.without: {unknown!r} is no stage to leave out." + choices(unknown, known)
+            )
+        object.__setattr__(self, "without", tuple(s for s in known if s in self.without))
 
 
 @dataclass(frozen=True, eq=False)
 class Generation:
-    """A scene and everything that led to it, in the order it came about (Sec. 6.1)."""
+    """A scene and everything that led to it, in the order it came about (Sec. 6.1).
+
+    ``seconds`` is how long each of ``STAGES`` took (Sec. 6.2); no bundle holds it.
+    """
 
     reference: Reference
     instances: tuple[Instance, ...]
@@ -86,6 +113,7 @@ class Generation:
     alignment: Alignment
     refinement: Refinement
     scene: Scene
+    seconds: Mapping[str, Seconds] = field(default_factory=dict)
 
     def save(self, folder: str | Path, *, allow_failed: bool = False) -> Path:
         """Publish the scene as a bundle under ``folder``; return the bundle's path."""
@@ -132,12 +160,15 @@ def generate(
 
     Raises:
         InputError: the source cannot be used.
-        BackendError: a backend could not answer.
+        BackendError: a backend could not answer, or cannot stand in for a stage left out.
         SceneError: the scene cannot be built.
     """
     b = backends or Backends.select("embedded")
     config = config or Config()
-    step = _stepper(progress)
+    if config.without:
+        pose_guesser(b.reasoner)  # refused before any work
+    clock = Stopwatch(STAGES, progress)
+    step = clock.step
 
     step()  # Sec. 3: text to plan to reference image; a picture passes through
     source = fetch(source, config.reference)
@@ -158,23 +189,34 @@ def generate(
     step()  # Sec. 3.2: image to 3D, canonical alignment
     models = make_models(reference, instances, sizes, view, b.modeler, b.reasoner)
 
-    step()  # Sec. 3.3, DRO: Eqs. 1-4
-    rotations = estimate_rotations(
-        reference, instances, models, view, b.encoder, config.rotation, seed
-    )
+    step()  # Sec. 3.3, DRO: Eqs. 1-4; left out (Sec. 4.3), the reasoner says the yaws
+    if "dro" in config.without:
+        guesser = pose_guesser(b.reasoner)
+        rotations = ask_rotations(reference, instances, sizes, view, guesser)
+    else:
+        rotations = estimate_rotations(
+            reference, instances, models, view, b.encoder, config.rotation, seed
+        )
 
-    step()  # Sec. 3.3, TSA: Eqs. 5-6
-    alignment = align(
-        reference, instances, models, sizes, rotations, view,
-        b.imager, b.segmenter, b.reasoner, config.alignment,
-    )  # fmt: skip
+    step()  # Sec. 3.3, TSA: Eqs. 5-6; left out (Sec. 4.3), the reasoner says places and sizes
+    if "tsa" in config.without:
+        guesser = pose_guesser(b.reasoner)
+        alignment = ask_layout(
+            reference, instances, models, sizes, rotations, view, b.reasoner, guesser
+        )
+    else:
+        alignment = align(
+            reference, instances, models, sizes, rotations, view,
+            b.imager, b.segmenter, b.reasoner, config.alignment,
+        )  # fmt: skip
 
     step()  # beyond the paper: everything together against all outlines; depth knows better
+    unrefined = depth is not None or config.without
     placements = alignment.placements
     height, width = reference.image.shape[:2]
     refined = refine_scene(
         instances, models, placements, alignment.table_scale, view, (width, height),
-        config.refinement if depth is None else replace(config.refinement, steps=0), seed,
+        replace(config.refinement, steps=0) if unrefined else config.refinement, seed,
     )  # fmt: skip
     placements = refined.placements
 
@@ -207,8 +249,9 @@ def generate(
         misfit = (round(refined.before, 6), round(refined.after, 6))
         scene = scene.replace(report=replace(scene.report, misfit=misfit))
     return Generation(
-        reference, instances, view, sizes, models, rotations, alignment, refined, scene
-    )
+        reference, instances, view, sizes, models, rotations, alignment, refined, scene,
+        clock.stop(),
+    )  # fmt: skip
 
 
 def _table(instances: tuple[Instance, ...]) -> Instance:
@@ -225,17 +268,6 @@ def _hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple[str,
     if found >= planned:
         return ()
     return (f"Found {found} of the {planned} things asked for in the picture drawn of them.",)
-
-
-def _stepper(progress: Progress | None) -> Callable[[], None]:
-    names = iter(enumerate(STAGES, start=1))
-
-    def step() -> None:
-        number, stage = next(names)
-        if progress is not None:
-            progress(stage, number, len(STAGES))
-
-    return step
 
 
 def _provenance(

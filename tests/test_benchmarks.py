@@ -85,3 +85,30 @@ def test_pictures_find_their_depth_and_intrinsics(tmp_path: Path) -> None:
     (tmp_path / "intrinsics.json").write_text('{"fx": 600, "fy": 601, "cx": 320, "cy": 240}')
     assert bench.intrinsics_of(tmp_path, None) == {"fx": 600, "fy": 601, "cx": 320, "cy": 240}
     assert bench.intrinsics_of(tmp_path, [1, 2, 3, 4])["cy"] == 4
+
+
+def test_seconds_per_stage_are_summed_up() -> None:
+    bench = script("efficiency")
+    rows = []
+    for number, rotation in enumerate((4.0, 6.0, 8.0)):
+        row = dict.fromkeys(bench.FIELDS, 0.0) | {"text": f"desk {number}", "error": "", "built": 8}
+        row |= {"wall_rotation": rotation, "wall_modeling": 10.0, "cpu_rotation": 5.0}
+        rows.append(row | {"wall_total": 10 + rotation, "cpu_total": 5.0})
+    failed = dict.fromkeys(bench.FIELDS, "") | {"text": "a lab", "error": "no table"}
+    text = bench.summary([*rows, failed], "bench", "busy")
+    assert "# Seconds per stage: 3 texts" in text
+    assert "; busy" in text
+    assert "| rotation | 6.0 | 7.6 | 38 % | 5.0 | ≈ 810 |" in text
+    assert "| **all** | 16.0 | 17.6 | 100 % | 5.0 | ≈ 1920 |" in text
+    assert "8.0 objects a scene (median), 2.0 s an object." in text
+    assert "- 'a lab' failed: no table" in text
+    assert bench.bars([*rows, failed]).shape > bench.bars(rows[:1]).shape
+    assert "| **all** | - | - |" in bench.summary([failed], "bench")
+
+
+def test_texts_are_taken_by_their_plans_count() -> None:
+    bench = script("efficiency")
+    found = bench.texts_of(bench.HERE / "table78.json", 5, 0)
+    assert len(found) == 5
+    assert found == bench.texts_of(bench.HERE / "table78.json", 9, 0)[:5]
+    assert all(bench.FEWEST <= count <= bench.MOST for _, count in found)

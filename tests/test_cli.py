@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from toy import toy_scene
 
 from generator import bundle
 from generator.errors import SceneError
+from generator.ledger import Seconds
 from generator.physics.gate import judge
 from generator.render.picture import render_scene
 
@@ -116,6 +118,48 @@ def test_a_scene_error_has_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None
 
     monkeypatch.setattr("generator.compose.compose", fail)
     assert command("compose", TEXT) == 6
+
+
+@pytest.mark.parametrize(
+    ("words", "left_out"),
+    [((), ()), (("--without", "tsa"), ("tsa",)), (("--without", "both"), ("dro", "tsa"))],
+)
+def test_stages_can_be_left_out_and_timed(
+    words: tuple[str, ...],
+    left_out: tuple[str, ...],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    asked = []
+
+    def generate(source, backends, config, seed, **_):
+        asked.append(config.without)
+        scene = toy_scene()
+        scene = scene.replace(report=judge(scene))
+        return SimpleNamespace(
+            scene=scene,
+            seconds={"extraction": Seconds(2.5, 4.0), "assembly": Seconds(1.0, 0.5)},
+            save=lambda folder, allow_failed: bundle.save(scene, folder),
+        )
+
+    monkeypatch.setattr("generator.pipeline.generate", generate)
+    assert command("generate", TEXT, *words, "--json", "--timings") == 0
+    assert asked == [left_out]
+    told = json.loads(capsys.readouterr().out)["seconds"]
+    assert told == {"extraction": {"wall": 2.5, "cpu": 4.0}, "assembly": {"wall": 1.0, "cpu": 0.5}}
+    assert command("generate", TEXT, *words, "--timings") == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[:2] for line in lines[-3:]] == [
+        ["extraction", "2.5"], ["assembly", "1.0"], ["total", "3.5"],
+    ]  # fmt: skip
+    assert command("generate", TEXT, *words) == 0
+    assert "seconds" not in capsys.readouterr().out
+
+
+def test_only_what_can_be_left_out_is_taken(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command("generate", TEXT, "--without", "rotation") == 2
+    shown = capsys.readouterr()
+    assert "dro" in shown.out + shown.err
 
 
 def test_help_names_every_command(capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+import time
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +11,7 @@ import pytest
 
 from generator.errors import InputError, SceneError, TabletopError
 from generator.figures import bundle_images
+from generator.ledger import Seconds
 from generator.pipeline import STAGES, Generation, generate
 from generator.provenance import scene_name
 from generator.scene import TABLE
@@ -63,9 +66,20 @@ def test_figures_and_bundle(from_text: Generation, tmp_path: Path) -> None:
     assert {p.name for p in bundle.glob("*.png")} == {f"{k}.png" for k in bundle_images(from_text)}
 
 
+def test_seconds_are_in_no_bundle(from_text: Generation, tmp_path: Path) -> None:
+    slow = {stage: Seconds(60.0, 90.0) for stage in STAGES}
+    later = dataclasses.replace(from_text, seconds=slow)
+    first, second = from_text.save(tmp_path / "a"), later.save(tmp_path / "b")
+    assert first.name == second.name
+    names = sorted(p.relative_to(first) for p in first.rglob("*") if p.is_file())
+    assert names
+    assert all((first / n).read_bytes() == (second / n).read_bytes() for n in names)
+
+
 def test_a_picture_alone_is_enough(from_text: Generation) -> None:
     """The drawn picture goes in again without its plan: nothing but pixels to go by."""
     stages = []
+    begin = time.perf_counter()
     again = generate(
         np.asarray(from_text.reference.image),
         seed=3,
@@ -76,7 +90,10 @@ def test_a_picture_alone_is_enough(from_text: Generation) -> None:
     assert again.scene.report is not None
     assert again.scene.report.passed, again.scene.report.failures
     assert len(again.scene.objects) == 3
-    assert [s for s, _, _ in stages] == list(STAGES)
+    whole = time.perf_counter() - begin
+    assert [s for s, _, _ in stages] == list(again.seconds) == list(STAGES)
+    assert 0.95 * whole < sum(s.wall for s in again.seconds.values()) < whole
+    assert all(s.wall > 0 and s.cpu >= 0 for s in again.seconds.values())
     before, after = again.scene.report.misfit or (0.0, 0.0)
     assert 0 < after <= before
 

@@ -6,6 +6,7 @@ import csv
 import datetime
 import os
 import platform
+import shlex
 import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
@@ -97,10 +98,15 @@ def where() -> str:
     return f"{platform.machine()}, {os.cpu_count()} cores, {day}"
 
 
-def command_line() -> str:
-    """Return the command that was given; of absolute paths, the last part alone."""
-    given = (Path(word).name if Path(word).is_absolute() else word for word in sys.argv[1:])
-    return " ".join(["python benchmarks/pose.py", *given])
+def command_line(*without: str) -> str:
+    """Return the command that was given; of absolute paths, the last part alone.
+
+    Options named in ``without``, with the word after each, are left out.
+    """
+    words = [w for w, before in zip(sys.argv[1:], sys.argv, strict=False)
+             if w not in without and before not in without]  # fmt: skip
+    given = (Path(word).name if Path(word).is_absolute() else word for word in words)
+    return shlex.join(["python", f"benchmarks/{Path(sys.argv[0]).name}", *given])
 
 
 def alone() -> None:

@@ -17,6 +17,7 @@ from ..scene import (
     Detection,
     Instance,
     Intrinsics,
+    LayoutBox,
     Mesh,
     Model,
     Reference,
@@ -89,6 +90,40 @@ class Judge(Protocol):
         methods: Mapping[str, tuple[UInt8[np.ndarray, "a b 3"], ...]],
     ) -> tuple[str, ...]:
         """Order several methods' scenes of one reference by overall preference, best first."""
+        ...
+
+
+@runtime_checkable
+class PoseGuesser(Protocol):
+    """Numbers read off the picture (Sec. 4.3): two questions that a reasoner may answer, too.
+
+    They stand in for DRO and TSA where an ablation leaves these out.
+    """
+
+    def guess_rotations(
+        self,
+        reference: Reference,
+        instances: tuple[Instance, ...],
+        sizes: Mapping[str, SizePrior],
+        view: View,
+    ) -> Mapping[str, float]:
+        """Say each instance's yaw in radians, world frame; the table, whose yaw is 0, is left out.
+
+        Yaw 0 has the length (of ``sizes``) along +x.
+        """
+        ...
+
+    def guess_layout(
+        self,
+        reference: Reference,
+        instances: tuple[Instance, ...],
+        sizes: Mapping[str, SizePrior],
+        view: View,
+    ) -> Mapping[str, LayoutBox]:
+        """Say where on the table each instance is and how large, in metres, without the table.
+
+        The tabletop is as large as ``sizes`` has it.
+        """
         ...
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING, Literal
 
 from tyro.conf import Positional
 
@@ -10,6 +11,9 @@ from ..errors import InputError
 from ..scene import Intrinsics
 from .printing import print_scene, progress
 from .store import store
+
+if TYPE_CHECKING:
+    from ..pipeline import Ablation
 
 
 def generate(
@@ -23,6 +27,8 @@ def generate(
     seed: int = 0,
     backend: str = "embedded",
     figures: Path | None = None,
+    without: Literal["dro", "tsa", "both"] | None = None,
+    timings: bool = False,
     allow_failed: bool = False,
     json: bool = False,
 ) -> int:
@@ -38,11 +44,16 @@ def generate(
         seed: The same source and seed give the same scene.
         backend: Who answers the questions about text and image.
         figures: Also write the stage-by-stage pictures of the paper's Sec. 6.1 here.
+        without: Leave a stage out, as in the paper's ablations: the backend guesses from the
+            picture what dro (rotations), tsa (places and sizes) or both would have found. Nothing
+            is refined then.
+        timings: Also print the seconds of every stage.
         allow_failed: Publish even if the scene fails its physical gate.
         json: Print one JSON object instead of text.
     """
     from ..backends import Backends
     from ..bundle import check_name
+    from ..pipeline import Config
     from ..pipeline import generate as run
 
     if name is not None:
@@ -50,13 +61,14 @@ def generate(
     camera = None if intrinsics is None else _intrinsics(intrinsics)
     with progress(quiet=json) as shown:
         generation = run(
-            source, Backends.select(backend), seed=seed, name=name, progress=shown,
-            depth=depth, intrinsics=camera,
+            source, Backends.select(backend), Config(without=_left_out(without)), seed, name=name,
+            progress=shown, depth=depth, intrinsics=camera,
         )  # fmt: skip
         if figures is not None:
             generation.save_figures(figures)
         path = generation.save(store(out), allow_failed=allow_failed)
-    return print_scene(path, generation.scene, json)
+    seconds = generation.seconds if timings else None
+    return print_scene(path, generation.scene, json, seconds)
 
 
 def compose(
@@ -86,6 +98,12 @@ def compose(
     scene = run(text, seed, name=name)
     path = save(scene, store(out), images={"preview": preview(scene)})
     return print_scene(path, scene, json)
+
+
+def _left_out(word: Literal["dro", "tsa", "both"] | None) -> tuple[Ablation, ...]:
+    if word is None:
+        return ()
+    return ("dro", "tsa") if word == "both" else (word,)
 
 
 def _intrinsics(text: str) -> Intrinsics:

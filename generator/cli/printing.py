@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from ..ledger import Seconds
     from ..scene import Scene
 
 
@@ -56,9 +57,16 @@ def describe(path: Path, scene: Scene) -> dict[str, Any]:
     }
 
 
-def print_scene(path: Path, scene: Scene, as_json: bool) -> int:
-    """Print what a bundle holds; return the exit code of success."""
+def print_scene(
+    path: Path, scene: Scene, as_json: bool, seconds: Mapping[str, Seconds] | None = None
+) -> int:
+    """Print what a bundle holds, and how long its stages took; return the exit code of success."""
     facts = describe(path, scene)
+    if seconds is not None:
+        facts["seconds"] = {
+            stage: {"wall": round(s.wall, 3), "cpu": round(s.cpu, 3)}
+            for stage, s in seconds.items()
+        }
 
     def lines() -> list[str]:
         rows = [
@@ -74,10 +82,19 @@ def print_scene(path: Path, scene: Scene, as_json: bool) -> int:
             else ("passed" if report.passed else "FAILED: " + "; ".join(report.failures))
         )
         notes = [f"  note: {w}" for w in facts["warnings"]]
-        return [str(path), *rows, f"  gate: {gate}", *notes]
+        return [str(path), *rows, f"  gate: {gate}", *notes, *_timings(seconds or {})]
 
     emit(facts, as_json, lines)
     return 0
+
+
+def _timings(seconds: Mapping[str, Seconds]) -> list[str]:
+    """Return a line for each stage, and one for all."""
+    if not seconds:
+        return []
+    rows = [(stage, s.wall, s.cpu) for stage, s in seconds.items()]
+    rows.append(("total", sum(r[1] for r in rows), sum(r[2] for r in rows)))
+    return ["  seconds:", *(f"    {n:<16}{wall:8.1f}  (CPU {cpu:.1f})" for n, wall, cpu in rows)]
 
 
 def emit(value: Any, as_json: bool, lines: Callable[[], list[str]]) -> None:

@@ -20,7 +20,18 @@ from .arrays import frozen_array
 from .model import ConvexPart, Mesh, Model, PartKind, Physics, SizePrior
 from .picture import USUAL_VIEW, Detection, Instance, Intrinsics, Reference, TopView, View
 from .plan import TABLE, OutlineKind, PlannedObject, PlannedTable, Relation, RelationKind, ScenePlan
-from .result import Object, Placement, Pose, Provenance, Report, Rotation, Scene, Stacking, Table
+from .result import (
+    LayoutBox,
+    Object,
+    Placement,
+    Pose,
+    Provenance,
+    Report,
+    Rotation,
+    Scene,
+    Stacking,
+    Table,
+)
 
 __all__ = [
     "TABLE",
@@ -29,6 +40,7 @@ __all__ = [
     "Detection",
     "Instance",
     "Intrinsics",
+    "LayoutBox",
     "Mesh",
     "Model",
     "Object",

@@ -62,6 +62,26 @@ class Placement:
 
 
 @dataclass(frozen=True, eq=False)
+class LayoutBox:
+    """Where and how large someone says that a thing is: a box on the tabletop, metres.
+
+    ``center`` is from the middle of the tabletop, +x right and +y away in the world frame;
+    ``size`` is the extent (length, width, height) along the thing's own axes, as in ``SizePrior``.
+    """
+
+    center: Float[np.ndarray, "2"]
+    size: Float[np.ndarray, "3"]
+
+    def __post_init__(self) -> None:
+        size = frozen_array(self.size, np.float64, (3,), "LayoutBox.size")
+        if (size <= 0).any():
+            raise InputError(f"LayoutBox.size must be positive metres, got {size}.")
+        freeze(
+            self, size=size, center=frozen_array(self.center, np.float64, (2,), "LayoutBox.center")
+        )
+
+
+@dataclass(frozen=True, eq=False)
 class Pose:
     """A rigid pose in the world frame; ``quaternion`` is a unit wxyz."""
 

@@ -10,6 +10,7 @@ import numpy as np
 from ...scene import (
     TABLE,
     Instance,
+    LayoutBox,
     Mesh,
     Reference,
     ScenePlan,
@@ -17,6 +18,7 @@ from ...scene import (
     Stacking,
     View,
 )
+from . import guessing
 from .measure import apparent_scale, measured_extent, usual_solid, whole_box
 from .naming import known
 from .planner import plan_scene
@@ -30,7 +32,10 @@ _HEIGHT = 0.74
 
 @dataclass(frozen=True)
 class Reasoner:
-    """Answers the six questions without any model; the picture's part rests on the table plane."""
+    """Answers the six questions without any model; the picture's part rests on the table plane.
+
+    The two of ``PoseGuesser`` it answers by a naive look at the picture (``guessing``).
+    """
 
     def plan_scene(self, prompt: str, seed: int) -> ScenePlan:
         """Expand a text by rules (``planner``)."""
@@ -98,6 +103,26 @@ class Reasoner:
         """Return what each thing stands on or in: by depth, or by the masks (``stacking``)."""
         solids = survey(reference, instances).solids if reference.depth is not None else {}
         return stacking_of(instances, solids, _holds)
+
+    def guess_rotations(
+        self,
+        reference: Reference,
+        instances: tuple[Instance, ...],
+        sizes: Mapping[str, SizePrior],
+        view: View,
+    ) -> Mapping[str, float]:
+        """Return the yaw that each mask's long axis suggests, to 15 degrees (``guessing``)."""
+        return guessing.guess_rotations(instances, sizes, view)
+
+    def guess_layout(
+        self,
+        reference: Reference,
+        instances: tuple[Instance, ...],
+        sizes: Mapping[str, SizePrior],
+        view: View,
+    ) -> Mapping[str, LayoutBox]:
+        """Return places read off the table's box, and usual sizes (``guessing``)."""
+        return guessing.guess_layout(instances, sizes, view)
 
 
 def _holds(label: str) -> bool:

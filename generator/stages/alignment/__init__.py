@@ -1,6 +1,7 @@
 """Top-view Spatial Alignment, TSA (Sec. 3.3): translations and scales from a view from above."""
 
 from .checking import check_top_view
+from .direct import ask_layout
 from .equations import (
     metres_per_pixel,
     own_extent,
@@ -16,6 +17,7 @@ __all__ = [
     "Alignment",
     "AlignmentConfig",
     "align",
+    "ask_layout",
     "check_top_view",
     "complete_boxes",
     "metres_per_pixel",

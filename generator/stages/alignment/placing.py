@@ -61,14 +61,15 @@ class Alignment:
     """What TSA found (Fig. 14).
 
     ``placements`` are the objects', in the instances' order, without the table; ``table_scale``
-    is the table's extent in metres; ``scores`` the RMA-Score of each object.
+    is the table's extent in metres; ``scores`` the RMA-Score of each object. Where TSA was left
+    out (Sec. 4.3) there is no anchor, scale or top view (None), and no score.
     """
 
-    anchor: str
-    metres_per_pixel: float
+    anchor: str | None
+    metres_per_pixel: float | None
     table_scale: Float[np.ndarray, "3"]
     placements: tuple[Placement, ...]
-    top_view: TopView
+    top_view: TopView | None
     stacking: Mapping[str, Stacking]
     scores: Mapping[str, float]
     warnings: tuple[str, ...] = ()
@@ -129,7 +130,8 @@ def align(
         if sizes[n].measured:
             extent[2] = physical[n][2]
         scales[n] = _limited(n, extent, sizes[n].extent, limit, warnings)
-    placements = _place(names, top, alpha, table_scale, yaws, scales, models, stacking)
+    centers = _centers(top, alpha)
+    placements = placed(names, centers, table_scale, yaws, scales, models, stacking)
     return Alignment(
         anchor, alpha, table_scale, placements, top_view, stacking, scores, tuple(warnings)
     )
@@ -199,32 +201,37 @@ def _limited(
     return extent * (allowed / factor)
 
 
-def _place(
+def _centers(top: TopView, alpha: float) -> dict[str, Float[np.ndarray, "2"]]:
+    """Return the middles of the boxes from the middle of the table, metres, world x and y."""
+    middle = np.asarray(top.table_box).reshape(2, 2).mean(0)
+    return {
+        name: (np.asarray(box).reshape(2, 2).mean(0) - middle) * alpha * [1, -1]
+        for name, box in top.boxes.items()
+    }
+
+
+def placed(
     names: list[str],
-    top: TopView,
-    alpha: float,
+    centers: Mapping[str, Float[np.ndarray, "2"]],
     table_scale: Float[np.ndarray, "3"],
     yaws: Mapping[str, float],
     scales: Mapping[str, np.ndarray],
     models: Mapping[str, Model],
     stacking: Mapping[str, Stacking],
 ) -> tuple[Placement, ...]:
-    """Put each object at its box's centre and lower it onto its support, supports first."""
-    table = np.asarray(top.table_box)
-    middle = (table[:2] + table[2:]) / 2
-    placed: dict[str, Placement] = {}
+    """Put each object at its centre and lower it onto its support, supports first."""
+    found: dict[str, Placement] = {}
     for name in sorted(names, key=lambda n: stacking[n].order if n in stacking else 2):
         rank = stacking.get(name, Stacking(2))
-        on = rank.on if rank.on in placed else TABLE
+        on = rank.on if rank.on in found else TABLE
         inside = rank.inside and on != TABLE
-        box = np.asarray(top.boxes[name])
-        xy = ((box[:2] + box[2:]) / 2 - middle) * alpha * [1, -1]
+        xy = centers[name]
         if on != TABLE:
             reach = rotated_extent(scales[on], yaws[on]) / 2
             own = rotated_extent(scales[name], yaws[name]) / 2
             room = np.maximum(0.8 * reach - own, 0) if inside else 0.8 * reach
-            at = placed[on].translation[:2]
+            at = found[on].translation[:2]
             xy = at + np.clip(xy - at, -room, room)
         position = np.array([*xy, 0.0])
-        placed[name] = Placement(name, yaws[name], position, scales[name], on=on, inside=inside)
-    return at_rest([placed[name] for name in names], models, float(table_scale[2]))
+        found[name] = Placement(name, yaws[name], position, scales[name], on=on, inside=inside)
+    return at_rest([found[name] for name in names], models, float(table_scale[2]))

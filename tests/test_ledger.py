@@ -1,0 +1,47 @@
+"""Seconds of stages: all that was begun, in order, nothing in between lost."""
+
+from __future__ import annotations
+
+import itertools
+
+import pytest
+
+from generator import ledger
+from generator.ledger import Seconds, Stopwatch
+
+
+class Clock:
+    """Stands in for the module ``time``: each look at the wall's clock finds it later."""
+
+    def __init__(self) -> None:
+        self.walls = itertools.accumulate(itertools.count(1))  # 1, 3, 6, 10 ...
+        self.looks = itertools.count()
+
+    def perf_counter(self) -> float:
+        return float(next(self.walls))
+
+    def process_time(self) -> float:
+        return next(self.looks) / 2
+
+
+def test_stages_share_all_the_time_between_the_first_step_and_the_stop(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(ledger, "time", Clock())
+    heard = []
+    clock = Stopwatch(("a", "b", "c"), lambda *told: heard.append(told))
+    clock.step()
+    clock.step()
+    clock.step()
+    seconds = clock.stop()
+    assert heard == [("a", 1, 3), ("b", 2, 3), ("c", 3, 3)]
+    assert list(seconds.items()) == [
+        ("a", Seconds(2, 0.5)), ("b", Seconds(3, 0.5)), ("c", Seconds(4, 0.5)),
+    ]  # fmt: skip
+
+
+def test_what_was_not_begun_has_no_seconds() -> None:
+    clock = Stopwatch(("a", "b"))
+    clock.step()
+    assert list(clock.stop()) == ["a"]
+    assert dict(Stopwatch(("a",)).stop()) == {}
