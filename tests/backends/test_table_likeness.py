@@ -59,15 +59,19 @@ NOTHING = np.zeros((HEIGHT, WIDTH), bool)
 
 
 def found_plane(
-    top: np.ndarray, view: View, told: View, hidden: np.ndarray = NOTHING
+    top: np.ndarray,
+    view: View,
+    told: View,
+    hidden: np.ndarray = NOTHING,
 ) -> TablePlane:
     """Find the plane of a top (metres) from its picture."""
     camera = Camera.looking_at(np.zeros(3), view, 3.0, WIDTH, HEIGHT)
     pixels = camera.project(np.column_stack([top, np.zeros(len(top))]))
     mask = np.zeros((HEIGHT, WIDTH), np.uint8)
     cv2.fillPoly(mask, [np.round((pixels - 0.5) * 16).astype(np.int32)], 1, cv2.LINE_8, 4)
-    hull = hull_corners((mask > 0) & ~hidden)
-    outline = Outline(hull, walk(hull, 240)[0], hidden)
+    seen = (mask > 0) & ~hidden
+    hull = hull_corners(seen)
+    outline = Outline(hull, walk(hull, 240)[0], hidden, seen)
     return as_seen(fit_plane(outline, 1.0, (WIDTH, HEIGHT), told), outline, 1.0)
 
 
@@ -101,6 +105,19 @@ def test_a_corner_behind_a_thing_is_still_a_corner():
     thing = (np.abs(x - corner[0]) < WIDTH / 12) & (np.abs(y - corner[1]) < HEIGHT / 12)
     seen = found_plane(TOPS["rectangle"], VIEW, VIEW, thing)
     assert seen.edge is None and overlap(seen.top(), TOPS["rectangle"]) > 0.9
+
+
+def test_what_things_add_to_the_outline_says_nothing_of_its_shape():
+    """A thing at the far edge, taken for the top in part, bends the hull on both its sides."""
+    plane = found_plane(TOPS["rectangle"], VIEW, VIEW)
+    y, x = np.mgrid[:HEIGHT, :WIDTH] + 0.5
+    thing = (np.abs(x - WIDTH / 2) < WIDTH / 20) & (np.abs(y - plane.outline[:, 1].min()) < 30)
+    top = plane.mask() | thing
+    hull = hull_corners(top)
+    bent = Outline(hull, walk(hull, 240)[0], thing, top)
+    assert as_seen(plane, bent, 1.0).edge is None
+    grown = Outline(hull, walk(hull, 240)[0], NOTHING, top)
+    assert as_seen(plane, grown, 1.0).edge is not None
 
 
 # ------------------------------------------------------------------------------ the whole table

@@ -26,10 +26,10 @@ def as_seen(plane: TablePlane, outline: Outline, factor: float) -> TablePlane:
     the tabletop or of the ground says nothing about its shape. ``factor`` is working pixels per
     picture pixel.
     """
-    seen = shapely.Polygon(convex_outline(plane.to_table(outline.hull / factor)))
     least = _LIKELY if plane.error * factor < _CLOSE else _EXPLAINED
-    if _agreement(plane, seen, outline, factor) > least:
+    if _agreement(plane, outline, factor) > least:
         return plane
+    seen = shapely.Polygon(convex_outline(plane.to_table(outline.hull / factor)))
     blunt = _BLUNT * plane.size[0]  # takes off the spikes that single points make
     edge = _around(seen.buffer(-blunt).buffer(blunt), _RAYS)
     low, high = edge.min(0), edge.max(0)
@@ -43,17 +43,19 @@ def as_seen(plane: TablePlane, outline: Outline, factor: float) -> TablePlane:
     return replace(plane, camera=camera, size=size, radius=radius, outline=pixels, edge=edge)
 
 
-def _agreement(plane: TablePlane, seen: shapely.Polygon, outline: Outline, factor: float) -> float:
-    """Return the overlap, seen from above and in plain sight, of an outline with its ideal."""
+def _agreement(plane: TablePlane, outline: Outline, factor: float) -> float:
+    """Return the overlap, seen from above and in plain sight, of the patch with its ideal."""
     ideal = shapely.Polygon(plane.top())
-    x0, y0, x1, y1 = seen.union(ideal).bounds
+    hull = shapely.Polygon(plane.to_table(outline.hull / factor))
+    x0, y0, x1, y1 = ideal.union(hull).bounds
     grid = np.stack(np.meshgrid(np.linspace(x0, x1, _GRID), np.linspace(y0, y1, _GRID)), -1)
     points = grid.reshape(-1, 2)
     column, row = np.floor(plane.to_pixels(points) * factor).astype(int).T
     height, width = outline.hidden.shape
     inside = (column >= 0) & (column < width) & (row >= 0) & (row < height)
-    plain = ~(inside & outline.hidden[row.clip(0, height - 1), column.clip(0, width - 1)])
-    a, b = (shapely.contains_xy(p, points[plain]) for p in (seen, ideal))
+    at = row.clip(0, height - 1), column.clip(0, width - 1)
+    plain = ~(inside & outline.hidden[at])
+    a, b = (inside & outline.top[at])[plain], shapely.contains_xy(ideal, points[plain])
     return float((a & b).sum() / max((a | b).sum(), 1))
 
 

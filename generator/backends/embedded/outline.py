@@ -37,12 +37,13 @@ class Outline:
     """The outline of the whole top, counter-clockwise on screen, in working pixels.
 
     ``hull`` closes it; ``points`` are those of its edge points that say where it is; ``hidden`` is
-    what things cover.
+    what things cover; ``top`` the patch itself, things on it included.
     """
 
     hull: Float[np.ndarray, "k 2"]
     points: Float[np.ndarray, "n 2"]
     hidden: Bool[np.ndarray, "h w"]
+    top: Bool[np.ndarray, "h w"]
 
 
 def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "a b 3"], float]:
@@ -77,7 +78,7 @@ def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> tuple[Outli
     hull = cv2.convexHull(points.astype(np.float32))[:, 0].astype(float)
     kept = plain if plain.mean() > _LEAST else ends | plain
     hidden = cv2.dilate(things, np.ones((2 * _RIM + 1, 2 * _RIM + 1), np.uint8)) > 0
-    return Outline(hull, points[kept] if kept.sum() > 20 else points, hidden), factor
+    return Outline(hull, points[kept] if kept.sum() > 20 else points, hidden, top), factor
 
 
 def top_of(sight: Sight) -> Bool[np.ndarray, "h w"]:

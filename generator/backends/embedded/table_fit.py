@@ -23,6 +23,7 @@ _GAIN = 0.01  # overlap that a thickness or boards must gain
 _SHOWN = 0.1  # overlap of the legs below which none show
 _CLEAR = 0.002  # overlap of whole tables that another kind of legs must gain
 _EVEN = 0.03  # overlap worth a difference of one width between how far in legs stand
+_REACHING = 0.2  # overlap worth feet that end a whole silhouette's height too high or low
 _DEPTHS = (0.03, 0.06, 0.1, 0.15, 0.2)  # of the legs behind the rim, in widths of the top
 _STARTS, _TRIES = 3, 400  # searches for the measures of a table, and steps of each
 
@@ -112,19 +113,18 @@ def _settled(
 
     def made(p: np.ndarray) -> tuple[TableForm, float, Float[np.ndarray, "3"]]:
         inset = (float(np.clip(p[3], 0, 0.6)) * width, float(np.clip(p[4], 0, 0.6)) * width)
-        high, low = (float(max(v, 0.01)) * width for v in p[6:8])
+        high, low = (v * width for v in _slimmed(form, p[6], p[7], width))
         tall = float(np.clip(p[8], *_TALL))
         tried = replace(
-            form, inset=inset, lean=float(p[5]) * width, high=high, low=low, height=tall
+            form, inset=inset, lean=_leaning(p[5]) * width, high=high, low=low, height=tall
         )
         return tried, float(scale * np.exp(p[0])), shift + moved(p[1:3])
 
-    def overlap(p: np.ndarray) -> float:
-        tried, size, place = made(p)
-        return _whole(_Legs(tried, size, place, seen), tried)
-
     def liked(p: np.ndarray) -> float:
-        return overlap(p) - _EVEN * abs(p[3] - p[4])
+        tried, size, place = made(p)
+        legs = _Legs(tried, size, place, seen)
+        short = 0.0 if seen.cut_below else legs.short(tried)
+        return _whole(legs, tried) - _EVEN * abs(p[3] - p[4]) - _REACHING * short
 
     def searched(begin: np.ndarray) -> np.ndarray:
         options = {"initial_simplex": simplex(begin, tuple(steps)), "maxfev": _TRIES, "xatol": 1e-4}
@@ -136,7 +136,20 @@ def _settled(
     places = [form.inset, *((form.inset[0], d) for d in deep), *((d, d) for d in deep)]
     starts = sorted((start(place) for place in places), key=liked)
     found = max((searched(begin) for begin in starts[-_STARTS:]), key=liked)
-    return Fitted(*made(found), overlap(found), True)
+    tried, size, place = made(found)
+    return Fitted(tried, size, place, _whole(_Legs(tried, size, place, seen), tried), True)
+
+
+def _slimmed(form: TableForm, high: float, low: float, width: float) -> tuple[float, float]:
+    """Return how thick legs are above and below, in widths of the top, as legs may be."""
+    least = 0.012 / width
+    most, slimmest = (0.9, 0.1) if form.legs == "pedestal" else (0.16, 0.3)
+    high = float(np.clip(high, least, most))
+    return high, float(np.clip(low, max(least, slimmest * high), most))
+
+
+def _leaning(lean: float) -> float:
+    return float(np.clip(lean, -0.1, 0.3))
 
 
 def _pixel_moves(view: Projection) -> Callable[[np.ndarray], Float[np.ndarray, "3"]]:
@@ -218,6 +231,12 @@ class _Legs:
         union = np.count_nonzero(drawn | self.wanted)
         return np.count_nonzero(drawn & self.wanted) / union if union else 0.0
 
+    def short(self, form: TableForm) -> float:
+        """Return how far from the silhouette's lowest row the feet end, in its heights."""
+        feet = self._placed(at_height(form.feet(), -form.height))
+        rows = self.seen.projection.project(feet)[:, 1]
+        return abs(float(rows.max()) - self.seen.bottom - 1) / self.seen.mask.any(1).sum()
+
     def grounded(self, form: TableForm, usual: float) -> TableForm:
         """Return a form as high as brings its feet down to the silhouette's lowest row.
 
@@ -267,16 +286,11 @@ class _Legs:
     def _refined(self, form: TableForm, usual: float) -> tuple[TableForm, float]:
         """Return the form with its legs' measures improved, and its overlap below the top."""
         width = float(min(form.size[:2]))
-        least = 0.012 / width
-        most, slimmest = (0.9, 0.1) if form.legs == "pedestal" else (0.16, 0.35)
 
         def made(p: np.ndarray) -> TableForm:
             x, y = (float(np.clip(v, 0.0, 0.6)) * width for v in p[:2])
-            high = float(np.clip(p[3], least, most))
-            low = float(np.clip(p[4], max(least, slimmest * high), most)) * width
-            high = high * width
-            lean = float(np.clip(p[2], -0.1, 0.3)) * width
-            raw = replace(form, inset=(x, y), lean=lean, high=high, low=low)
+            high, low = (v * width for v in _slimmed(form, p[3], p[4], width))
+            raw = replace(form, inset=(x, y), lean=_leaning(p[2]) * width, high=high, low=low)
             return self.grounded(raw, usual)
 
         start = np.array([*form.inset, form.lean, form.high, form.low]) / width
