@@ -9,6 +9,7 @@ from types import ModuleType
 import pytest
 from toy import toy_object, toy_scene
 
+from generator.bundle import save
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
 
 
@@ -112,3 +113,24 @@ def test_texts_are_taken_by_their_plans_count() -> None:
     assert len(found) == 5
     assert found == bench.texts_of(bench.HERE / "table78.json", 9, 0)[:5]
     assert all(bench.FEWEST <= count <= bench.MOST for _, count in found)
+
+
+def test_soundness_is_that_of_the_saved_bundle(tmp_path: Path) -> None:
+    bench = script("soundness")
+    sides = (0.05, 0.05, 0.05)
+    apart = (toy_object("mug_1", sides, (0.0, 0.0)), toy_object("mug_2", sides, (0.2, 0.0)))
+    sound = bench.measured(save(toy_scene(apart), tmp_path, allow_failed=True))
+    assert (sound["objects"], sound["pairs"], sound["published"]) == (2, 1, 1)
+    assert not sound["colliding"] and not sound["unstable"] and not sound["error"]
+    close = (apart[0], toy_object("mug_2", sides, (0.03, 0.0)))
+    faulty = bench.measured(save(toy_scene(close), tmp_path, allow_failed=True))
+    assert faulty["colliding"] == 1 and faulty["overlap_mm"] == pytest.approx(20.0, abs=0.5)
+    assert "plain: mug_1, mug_2" in faulty["unstable"]
+    key = {"text": "mugs", "seconds": 1.0}
+    failed = dict.fromkeys(bench.FIELDS, "") | {"published": 0, "error": "no room"} | key
+    rows = [sound | key | {"seed": 0}, faulty | key | {"seed": 1}, failed | {"seed": 2}]
+    text = bench.summary(rows, "compose", "bench")
+    assert "| published | 2 / 3 |" in text
+    assert "overlap by more than 0.5 mm | 50.00 % (1 of 2) |" in text
+    assert "| scenes without any of these faults | 1 / 3 |" in text
+    assert "- 'mugs' seed 2: no room" in text
