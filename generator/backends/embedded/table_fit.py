@@ -48,6 +48,11 @@ class Silhouette:
         """Whether the frame hides how far down the table goes."""
         return not self.shown[min(self.bottom + 2, len(self.shown) - 1)].any()
 
+    def overlap(self, drawn: Mask) -> float:
+        """Return the intersection over union with what is drawn, where the frame shows it."""
+        mask, drawn = self.mask & self.shown, drawn & self.shown
+        return np.count_nonzero(drawn & mask) / max(np.count_nonzero(drawn | mask), 1)
+
 
 @dataclass(frozen=True, eq=False)
 class Fitted:
@@ -79,16 +84,14 @@ def fit_table(
     usual = TableForm(outline, corners_of(outline), height)
     best, rival = _Legs(usual, scale, shift, seen).fitted(height)
     if max(best[1], rival[1]) < _SHOWN:
-        overlap = _whole(_Legs(usual, scale, shift, fine), usual)
+        overlap = fine.overlap(_silhouette(_Legs(usual, scale, shift, fine), usual))
         return Fitted(usual, scale, shift, overlap, False)
     first, other = (_settled(form, scale, shift, fine, height) for form, _ in (best, rival))
     return other if other.overlap > first.overlap + _CLEAR else first
 
 
-def _whole(legs: _Legs, form: TableForm) -> float:
-    """Return the overlap of whole silhouettes."""
-    drawn, mask = (legs.drawn(form) | legs.top) & legs.seen.shown, legs.seen.mask & legs.seen.shown
-    return np.count_nonzero(drawn & mask) / max(np.count_nonzero(drawn | mask), 1)
+def _silhouette(legs: _Legs, form: TableForm) -> Mask:
+    return legs.drawn(form) | legs.top
 
 
 def _settled(
@@ -104,6 +107,7 @@ def _settled(
     if seen.cut_below:
         steps[-1] = 1e-6  # nothing tells the height
     moved = _pixel_moves(seen.projection)
+    tall_rows = float(np.ptp(np.flatnonzero(seen.mask.any(1))) + 1)
 
     def start(inset: tuple[float, float]) -> np.ndarray:
         raw = replace(form, inset=inset)
@@ -122,9 +126,10 @@ def _settled(
 
     def liked(p: np.ndarray) -> float:
         tried, size, place = made(p)
-        legs = _Legs(tried, size, place, seen)
-        short = 0.0 if seen.cut_below else legs.short(tried)
-        return _whole(legs, tried) - _EVEN * abs(p[3] - p[4]) - _REACHING * short
+        drawn = _silhouette(_Legs(tried, size, place, seen), tried)
+        rows = np.flatnonzero(drawn.any(1))
+        low = abs(float(rows[-1]) - seen.bottom) if len(rows) and not seen.cut_below else 0.0
+        return seen.overlap(drawn) - _EVEN * abs(p[3] - p[4]) - _REACHING * low / tall_rows
 
     def searched(begin: np.ndarray) -> np.ndarray:
         options = {"initial_simplex": simplex(begin, tuple(steps)), "maxfev": _TRIES, "xatol": 1e-4}
@@ -137,7 +142,8 @@ def _settled(
     starts = sorted((start(place) for place in places), key=liked)
     found = max((searched(begin) for begin in starts[-_STARTS:]), key=liked)
     tried, size, place = made(found)
-    return Fitted(tried, size, place, _whole(_Legs(tried, size, place, seen), tried), True)
+    overlap = seen.overlap(_silhouette(_Legs(tried, size, place, seen), tried))
+    return Fitted(tried, size, place, overlap, True)
 
 
 def _slimmed(form: TableForm, high: float, low: float, width: float) -> tuple[float, float]:
@@ -230,12 +236,6 @@ class _Legs:
         drawn = self.drawn(form) & self.counted
         union = np.count_nonzero(drawn | self.wanted)
         return np.count_nonzero(drawn & self.wanted) / union if union else 0.0
-
-    def short(self, form: TableForm) -> float:
-        """Return how far from the silhouette's lowest row the feet end, in its heights."""
-        feet = self._placed(at_height(form.feet(), -form.height))
-        rows = self.seen.projection.project(feet)[:, 1]
-        return abs(float(rows.max()) - self.seen.bottom - 1) / self.seen.mask.any(1).sum()
 
     def grounded(self, form: TableForm, usual: float) -> TableForm:
         """Return a form as high as brings its feet down to the silhouette's lowest row.
