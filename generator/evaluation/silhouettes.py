@@ -14,7 +14,7 @@ from jaxtyping import Bool, Float
 
 from ..comparison import Comparison
 from ..geometry import Camera, quaternion_matrix, rotation_z
-from ..render.raster import rasterise
+from ..render.scanlines import rasterise
 from ..scene import TABLE, Object
 from .symmetry import symmetry
 

@@ -11,7 +11,7 @@ from jaxtyping import Float
 
 from ..geometry import rotation_z
 from ..scene import TABLE, Mesh, Model, Placement
-from .raster import rasterise
+from .scanlines import nearest
 
 _CELLS = 96  # across the lowered object
 
@@ -52,7 +52,7 @@ def height_field(
     sign = 1.0 if top else -1.0
     base = float((sign * vertices[:, 2]).min()) - 1.0
     corners = np.column_stack([(vertices[:, :2] - low) / cell, sign * vertices[:, 2] - base])
-    owner, _, near = rasterise(corners[body.mesh.faces], shape[1], shape[0])
+    owner, near = nearest(corners[body.mesh.faces], shape[1], shape[0])
     return np.where(owner >= 0, sign * (near + base), np.nan).reshape(shape)
 
 

@@ -6,7 +6,8 @@ import trimesh
 
 from generator.geometry import Camera
 from generator.render.picture import framing_camera
-from generator.render.raster import BACKGROUND, Item, rasterise, render
+from generator.render.raster import BACKGROUND, Item, render
+from generator.render.scanlines import rasterise
 from generator.render.shading import Light, corner_normals, sample_texture
 from generator.scene import View
 

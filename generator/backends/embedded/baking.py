@@ -14,7 +14,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int, UInt8
 from scipy.spatial import KDTree
 
-from ...render.raster import rasterise
+from ...render.scanlines import nearest
 from ...render.shading import corner_normals
 from ...scene import Mesh
 from .pixels import nearest_inside
@@ -83,7 +83,7 @@ class Sight:
     ) -> Sight:
         """Look at a mesh in the object frame."""
         corners = projection.corners(vertices, faces)
-        near = rasterise(corners, projection.width, projection.height)[2]
+        near = nearest(corners, projection.width, projection.height)[1]
         near = near.reshape(projection.height, projection.width)
         near = cv2.dilate(near, np.ones((3, 3)), borderType=cv2.BORDER_REPLICATE)
         return cls(projection, near, float(np.linalg.norm(np.ptp(vertices, axis=0))))

@@ -7,7 +7,7 @@ from jaxtyping import Bool, Float, Int, UInt8
 from scipy.spatial import KDTree
 
 from ...geometry import rotation_z
-from ...render.raster import rasterise
+from ...render.scanlines import rasterise
 from ...render.shading import sample_texture
 from ...scene import Mesh
 from . import baking

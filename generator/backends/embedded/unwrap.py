@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Float, Int
 from scipy import sparse
 
-from ...render.raster import rasterise
+from ...render.scanlines import rasterise
 
 _GUTTER = 2.0  # texels between charts
 

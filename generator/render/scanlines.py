@@ -1,0 +1,112 @@
+"""Which triangle each pixel sees, row by row: the z-buffer of the software renderer."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float, Int
+
+_CHUNK = 2_000_000  # candidate pixels held at once
+
+
+def _spans(
+    xy: Float[np.ndarray, "m 3 2"], width: int, height: int
+) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
+    """Return (triangle, row, first column, end column) of each row that a triangle crosses.
+
+    A pixel belongs to a triangle if its centre does.
+    """
+    low = np.clip(np.ceil(xy[..., 1].min(1) - 0.5), 0, height).astype(np.int64)
+    high = np.clip(np.floor(xy[..., 1].max(1) - 0.5) + 1, 0, height).astype(np.int64)
+    triangle, row = _expand(low, np.maximum(high - low, 0))
+    y = row + 0.5
+    left, right = np.full(len(row), np.inf), np.full(len(row), -np.inf)
+    for k in range(3):
+        p, q = xy[triangle, k], xy[triangle, (k + 1) % 3]
+        rise = q[:, 1] - p[:, 1]
+        crossed = (np.minimum(p[:, 1], q[:, 1]) <= y) & (y <= np.maximum(p[:, 1], q[:, 1]))
+        crossed &= np.abs(rise) > 1e-12
+        x = p[:, 0] + (y - p[:, 1]) * (q[:, 0] - p[:, 0]) / np.where(crossed, rise, 1.0)
+        left = np.where(crossed, np.minimum(left, x), left)
+        right = np.where(crossed, np.maximum(right, x), right)
+    first = np.clip(np.ceil(np.clip(left, 0, width + 1) - 0.5), 0, width).astype(np.int64)
+    end = np.clip(np.floor(np.clip(right, -1, width) - 0.5) + 1, 0, width).astype(np.int64)
+    kept = end > first
+    return triangle[kept], row[kept], first[kept], end[kept]
+
+
+def _expand(
+    start: Int[np.ndarray, "m"], count: Int[np.ndarray, "m"]
+) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
+    """Return the owner and the value of every integer in the ranges start, start + count."""
+    owner = np.repeat(np.arange(len(count)), count)
+    before = np.cumsum(count) - count
+    return owner, np.arange(len(owner)) + (start - before)[owner]
+
+
+def rasterise(
+    corners: Float[np.ndarray, "m 3 3"], width: int, height: int
+) -> tuple[Int[np.ndarray, "hw"], Float[np.ndarray, "hw 3"], Float[np.ndarray, "hw"]]:
+    """Find the nearest triangle of every pixel, and where in it the pixel's centre is.
+
+    Args:
+        corners: per triangle and corner, pixel x, pixel y and 1/depth (perspective) or any
+            quantity that grows towards the viewer and is linear in the image.
+        width: width of the image in pixels.
+        height: height of the image in pixels.
+
+    Returns:
+        Per pixel (row-major): triangle index or -1, screen-space barycentric weights, and the
+        interpolated third coordinate (0 where nothing is).
+    """
+    owner, near = nearest(corners, width, height)
+    return owner, _weights(corners[..., :2], owner, width), near
+
+
+def nearest(
+    corners: Float[np.ndarray, "m 3 3"], width: int, height: int
+) -> tuple[Int[np.ndarray, "hw"], Float[np.ndarray, "hw"]]:
+    """Return the first and the last of what :func:`rasterise` returns."""
+    near = np.zeros(width * height)
+    owner = np.full(width * height, -1, np.int64)
+    xy, closeness = corners[..., :2], corners[..., 2]
+    e1, e2 = xy[:, 1] - xy[:, 0], xy[:, 2] - xy[:, 0]
+    area = e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0]
+    whole = np.flatnonzero(np.abs(area) > 1e-12)
+    d1, d2 = closeness[:, 1] - closeness[:, 0], closeness[:, 2] - closeness[:, 0]
+    safe = np.where(np.abs(area) > 1e-12, area, 1.0)
+    along_x = (d1 * e2[:, 1] - d2 * e1[:, 1]) / safe
+    along_y = (d2 * e1[:, 0] - d1 * e2[:, 0]) / safe
+    triangle, row, first, end = _spans(xy[whole], width, height)
+    triangle = whole[triangle]
+    load = np.cumsum(end - first)
+    cuts = np.searchsorted(load, np.arange(_CHUNK, load[-1] if len(load) else 0, _CHUNK))
+    for chunk in np.split(np.arange(len(triangle)), np.unique(cuts)):
+        span, column = _expand(first[chunk], (end - first)[chunk])
+        t, y = triangle[chunk], row[chunk]
+        start = closeness[t, 0] + along_x[t] * (0.5 - xy[t, 0, 0])
+        start += along_y[t] * (y + 0.5 - xy[t, 0, 1])
+        close = start[span] + along_x[t][span] * column
+        pixel = (y * width)[span] + column
+        np.maximum.at(near, pixel, close)
+        front = close >= near[pixel]
+        owner[pixel[front]] = t[span[front]]
+    return owner, near
+
+
+def _weights(
+    xy: Float[np.ndarray, "m 3 2"],
+    owner: Int[np.ndarray, "hw"],
+    width: int,
+) -> Float[np.ndarray, "hw 3"]:
+    """Return the barycentric weights of each owned pixel's centre in its triangle."""
+    weights = np.zeros((len(owner), 3))
+    hit = np.flatnonzero(owner >= 0)
+    t = owner[hit]
+    x, y = hit % width + 0.5, hit // width + 0.5
+    e1, e2 = xy[:, 1] - xy[:, 0], xy[:, 2] - xy[:, 0]
+    area = e1[:, 0] * e2[:, 1] - e1[:, 1] * e2[:, 0]
+    b, c, a = xy[t, 1], xy[t, 2], xy[t, 0]
+    w0 = ((b[:, 0] - x) * (c[:, 1] - y) - (b[:, 1] - y) * (c[:, 0] - x)) / area[t]
+    w1 = ((c[:, 0] - x) * (a[:, 1] - y) - (c[:, 1] - y) * (a[:, 0] - x)) / area[t]
+    weights[hit] = np.stack([w0, w1, 1.0 - w0 - w1], 1)
+    return np.clip(weights, 0.0, 1.0)
