@@ -6,6 +6,7 @@ import importlib.util
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
 from toy import toy_object, toy_scene
 
@@ -85,3 +86,9 @@ def test_pictures_find_their_depth_and_intrinsics(tmp_path: Path) -> None:
     (tmp_path / "intrinsics.json").write_text('{"fx": 600, "fy": 601, "cx": 320, "cy": 240}')
     assert bench.intrinsics_of(tmp_path, None) == {"fx": 600, "fy": 601, "cx": 320, "cy": 240}
     assert bench.intrinsics_of(tmp_path, [1, 2, 3, 4])["cy"] == 4
+
+
+def test_rotation_speed_shows_wall_and_cpu_seconds() -> None:
+    text = script("rotation_speed").table(np.array([[1.0, 0.5], [3.0, 0.7], [2.0, 0.6]]), "head")
+    assert "| wall | 3 | 2.00 | 2.00 | 2.80 | 3.00 |" in text
+    assert "| CPU | 3 | 0.60 | 0.60 | 0.68 | 0.70 |" in text

@@ -11,6 +11,7 @@ import torch
 from jaxtyping import Float
 from torch import Tensor
 
+from ..errors import InputError
 from .soft import SoftImages
 
 _RIDGE = 0.02  # how strongly the fit keeps to an even light, as a share of the pixels' own say
@@ -30,9 +31,12 @@ def relit(
         weight: how much each pixel tells about the light, >= 0; 0 outside of the picture's mask.
 
     The light is found without gradient: the image's gradients are those of a given light.
+
+    Raises:
+        InputError: the renders have no normals.
     """
     if images.normal is None:
-        raise ValueError("relit needs renders with normals: pass normals=True to soft.render.")
+        raise InputError("relit needs renders with normals: pass normals=True to soft.render.")
     cover = images.silhouette[:, None]
     own = images.image - 0.5 * (1 - cover)
     with torch.no_grad():

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import torch
 
+from generator.errors import InputError
 from generator.render import soft
 from generator.render.relight import relit
 
@@ -17,10 +18,12 @@ def ball(side: int = 48) -> tuple[torch.Tensor, torch.Tensor]:
     return normal[None], cover[None]
 
 
-def lit(light: tuple[float, ...], tint: tuple[float, float, float], albedo: torch.Tensor):
-    """The ball's picture over grey, and its render in an even light."""
+def lit(
+    light: tuple[float, ...], tint: tuple[float, float, float], albedo: torch.Tensor
+) -> tuple[soft.SoftImages, torch.Tensor, torch.Tensor]:
+    """A ball's render in an even light, its picture in another, over grey, and where it is."""
     normal, cover = ball(albedo.shape[-1])
-    shade = light[0] + sum(k * normal[:, n] for n, k in enumerate(light[1:]))
+    shade = light[0] + (normal * torch.tensor(light[1:])[None, :, None, None]).sum(1)
     picture = albedo * shade[:, None] * torch.tensor(tint)[None, :, None, None]
     ground = 0.5 * (1 - cover[:, None])
     render = soft.SoftImages(albedo * cover[:, None] + ground, cover, normal)
@@ -71,7 +74,7 @@ def test_gradients_are_those_of_the_light_found():
 
 def test_renders_without_normals_are_refused():
     render, picture, cover = lit((1.0, 0, 0, 0), (1.0, 1.0, 1.0), stripes())
-    with pytest.raises(ValueError, match="normals=True"):
+    with pytest.raises(InputError, match="normals=True"):
         relit(soft.SoftImages(render.image, render.silhouette), picture, cover)
 
 

@@ -107,7 +107,14 @@ def test_paper_settings():
     assert (paper.resolution, paper.patience, paper.perspective) == (256, 0, False)
 
 
-@pytest.mark.parametrize("wrong", [{"coarse_step": 0.0}, {"candidates": 0}, {"resolution": 4}])
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"coarse_step": 0.0}, {"candidates": 0}, {"resolution": 4}, {"close_resolution": 4},
+        {"close_points": 1}, {"rivals": 0}, {"close_steps": -1}, {"doubt": -0.1},
+        {"tie": float("nan")},
+    ],
+)  # fmt: skip
 def test_settings_out_of_range_are_refused(wrong):
     with pytest.raises(InputError, match="RotationConfig needs"):
         RotationConfig(**wrong)

@@ -103,14 +103,22 @@ class RotationConfig:
                 "RotationConfig needs coarse_step in (0, pi] radians, at least 1 candidate and "
                 f"no negative steps, got {self}."
             )
-        if min(self.resolution, self.coarse_resolution) < 16 or self.points < 100:
+        sides = (self.coarse_resolution, self.resolution, self.close_resolution)
+        if min(sides) < 16 or min(self.points, self.close_points) < 100:
             raise InputError(
                 f"RotationConfig needs resolutions >= 16 and points >= 100, got {self}."
             )
-        if self.finalists < 1 or self.thinning < 1 or self.coarse_steps < 0:
+        steps = (self.coarse_steps, self.rival_steps, self.close_steps)
+        if min(self.rivals, self.finalists, self.thinning) < 1 or min(steps) < 0:
             raise InputError(
-                "RotationConfig needs at least 1 finalist, thinning >= 1 and no negative steps, "
-                f"got {self}."
+                "RotationConfig needs at least 1 rival and 1 finalist, thinning >= 1 and no "
+                f"negative steps, got {self}."
+            )
+        shares = (self.rival, self.crowded, self.doubt, self.tie, self.suspect, self.flat)
+        if not min(shares) >= 0 or np.isnan(shares).any():
+            raise InputError(
+                "RotationConfig needs rival, crowded, doubt, tie, suspect and flat >= 0, got "
+                f"{self}."
             )
 
     @classmethod
