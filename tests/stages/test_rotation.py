@@ -336,6 +336,8 @@ def test_which_sides_may_be_cut_off():
     box = np.array([0.0, 0, 80, 40])
     hidden = np.zeros((100, 100), bool)
     assert not dro.cut_sides(hidden, box).any()
+    needle = np.array([0.0, 0, 400, 1])
+    assert not dro.cut_sides(hidden, needle).any()
     hidden[68:, 30:60] = True  # below: the box's lower side is at 72.5
     assert dro.cut_sides(hidden, box).tolist() == [False, False, False, True]
     hidden[40:60, 93:] = True

@@ -170,7 +170,8 @@ def make_target(
         rgba = tight_crop(mask_in_crop(hidden, instance), tight, resolution, config.keep_aspect)
         over = np.ascontiguousarray(rgba[..., 3])
         weight = weight - (1 - config.unsure) * torch.as_tensor(over)
-        cut = cut_sides(over > 0.5, tight)
+        if config.keep_aspect:
+            cut = cut_sides(over > 0.5, tight)
     sizes = [level.shape[-2:] for level in features]
     weights = tuple(functional.interpolate(weight[None], s, mode="area")[0] for s in sizes)
     return Target(image, soft[:, 3], torch.as_tensor(distance)[None], features, weight, weights,
@@ -189,6 +190,7 @@ def cut_sides(
     side = len(hidden)
     half = side * (0.5 - MARGIN) * (box[2:] - box[:2]) / (box[2:] - box[:2]).max()
     x0, y0, x1, y1 = np.round(np.concatenate([side / 2 - half, side / 2 + half])).astype(int)
+    x1, y1 = max(x1, x0 + 1), max(y1, y0 + 1)
     near = round(_NEAR_SIDE * side)
     strips = (
         hidden[y0:y1, max(x0 - near, 0) : x0 + near].any(1),
