@@ -6,6 +6,7 @@ import importlib.util
 from pathlib import Path
 from types import ModuleType
 
+import numpy as np
 import pytest
 from toy import toy_object, toy_scene
 
@@ -134,3 +135,9 @@ def test_soundness_is_that_of_the_saved_bundle(tmp_path: Path) -> None:
     assert "overlap by more than 0.5 mm | 50.00 % (1 of 2) |" in text
     assert "| scenes without any of these faults | 1 / 3 |" in text
     assert "- 'mugs' seed 2: no room" in text
+
+
+def test_rotation_speed_shows_wall_and_cpu_seconds() -> None:
+    text = script("rotation_speed").table(np.array([[1.0, 0.5], [3.0, 0.7], [2.0, 0.6]]), "head")
+    assert "| wall | 3 | 2.00 | 2.00 | 2.80 | 3.00 |" in text
+    assert "| CPU | 3 | 0.60 | 0.60 | 0.68 | 0.70 |" in text

@@ -13,6 +13,7 @@ from generator.scene import (
     Placement,
     Pose,
     Report,
+    Rotation,
     SizePrior,
     View,
 )
@@ -50,6 +51,10 @@ def test_values_do_not_share_the_callers_array() -> None:
         lambda: Model("a", "a", mesh(), np.array([1, 0, 1])),
         lambda: Physics(density=-1),
         lambda: Physics(shell=2.0),
+        lambda: Rotation("a", np.nan, 0.1),
+        lambda: Rotation("a", 0.0, 0.1, margin=-0.1),
+        lambda: Rotation("a", 0.0, 0.1, margin=np.nan),
+        lambda: Rotation("a", 0.0, 0.1, width=0.0),
         lambda: Placement("a", np.nan, np.zeros(3), np.ones(3)),
         lambda: Placement("a", 0.0, np.zeros(3), -np.ones(3)),
         lambda: Placement("a", 0.0, np.zeros(2), np.ones(3)),

@@ -23,6 +23,7 @@ from .solving import FIELDS, row_of, start_of_row
 from .tables import Row
 
 KEY = ("case", "config")
+SURE = 0.8  # share of the cases that count as the most sure
 BAD = 10.0  # degrees from which a case is listed
 _CELL = 240
 
@@ -102,10 +103,28 @@ def summary(rows: Sequence[Row], command: str) -> str:
         f"nearly the same from another side in their picture, {counts[2]} do not fit into it.",
         "",
     ]
-    lines += _groups(first)
+    lines += [*_certainty(first), *_groups(first)]
     for r in (r for r in rows if r["error"]):
         lines.append(f"- case {r['case']} ({r['config']}) failed: {r['error']}")
     return "\n".join([*lines, ""])
+
+
+def _certainty(rows: Sequence[Row]) -> list[str]:
+    """Return tables of the errors by how sure the stage says it is."""
+    if len(rows) < 5:
+        return []
+    ordered = sorted(rows, key=lambda r: -float(r["margin"]))
+    cut = round(SURE * len(ordered))
+    lines = ["| by the margin to the best other side | number | margin | median | within 2° "
+             "| within 5° | within 10° |", "|---|---|---|---|---|---|---|"]  # fmt: skip
+    for name, own in ((f"{100 * SURE:.0f} % surest", ordered[:cut]), ("others", ordered[cut:])):
+        span = f"{float(own[-1]['margin']):.2f} to {float(own[0]['margin']):.2f}"
+        cells = [name, str(len(own)), span, *error_cells(column(own, "error_deg"))]
+        lines.append(f"| {' | '.join(cells)} |")
+    near = [r for r in rows if float(r["error_deg"]) <= BAD]
+    inside = [float(r["error_deg"]) <= float(r["width_deg"]) for r in near]
+    return [*lines, "", f"Of the errors up to {BAD:g}°, {share(inside)} are within the width that "
+            "the loss's curvature tells.", ""]  # fmt: skip
 
 
 def _groups(rows: Sequence[Row]) -> list[str]:

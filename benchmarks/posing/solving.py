@@ -20,17 +20,23 @@ CONFIGS = ("default", "paper")
 
 FIELDS = (
     "case", "config", "object", "order", "yaw_deg", "found_deg", "error_deg", "flip",
-    "scale_error_percent", "cpu_seconds", "hidden", "elevation_off_deg", "azimuth_off_deg",
-    "pixels", "apart", "dropped_symmetric", "dropped_alike", "dropped_other", "error",
+    "margin", "width_deg", "scale_error_percent", "cpu_seconds", "hidden",
+    "elevation_off_deg", "azimuth_off_deg", "pixels", "apart", "dropped_symmetric",
+    "dropped_alike", "dropped_other", "error",
 )  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Found:
-    """What the stage found: yaw in radians in the believed world frame, and its loss."""
+    """What the stage found: yaw in radians in the believed world frame, its loss, how sure it is.
+
+    ``margin`` and ``width`` are those of ``generator.scene.Rotation``.
+    """
 
     yaw: float
     loss: float
+    margin: float = 0.0
+    width: float = float(np.pi)
 
 
 def solve(case: Case, config: str) -> Found:
@@ -41,7 +47,7 @@ def solve(case: Case, config: str) -> Found:
         case.model, case.instance, case.view, Encoder(), settings, (width, height),
         hidden=case.front if case.hidden else None,
     )  # fmt: skip
-    return Found(found.yaw, found.loss)
+    return Found(found.yaw, found.loss, found.margin, found.width)
 
 
 def implied_scale(case: Case, yaw: float) -> float:
@@ -98,6 +104,8 @@ def row_of(case: Case, number: int, config: str) -> dict[str, Any]:
         "found_deg": round(float(np.rad2deg(found.yaw)), 2),
         "error_deg": round(error, 3),
         "flip": int(case.order == 1 and error > 170),
+        "margin": round(found.margin, 4),
+        "width_deg": round(float(np.rad2deg(found.width)), 3),
         "scale_error_percent": round(100 * abs(float(scale) - 1), 2),
         "cpu_seconds": round(seconds, 2),
         "hidden": round(case.hidden, 3),

@@ -47,15 +47,16 @@ class Surface:
     covered: Bool[Tensor, "s n"]
     corners: Float[Tensor, "s k 3"]
 
-    def thinned(self, step: int) -> Surface:
+    def thinned(self, step: int, first: int = 0) -> Surface:
         """Return every ``step``-th point, standing for as much more area; they stay even."""
+        count = self.position.shape[1]
         return replace(
             self,
-            position=self.position[:, ::step],
-            normal=self.normal[:, ::step],
-            color=self.color[:, ::step],
-            area=self.area * (self.position.shape[1] / len(range(0, self.position.shape[1], step))),
-            covered=self.covered[:, ::step],
+            position=self.position[:, first::step],
+            normal=self.normal[:, first::step],
+            color=self.color[:, first::step],
+            area=self.area * (count / len(range(first, count, step))),
+            covered=self.covered[:, first::step],
         )
 
     def to(self, device: torch.device | str) -> Surface:
@@ -110,11 +111,13 @@ class Window:
 class SoftImages:
     """A batch of renders, each cropped tightly around its object.
 
-    ``image`` is RGB in [0, 1] over a grey ground, ``silhouette`` in [0, 1].
+    ``image`` is RGB in [0, 1] over a grey ground, ``silhouette`` in [0, 1]; ``normal``, if asked
+    for, the mean of the visible surface's unit normals in camera axes, without gradient.
     """
 
     image: Float[Tensor, "b 3 h w"]
     silhouette: Float[Tensor, "b h w"]
+    normal: Float[Tensor, "b 3 h w"] | None = None
 
 
 @contextmanager
@@ -273,6 +276,7 @@ def render(
     owner: Int[Tensor, "b"] | None = None,
     fit: Fit | None = None,
     window: Window | None = None,
+    normals: bool = False,
 ) -> SoftImages:
     """Draw objects in ``b`` poses, each in its own square crop.
 
@@ -285,6 +289,7 @@ def render(
         owner: which object each pose is of; None if there is only one.
         fit: moves the objects in their crops; None leaves them tight.
         window: what the crops show; None makes them tight.
+        normals: draw the surface's normals as well.
     """
     index = torch.zeros_like(rotation[:, 0, 0], dtype=torch.long) if owner is None else owner
     if window is None:
@@ -314,7 +319,12 @@ def render(
     layers, total, colored = _splat(pixel, values, resolution).split([1, 1, 3], 1)
     silhouette = 1 - torch.exp2(-((2 * layers) ** 3))
     image = colored / (total + 1e-4)
-    return SoftImages(silhouette * image + (1 - silhouette) * 0.5, silhouette[:, 0])
+    facing_map = None
+    if normals:
+        with torch.no_grad():
+            drawn = _splat(pixel.detach(), weight.detach()[..., None] * normal.detach(), resolution)
+            facing_map = drawn / (total.detach() + 1e-4)
+    return SoftImages(silhouette * image + (1 - silhouette) * 0.5, silhouette[:, 0], facing_map)
 
 
 def _visible(

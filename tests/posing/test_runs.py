@@ -65,6 +65,20 @@ def test_singles_resume_and_sum_up(
     assert sheet.shape[1] == 6 * singles._CELL
 
 
+def test_the_summary_tells_whether_sure_answers_are_better() -> None:
+    rows = [
+        singles.start_of_row(k, "default")
+        | {"object": "mug:1", "error_deg": error, "margin": sure, "width_deg": 1.5, "apart": 0.2,
+           "hidden": 0.0, "pixels": 100, "flip": 0, "scale_error_percent": 1, "cpu_seconds": 1,
+           "dropped_symmetric": 0, "dropped_alike": 0, "dropped_other": 0}
+        for k, (error, sure) in enumerate([(1, 0.5), (90, 0.01), (2, 0.4), (1, 0.9), (1, 0.3)])
+    ]  # fmt: skip
+    text = singles.summary(rows, "bench")
+    assert "| 80 % surest | 4 | 0.30 to 0.90 | 1.00° | 100 % | 100 % | 100 % |" in text
+    assert "| others | 1 | 0.01 to 0.01 | 90.00° | 0 % | 0 % | 0 % |" in text
+    assert "Of the errors up to 10°, 75 % are within the width" in text
+
+
 def test_a_case_that_fails_is_a_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(case: Case, config: str) -> solving.Found:
         raise InputError("no such thing")

@@ -11,7 +11,7 @@ from generator.catalogue import build
 from generator.errors import InputError
 from generator.geometry import Camera, mask_box, wrap, yaw_quaternion
 from generator.render.raster import place, render
-from generator.scene import TABLE, Instance, Model, Reference, View
+from generator.scene import TABLE, Instance, Mesh, Model, Reference, View
 from generator.stages import rotation as dro
 from generator.stages.rotation import RotationConfig
 
@@ -19,7 +19,7 @@ SIZE = (640, 480)
 VIEW = View(azimuth=0.1, elevation=np.deg2rad(52.0), fov=np.deg2rad(38.0))
 FAST = dataclasses.replace(
     RotationConfig(), coarse_step=np.deg2rad(10.0), candidates=4, steps=25, points=3000,
-    resolution=72, finalists=2,
+    resolution=72, finalists=2, close_points=6000, close_resolution=80,
 )  # fmt: skip
 
 
@@ -107,7 +107,14 @@ def test_paper_settings():
     assert (paper.resolution, paper.patience, paper.perspective) == (256, 0, False)
 
 
-@pytest.mark.parametrize("wrong", [{"coarse_step": 0.0}, {"candidates": 0}, {"resolution": 4}])
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        {"coarse_step": 0.0}, {"candidates": 0}, {"resolution": 4}, {"close_resolution": 4},
+        {"close_points": 1}, {"rivals": 0}, {"close_steps": -1}, {"doubt": -0.1},
+        {"tie": float("nan")},
+    ],
+)  # fmt: skip
 def test_settings_out_of_range_are_refused(wrong):
     with pytest.raises(InputError, match="RotationConfig needs"):
         RotationConfig(**wrong)
@@ -120,10 +127,8 @@ def test_candidates_keep_their_separation():
     yaws = np.deg2rad(np.arange(0, 360, 5.0))
     losses = np.minimum(np.abs(np.rad2deg(yaws) - 90), np.abs(np.rad2deg(yaws) - 270) + 3)
     config = RotationConfig(candidates=3, separation=np.deg2rad(15.0))
-    np.testing.assert_allclose(
-        np.rad2deg(dro.select_candidates(yaws, losses, config)), [90, 270, 75]
-    )
-    neighbours = dro.select_candidates(yaws, losses, RotationConfig(candidates=3, separation=0.0))
+    np.testing.assert_allclose(np.rad2deg(yaws[dro.selected(yaws, losses, config)]), [90, 270, 75])
+    neighbours = yaws[dro.selected(yaws, losses, RotationConfig(candidates=3, separation=0.0))]
     assert np.rad2deg(neighbours)[0] == pytest.approx(90)
     assert np.ptp(np.rad2deg(neighbours)) < 200
 
@@ -162,11 +167,11 @@ def test_an_object_at_the_side_is_seen_along_its_own_ray():
 def test_refining_descends_from_the_coarse_angle():
     model = build("toy_train", 5)
     instance, _ = picture_of(model, 0.53, (320, 240))
-    _, objective = dro.make_objective([model], [instance], VIEW, Encoder(), FAST, SIZE)
+    objective = dro.make_objectives([model], [instance], VIEW, Encoder(), FAST, SIZE).fine
     before = dro.coarse_losses(objective, np.array([0.45]))[0, 0]
-    (((yaw, loss, _),),) = dro.refine(objective, [[(0.45, before, 0.0)]], 25)
-    assert loss < before
-    assert abs(yaw - 0.53) < abs(0.45 - 0.53) / 2
+    ((found,),) = dro.refine(objective, [[dro.Found(0.45, before)]], 25)
+    assert found.loss < before
+    assert abs(found.yaw - 0.53) < abs(0.45 - 0.53) / 2
 
 
 def test_objects_of_a_batch_are_found_as_if_alone():
@@ -175,11 +180,12 @@ def test_objects_of_a_batch_are_found_as_if_alone():
         picture_of(m, yaw, (320, 240))[0] for m, yaw in zip(models, (0.5, 2.0, -1.0), strict=True)
     ]
     config = dataclasses.replace(FAST, steps=6, patience=0)
-    together = dro.search(*dro.make_objective(models, instances, VIEW, Encoder(), config, SIZE))
-    assert len(together[1]) == 1 and together[1][0][0] == 0.0, "a plate has no yaw"
+    together = dro.search(dro.make_objectives(models, instances, VIEW, Encoder(), config, SIZE))
+    assert [answer.symmetric for answer in together] == [False, True, False]
+    assert together[1].looks[0][0].yaw == 0.0, "a plate has no yaw"
     for model, instance, found in zip(models, instances, together, strict=True):
         alone = dro.optimise_rotation(model, instance, VIEW, Encoder(), config, SIZE)
-        assert alone.yaw == pytest.approx(found[0][0], abs=np.deg2rad(0.2))
+        assert alone.yaw == pytest.approx(found.looks[0][0].yaw, abs=np.deg2rad(0.2))
 
 
 def test_what_may_be_hidden_counts_for_little():
@@ -193,9 +199,9 @@ def test_what_may_be_hidden_counts_for_little():
     guessed = dataclasses.replace(instance, crop=spoilt)
     losses = {}
     for name, where in (("known", None), ("unsure", hidden)):
-        _, objective = dro.make_objective(
+        objective = dro.make_objectives(
             [model], [guessed], VIEW, Encoder(), FAST, SIZE, hidden=[where]
-        )
+        ).fine
         losses[name] = float(dro.coarse_losses(objective, np.array([0.53]))[0, 0])
     assert losses["unsure"] < 0.6 * losses["known"]
 
@@ -227,7 +233,141 @@ def test_same_seed_same_rotation():
 def test_an_object_of_revolution_keeps_yaw_zero():
     model = build("plate", 0)
     instance, _ = picture_of(model, 2.0, (320, 240))
-    assert dro.optimise_rotation(model, instance, VIEW, Encoder(), FAST, SIZE).yaw == 0.0
+    found = dro.optimise_rotation(model, instance, VIEW, Encoder(), RotationConfig(), SIZE)
+    assert found.yaw == 0.0 and found.symmetric
+    assert found.margin == 0.0 and found.confidence == 0.0 and found.width == np.pi
+
+
+def painted(quarter: tuple[int, int, int], half: tuple[int, int, int]) -> Model:
+    """A round tin whose side is white but for a half and, in it, a quarter of other colours."""
+    n, corners, faces, u = 48, [], [], []
+    at = np.arange(n + 1) * 2 * np.pi / n
+    ring = np.column_stack([np.cos(at), np.sin(at)]) / 2
+    for k in range(n):
+        (x0, y0), (x1, y1) = ring[k], ring[k + 1]
+        m = len(corners)
+        corners += [(x0, y0, -0.5), (x1, y1, -0.5), (x1, y1, 0.5), (x0, y0, 0.5)]
+        corners += [(0, 0, 0.5), (x0, y0, 0.5), (x1, y1, 0.5)]
+        corners += [(0, 0, -0.5), (x1, y1, -0.5), (x0, y0, -0.5)]
+        faces += [
+            (m, m + 1, m + 2),
+            (m, m + 2, m + 3),
+            (m + 4, m + 5, m + 6),
+            (m + 7, m + 8, m + 9),
+        ]
+        u += [(k + 0.5) / n] * 4 + [0.95] * 6
+    texture = np.full((1, 64, 3), 235, np.uint8)
+    texture[0, :32], texture[0, 8:24] = half, quarter
+    mesh = Mesh(
+        np.array(corners), np.array(faces), np.column_stack([u, np.full(len(u), 0.5)]), texture
+    )
+    return dataclasses.replace(build("candle", 0), mesh=mesh, size=np.array([0.09, 0.09, 0.08]))
+
+
+def test_a_round_thing_with_a_print_is_turned_and_sure():
+    model = painted((200, 30, 30), (30, 60, 190))
+    instance, _ = picture_of(model, 0.7, (320, 240))
+    found = dro.optimise_rotation(model, instance, VIEW, Encoder(), RotationConfig(), SIZE)
+    assert not found.symmetric
+    assert abs(np.rad2deg(wrap(found.yaw - 0.7))) < 4
+    assert found.confidence > 0.7
+    assert np.rad2deg(found.width) < 5
+
+
+def test_a_weak_print_makes_it_less_sure():
+    sure = {}
+    for name, model in (
+        ("strong", painted((200, 30, 30), (30, 60, 190))),
+        ("weak", painted((225, 235, 235), (230, 230, 240))),
+    ):
+        instance, _ = picture_of(model, 0.7, (320, 240))
+        found = dro.optimise_rotation(model, instance, VIEW, Encoder(), RotationConfig(), SIZE)
+        sure[name] = found.confidence
+    assert sure["weak"] < 0.5 * sure["strong"]
+
+
+@pytest.mark.parametrize(
+    ("margins", "expected"),
+    [
+        ([[(0.0, 1.0), (2.0, 1.3)]], 0.3),
+        ([[(0.0, 1.0)], [(0.1, 2.0), (2.0, 3.0)]], 0.5),
+        ([[(0.0, 1.0), (2.0, 1.3)], [(2.05, 1.0), (0.0, 2.0)]], 0.3),  # its closest look counts
+        ([[(0.0, 1.0), (0.2, 1.1)]], 0.0),  # no other side was looked at
+        ([[(0.0, 1.0)], [(0.0, 2.0), (-2.0, 1.8)]], 0.0),
+    ],
+)
+def test_margin_is_told_by_the_closest_look(margins, expected):
+    looks = [[dro.Found(yaw, loss) for yaw, loss in look] for look in margins]
+    assert dro.margin(looks) == pytest.approx(expected)
+
+
+def test_width_follows_the_curvature():
+    """Where the loss rises by a fiftieth; a thing that is sharper to turn is narrower."""
+    wide = {}
+    for key in ("hairbrush", "mug"):
+        model = build(key, 5)
+        instance, _ = picture_of(model, 0.5, (320, 240))
+        objective = dro.make_objectives([model], [instance], VIEW, Encoder(), FAST, SIZE).fine
+        ((found, *_),) = dro.refine(objective, [[dro.Found(0.5)]], 20)
+        (wide[key],) = dro.widths(objective, [found])
+        there = np.array([found.yaw, found.yaw + 3 * wide[key]])
+        low, high = dro.losses_at(objective, 0, there, [found.place] * 2)
+        assert high > 1.04 * low
+    assert 0 < wide["hairbrush"] < wide["mug"] < np.deg2rad(30)
+
+
+def test_a_mug_whose_handle_is_small_is_not_taken_for_round():
+    model = build("mug", 5)
+    instance, _ = picture_of(model, 2.4, (320, 240))
+    config = dataclasses.replace(RotationConfig(), suspect=1e9)
+    levels = dro.make_objectives([model], [instance], VIEW, Encoder(), config, SIZE)
+    assert not dro.looks_round(levels.close, np.array([True]), config.flat)[0]
+    plate = build("plate", 0)
+    instance, _ = picture_of(plate, 2.4, (320, 240))
+    levels = dro.make_objectives([plate], [instance], VIEW, Encoder(), config, SIZE)
+    assert dro.looks_round(levels.close, np.array([True]), config.flat)[0]
+    assert dro.turning_changes(levels.close(), 0) < config.flat / 2
+
+
+# ---------------------------------------------------------------------------------- hidden sides
+
+
+def test_which_sides_may_be_cut_off():
+    box = np.array([0.0, 0, 80, 40])
+    hidden = np.zeros((100, 100), bool)
+    assert not dro.cut_sides(hidden, box).any()
+    needle = np.array([0.0, 0, 400, 1])
+    assert not dro.cut_sides(hidden, needle).any()
+    hidden[68:, 30:60] = True  # below: the box's lower side is at 72.5
+    assert dro.cut_sides(hidden, box).tolist() == [False, False, False, True]
+    hidden[40:60, 93:] = True
+    assert dro.cut_sides(hidden, box).tolist() == [False, False, True, True]
+
+
+@pytest.mark.parametrize("side", ["left", "right", "top", "bottom"])
+def test_an_object_reaches_past_the_side_that_is_hidden(side):
+    """Drawn so, it agrees better with what is left of it than drawn into the box of that."""
+    model = build("toy_train", 5)
+    instance, _ = picture_of(model, 0.53, (320, 240))
+    height, width = instance.crop.shape[:2]
+    cut = instance.crop.copy()
+    gone = {
+        "left": np.s_[:, : width // 6], "right": np.s_[:, -(width // 6) :],
+        "top": np.s_[: height // 6], "bottom": np.s_[-(height // 6) :],
+    }[side]  # fmt: skip
+    cut[..., 3][gone] = 0
+    x0, y0 = instance.box[:2].astype(int)
+    hidden = np.zeros(instance.mask.shape, bool)
+    hidden[y0 : y0 + height, x0 : x0 + width] = cut[..., 3] == 0
+    part = dataclasses.replace(instance, crop=cut, occluded=True)
+    coarse = dro.make_objectives(
+        [model], [part], VIEW, Encoder(), RotationConfig(), SIZE, hidden=[hidden]
+    ).coarse
+    tight = dro.coarse_losses(coarse, np.array([0.53]))
+    losses, ((place,),) = dro.coarse_search(coarse, np.array([0.53]))
+    assert losses[0, 0] < 0.8 * tight[0, 0]
+    towards = {"left": (0, -1), "right": (0, 1), "top": (1, -1), "bottom": (1, 1)}[side]
+    assert towards[1] * place[towards[0]] > 0.02
 
 
 def test_the_table_is_left_out_and_a_missing_model_named():

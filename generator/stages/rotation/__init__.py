@@ -5,8 +5,10 @@ completed instance: a coarse search over the whole turn, then Adam on the best c
 them in one tensor.
 """
 
+from .certainty import margin, widths
 from .config import RotationConfig
 from .estimate import estimate_rotations, optimise_rotation
+from .found import Answer, Found
 from .losses import (
     appearance_loss,
     contour_distance,
@@ -14,25 +16,44 @@ from .losses import (
     rotation_loss,
     silhouette_loss,
 )
-from .objective import Candidates, Objective, Target, make_objective, make_target
-from .search import coarse_losses, refine, search, select_candidates
+from .objective import (
+    Candidates,
+    Levels,
+    Objective,
+    Target,
+    cut_sides,
+    make_objectives,
+    make_target,
+)
+from .search import coarse_losses, coarse_search, losses_at, refine, search, selected
+from .symmetry import looks_round, turning_changes
 
 __all__ = [
+    "Answer",
     "Candidates",
+    "Found",
+    "Levels",
     "Objective",
     "RotationConfig",
     "Target",
     "appearance_loss",
     "coarse_losses",
+    "coarse_search",
     "contour_distance",
+    "cut_sides",
     "edge_loss",
     "estimate_rotations",
-    "make_objective",
+    "looks_round",
+    "losses_at",
+    "make_objectives",
     "make_target",
+    "margin",
     "optimise_rotation",
     "refine",
     "rotation_loss",
     "search",
-    "select_candidates",
+    "selected",
     "silhouette_loss",
+    "turning_changes",
+    "widths",
 ]

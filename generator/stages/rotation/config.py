@@ -24,15 +24,24 @@ class RotationConfig:
         coarse_resolution, thinning: the coarse search and its refinement compare crops of that
             side, pixels, of every ``thinning``-th point.
         coarse_steps: Adam's steps there; 0 refines at full resolution only.
-        finalists: how many candidates are then refined at full resolution.
+        rivals, rival, rival_steps: at most so many candidates, of a loss at most that share above
+            the best, are then refined at full resolution by a few steps.
+        crowded: where even the last candidate's loss is less than this share above the best, the
+            candidates are chosen again at full resolution, and not refined coarsely; 0 never.
+        doubt, close_steps, close_resolution, close_points: rivals whose losses stay within
+            ``doubt`` of the best are compared once more, so closely; 0 steps never.
+        finalists, tie: how many, if their losses are within that share of the best, are then
+            refined by ``steps``.
         resolution: side of the compared crops, pixels.
         points: surface points drawn per object.
         learning_rate: Adam's step, radians.
         steps: Adam's steps at full resolution.
         decay: let the step fall to zero along a cosine, which ends on the minimum itself.
         patience: stop after that many steps without progress; 0 never stops early.
-        flat: an object whose coarse losses vary by less than this share of the lowest looks the
-            same from all sides; it keeps yaw 0.
+        suspect, flat: an object whose coarse losses vary by less than ``suspect`` of the lowest
+            may look the same from all sides. Then its own renders are compared with each other;
+            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. 0 asks for
+            neither.
         edge_unit: the distance that counts as 1 in Eq. 3, as a share of the crop's side.
         keep_aspect: pad the tight crop to a square; False stretches it, which drops the aspect.
         perspective: see each object along its own ray; False looks at all of them as if they
@@ -40,8 +49,11 @@ class RotationConfig:
         refine_camera: also adjust the camera's elevation per candidate, within ``max_tilt``.
         max_tilt: largest change of elevation, radians.
         refine_fit: also shift and scale the candidates of an object that something hides in part,
-            by at most ``max_fit`` of the crop's side: its completed outline is a guess.
+            by at most ``max_fit`` of the crop's side: its completed outline is a guess. The search
+            also begins with the object reaching past each side of its box where it may be hidden.
             ``fit_cost`` is the loss that a change of ``max_fit`` adds.
+        relight: put the picture's light, a linear function of the surface's normal, on each render
+            before Eq. 4 compares the two.
         unsure: weight of pixels where another instance may hide this one.
         device: where torch works, "cpu" or "cuda". Only the CPU repeats itself to the bit.
     """
@@ -55,14 +67,24 @@ class RotationConfig:
     coarse_resolution: int = 48
     thinning: int = 3
     coarse_steps: int = 12
+    rivals: int = 8
+    rival: float = 0.4
+    rival_steps: int = 10
+    crowded: float = 0.25
+    doubt: float = 0.3
+    close_steps: int = 6
+    close_resolution: int = 112
+    close_points: int = 20_000
     finalists: int = 3
+    tie: float = 0.06
     resolution: int = 96
     points: int = 6000
     learning_rate: float = 3e-2
-    steps: int = 30
+    steps: int = 16
     decay: bool = True
     patience: int = 12
-    flat: float = 0.15
+    suspect: float = 0.4
+    flat: float = 0.027
     edge_unit: float = 0.1
     keep_aspect: bool = True
     perspective: bool = True
@@ -71,6 +93,7 @@ class RotationConfig:
     refine_fit: bool = True
     max_fit: float = 0.06
     fit_cost: float = 0.03
+    relight: bool = True
     unsure: float = 0.2
     device: str = "cpu"
 
@@ -80,14 +103,22 @@ class RotationConfig:
                 "RotationConfig needs coarse_step in (0, pi] radians, at least 1 candidate and "
                 f"no negative steps, got {self}."
             )
-        if min(self.resolution, self.coarse_resolution) < 16 or self.points < 100:
+        sides = (self.coarse_resolution, self.resolution, self.close_resolution)
+        if min(sides) < 16 or min(self.points, self.close_points) < 100:
             raise InputError(
                 f"RotationConfig needs resolutions >= 16 and points >= 100, got {self}."
             )
-        if self.finalists < 1 or self.thinning < 1 or self.coarse_steps < 0:
+        steps = (self.coarse_steps, self.rival_steps, self.close_steps)
+        if min(self.rivals, self.finalists, self.thinning) < 1 or min(steps) < 0:
             raise InputError(
-                "RotationConfig needs at least 1 finalist, thinning >= 1 and no negative steps, "
-                f"got {self}."
+                "RotationConfig needs at least 1 rival and 1 finalist, thinning >= 1 and no "
+                f"negative steps, got {self}."
+            )
+        shares = (self.rival, self.crowded, self.doubt, self.tie, self.suspect, self.flat)
+        if not min(shares) >= 0 or np.isnan(shares).any():
+            raise InputError(
+                "RotationConfig needs rival, crowded, doubt, tie, suspect and flat >= 0, got "
+                f"{self}."
             )
 
     @classmethod
@@ -98,16 +129,22 @@ class RotationConfig:
             coarse_resolution=256,
             thinning=1,
             coarse_steps=0,
+            rival_steps=0,
+            crowded=0.0,
             finalists=8,
+            tie=float("inf"),
+            close_steps=0,
             resolution=256,
             points=40_000,
             steps=140,
             decay=False,
             patience=0,
+            suspect=0.0,
             flat=0.0,
             keep_aspect=False,
             perspective=False,
             refine_camera=False,
             refine_fit=False,
+            relight=False,
             unsure=1.0,
         )

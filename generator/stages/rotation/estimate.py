@@ -13,8 +13,9 @@ from ...backends.protocols import Encoder
 from ...errors import InputError
 from ...scene import TABLE, Instance, Model, Reference, Rotation, View
 from .config import RotationConfig
-from .objective import make_objective
-from .search import Found, search
+from .found import Answer
+from .objective import make_objectives
+from .search import search
 
 
 def estimate_rotations(
@@ -43,17 +44,17 @@ def estimate_rotations(
             raise InputError(f"Instance {instance.name!r} has no model; make the models first.")
     hidden = [_hiders(instance, things) for instance in things]
 
-    def searched(group: Sequence[int]) -> list[list[Found]]:
+    def searched(group: Sequence[int]) -> list[Answer]:
         for k in group:
             if progress:
                 progress(things[k].name)
-        pair = make_objective(
+        levels = make_objectives(
             [models[things[k].name] for k in group],
             [things[k] for k in group],
             view, encoder, config, (width, height), seed,
             [hidden[k] for k in group],
         )  # fmt: skip
-        return search(*pair)
+        return search(levels)
 
     from ...render.soft import single_thread
 
@@ -97,16 +98,17 @@ def optimise_rotation(
     from ...render.soft import single_thread
 
     with single_thread():
-        pair = make_objective(
+        levels = make_objectives(
             [model], [instance], view, encoder, config, image_size, seed, [hidden]
         )
-        (found,) = search(*pair)
+        (found,) = search(levels)
     return _rotation(instance.name, found)
 
 
-def _rotation(name: str, found: list[Found]) -> Rotation:
-    yaw, loss, _ = found[0]
-    return Rotation(name, yaw, loss, tuple((yaw, loss) for yaw, loss, _ in found))
+def _rotation(name: str, answer: Answer) -> Rotation:
+    found = answer.looks[0]
+    candidates = tuple((f.yaw, f.loss) for f in found)
+    return Rotation(name, *candidates[0], candidates, answer.margin, answer.width, answer.symmetric)
 
 
 def _hiders(instance: Instance, things: Sequence[Instance]) -> Bool[np.ndarray, "h w"] | None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,23 +25,31 @@ from .losses import (
 if TYPE_CHECKING:
     from torch import Tensor
 
-    from ...render.soft import Fit, Surface
+    from ...render.soft import Fit, SoftImages, Surface
+
+
+_NEAR_SIDE = 0.04  # of a crop's side: so near to a side of the box, what hides may cut it off
+_TOUCH = 0.08  # share of a side that must be hidden
 
 
 @dataclass(frozen=True, eq=False)
 class Target:
     """What the renders of ``s`` objects are compared with, in crops of one resolution.
 
-    ``mask`` is S, softened like the renders; ``distance`` is D_S over ``edge_unit``; ``features``
-    are Phi(I_instance); ``weight`` is how much each pixel counts, ``weights`` that at the
-    features' sizes.
+    ``image`` is the crop over grey and ``mask`` is S, both softened like the renders;
+    ``distance`` is D_S over ``edge_unit``; ``features`` are Phi(I_instance); ``weight`` is how
+    much each pixel counts, ``weights`` that at the features' sizes. ``cut`` tells at which sides
+    of its box (left, top, right, bottom) something may hide the object, which then reaches
+    farther than the box.
     """
 
+    image: Float[Tensor, "s 3 h w"]
     mask: Float[Tensor, "s h w"]
     distance: Float[Tensor, "s h w"]
     features: tuple[Float[Tensor, "s c h w"], ...]
     weight: Float[Tensor, "s h w"]
     weights: tuple[Float[Tensor, "s h w"], ...]
+    cut: Bool[Tensor, "s 4"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,28 +84,57 @@ class Objective:
 
     def __call__(self, poses: Candidates) -> Float[Tensor, "b"]:
         """Render the candidates and return each one's loss."""
+        return self.compare(self.render(poses), self.target, poses.owner)
+
+    def placed(self, poses: Candidates) -> tuple[Float[Tensor, "b 3 3"], Float[Tensor, "b 3"]]:
+        """Return rotations from object to camera axes, and where the centres lie, metres."""
         from ...render import soft
 
-        owner, target = poses.owner, self.target
+        owner = poses.owner
         rotation = soft.object_to_camera(poses.yaw, poses.tilt, self.world_to_camera)
         center = soft.fit_center(
             self.surface.corners[owner], rotation.detach(), self.middle[owner], self.span[owner]
         )
-        images = soft.render(
-            self.surface, rotation, center, target.mask.shape[-1], self.config.keep_aspect, owner,
-            poses.fit,
+        return rotation, center
+
+    def render(self, poses: Candidates) -> SoftImages:
+        """Draw the candidates, each in its own crop."""
+        from ...render import soft
+
+        return soft.render(
+            self.surface, *self.placed(poses), self.target.mask.shape[-1],
+            self.config.keep_aspect, poses.owner, poses.fit, normals=self.config.relight,
         )  # fmt: skip
-        weight = target.weight[owner]
+
+    def compare(
+        self, images: SoftImages, target: Target, owner: Int[Tensor, "b"]
+    ) -> Float[Tensor, "b"]:
+        """Return Eq. 1 of renders, each held against the ``owner``-th row of a target."""
+        from ...render import soft
+        from ...render.relight import relit
+
+        weight, image = target.weight[owner], images.image
+        if self.config.relight:
+            image = relit(images, target.image[owner], weight * target.mask[owner].square())
         return rotation_loss(
             silhouette_loss(images.silhouette, target.mask[owner], weight),
             edge_loss(soft.sobel_edges(images.silhouette), target.distance[owner], weight),
             appearance_loss(
-                self.encoder.features(images.image),
+                self.encoder.features(image),
                 tuple(level[owner] for level in target.features),
                 tuple(level[owner] for level in target.weights),
             ),
             self.config,
         )
+
+
+@dataclass(frozen=True, eq=False)
+class Levels:
+    """The same objects at growing resolution; ``close`` makes the last, once, if it is asked."""
+
+    coarse: Objective
+    fine: Objective
+    close: Callable[[], Objective]
 
 
 def make_target(
@@ -126,16 +165,43 @@ def make_target(
     distance = contour_distance(rgba[..., 3] > 0.5) / (config.edge_unit * resolution)
     with torch.no_grad():
         features = encoder.features(image)
-    weight = torch.ones_like(soft[:, 3])
+    weight, cut = torch.ones_like(soft[:, 3]), np.zeros(4, bool)
     if hidden is not None and config.unsure < 1:
-        over = tight_crop(mask_in_crop(hidden, instance), tight, resolution, config.keep_aspect)
-        weight = weight - (1 - config.unsure) * torch.as_tensor(over[..., 3])
+        rgba = tight_crop(mask_in_crop(hidden, instance), tight, resolution, config.keep_aspect)
+        over = np.ascontiguousarray(rgba[..., 3])
+        weight = weight - (1 - config.unsure) * torch.as_tensor(over)
+        if config.keep_aspect:
+            cut = cut_sides(over > 0.5, tight)
     sizes = [level.shape[-2:] for level in features]
     weights = tuple(functional.interpolate(weight[None], s, mode="area")[0] for s in sizes)
-    return Target(soft[:, 3], torch.as_tensor(distance)[None], features, weight, weights)
+    return Target(image, soft[:, 3], torch.as_tensor(distance)[None], features, weight, weights,
+                  torch.as_tensor(cut)[None])  # fmt: skip
 
 
-def make_objective(
+def cut_sides(
+    hidden: Bool[np.ndarray, "r r"], box: Float[np.ndarray, "4"]
+) -> Bool[np.ndarray, "4"]:
+    """Tell at which sides (left, top, right, bottom) of a tight crop something hides the object.
+
+    ``box`` is what the crop was made of; only its aspect counts.
+    """
+    from ...render.crop import MARGIN
+
+    side = len(hidden)
+    half = side * (0.5 - MARGIN) * (box[2:] - box[:2]) / (box[2:] - box[:2]).max()
+    x0, y0, x1, y1 = np.round(np.concatenate([side / 2 - half, side / 2 + half])).astype(int)
+    x1, y1 = max(x1, x0 + 1), max(y1, y0 + 1)
+    near = round(_NEAR_SIDE * side)
+    strips = (
+        hidden[y0:y1, max(x0 - near, 0) : x0 + near].any(1),
+        hidden[max(y0 - near, 0) : y0 + near, x0:x1].any(0),
+        hidden[y0:y1, x1 - near : x1 + near].any(1),
+        hidden[y1 - near : y1 + near, x0:x1].any(0),
+    )
+    return np.array([float(strip.mean()) > _TOUCH for strip in strips])
+
+
+def make_objectives(
     models: list[Model],
     instances: list[Instance],
     view: View,
@@ -144,8 +210,8 @@ def make_objective(
     image_size: tuple[int, int],
     seed: int = 0,
     hidden: list[Bool[np.ndarray, "h w"] | None] | None = None,
-) -> tuple[Objective, Objective]:
-    """Prepare Eq. 1 for objects of one image, coarsely and at full resolution.
+) -> Levels:
+    """Prepare Eq. 1 for objects of one image, at the resolutions of the settings.
 
     ``image_size`` is (width, height) of the reference image; ``hidden`` as in ``make_target``.
     """
@@ -158,8 +224,10 @@ def make_objective(
     boxes = np.array([in_reference(i, tight_box(i)) for i in instances])
     middle = ((boxes[:, :2] + boxes[:, 2:]) / 2 - np.array(image_size) / 2) / focal
     span = (boxes[:, 2:] - boxes[:, :2]) / focal
-    surface = stack([sample_surface(m.mesh, m.size, config.points, seed) for m in models])
     masks = hidden or [None] * len(instances)
+
+    def sampled(points: int) -> Surface:
+        return stack([sample_surface(m.mesh, m.size, points, seed) for m in models])
 
     def at(resolution: int, points: Surface) -> Objective:
         targets = [
@@ -181,8 +249,12 @@ def make_objective(
             torch.tensor([config.refine_fit and i.occluded for i in instances]).to(config.device),
         )
 
-    coarse = at(config.coarse_resolution, surface.thinned(config.thinning))
-    return coarse, at(config.resolution, surface)
+    surface = sampled(config.points)
+    return Levels(
+        at(config.coarse_resolution, surface.thinned(config.thinning)),
+        at(config.resolution, surface),
+        cache(lambda: at(config.close_resolution, sampled(config.close_points))),
+    )
 
 
 def _stacked(targets: list[Target], device: str) -> Target:
@@ -192,9 +264,11 @@ def _stacked(targets: list[Target], device: str) -> Target:
         return torch.cat(tensors).to(device)
 
     return Target(
+        joined(*(t.image for t in targets)),
         joined(*(t.mask for t in targets)),
         joined(*(t.distance for t in targets)),
         tuple(joined(*level) for level in zip(*(t.features for t in targets), strict=True)),
         joined(*(t.weight for t in targets)),
         tuple(joined(*level) for level in zip(*(t.weights for t in targets), strict=True)),
+        joined(*(t.cut for t in targets)),
     )

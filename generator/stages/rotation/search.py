@@ -1,47 +1,112 @@
-"""Coarse search over the whole turn, then gradient descent on the best candidates."""
+"""Coarse search over the whole turn, then gradient descent on the best candidates.
+
+Each level looks closer at fewer candidates; most objects are decided before the last one.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float
 
 from ...geometry import wrap
+from .certainty import margin, widths
 from .config import RotationConfig
-from .objective import Candidates, Objective
+from .found import Answer, Found, Place, Rows
+from .objective import Candidates, Levels, Objective
+from .sides import reaching_past
+from .symmetry import looks_round
 
 if TYPE_CHECKING:
     from torch import Tensor
 
+
 _CHUNK = 24  # coarse candidates of an object rendered at once
 _SHIFT = 0.3  # Adam's step of shift and zoom, per step of yaw
 
-Found = tuple[float, float, float]
-"""A candidate's yaw, its loss and its tilt."""
 
-
-def search(coarse: Objective, fine: Objective) -> list[list[Found]]:
-    """Return the refined candidates of every object, best first.
+def search(levels: Levels) -> list[Answer]:
+    """Return what is found for every object.
 
     An object that looks the same from all sides has one candidate, yaw 0.
     """
-    config = coarse.config
-    yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
-    losses = coarse_losses(coarse, yaws)
-    flat = np.ptp(losses, axis=1) < config.flat * losses.min(1)
-    starts = [
-        [] if still else [(float(yaw), 0.0, 0.0) for yaw in select_candidates(yaws, row, config)]
-        for row, still in zip(losses, flat, strict=True)
-    ]
+    config, coarse, fine = levels.coarse.config, levels.coarse, levels.fine
+    starts, crowded, still = _starts(levels)
+    rounds = [starts]
     if config.coarse_steps:
-        better = refine(coarse, starts, config.coarse_steps)
-        starts = [_distinct(found)[: config.finalists] for found in better]
-    refined = refine(fine, starts, config.steps)
-    return [
-        [(0.0, float(row[0]), 0.0)] if still else found
-        for row, still, found in zip(losses, flat, refined, strict=True)
-    ]
+        apart = [[] if crowd else found for found, crowd in zip(starts, crowded, strict=True)]
+        refined = refine(coarse, apart, config.coarse_steps)
+        rounds.append([new or old for new, old in zip(refined, starts, strict=True)])
+    if config.rival_steps:
+        rivals = [_rivals(found, config.rivals, config.rival, config) for found in rounds[-1]]
+        rounds.append(refine(fine, rivals, config.rival_steps))
+    rivals = [_rivals(found, config.rivals, config.doubt, config) for found in rounds[-1]]
+    close = levels.close() if config.close_steps and any(rivals) else fine
+    if config.close_steps:
+        doubtful = [found if len(found) > 1 else [] for found in rivals]
+        refined = refine(close, doubtful, config.close_steps)
+        rounds.append([new or old[:1] for new, old in zip(refined, rivals, strict=True)])
+    finalists = [_rivals(found, config.finalists, config.tie, config) for found in rounds[-1]]
+    rounds.append(refine(close, finalists, config.steps))
+    exact = widths(close, [flat or found[0] for flat, found in zip(still, rounds[-1], strict=True)])
+    answers = []
+    for k, flat in enumerate(still):
+        looks = [found[k] for found in reversed(rounds)]
+        answers.append(Answer([[flat]]) if flat else Answer(looks, margin(looks), exact[k], False))
+    return answers
+
+
+def _starts(levels: Levels) -> tuple[Rows, list[bool], list[Found | None]]:
+    """Search the whole turn.
+
+    Returns:
+        every object's best candidates, none if it looks the same from all sides; whether they are
+        crowded: so alike that they were chosen at full resolution; and the one candidate of an
+        object that looks the same from all sides, None of others.
+    """
+    config = levels.coarse.config
+    yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
+    losses, places = coarse_search(levels.coarse, yaws)
+    suspects = np.ptp(losses, axis=1) < config.suspect * losses.min(1)
+    flat = looks_round(levels.close, suspects, config.flat)
+    starts: Rows = []
+    crowded: list[bool] = []
+    for k, row in enumerate(losses):
+        best = selected(yaws, row, config)
+        crowded.append(not flat[k] and row[best[-1]] < (1 + config.crowded) * row.min())
+        if crowded[-1]:
+            row = losses_at(levels.fine, k, yaws, places[k])
+            best = selected(yaws, row, config)
+        found = [Found(float(yaws[n]), float(row[n]), 0.0, places[k][n]) for n in best]
+        starts.append([] if flat[k] else found)
+    still = [Found(0.0, float(row[0])) if f else None for f, row in zip(flat, losses, strict=True)]
+    return starts, crowded, still
+
+
+def coarse_search(
+    objective: Objective, yaws: Float[np.ndarray, "n"]
+) -> tuple[Float[np.ndarray, "s n"], list[list[Place]]]:
+    """Return each object's lowest loss at each yaw (radians), and where in the crop it has it.
+
+    An object that something may hide is also drawn reaching past its box, at one side at a time.
+    """
+    import torch
+
+    losses = coarse_losses(objective, yaws)
+    places: list[list[Place]] = [[(0.0, 0.0, 0.0)] * len(yaws) for _ in range(len(objective))]
+    cut = objective.target.cut & objective.loose[:, None]
+    for k, side in torch.nonzero(cut).tolist():
+        yaw = torch.as_tensor(yaws, dtype=torch.float32, device=objective.middle.device)
+        owner = torch.full((len(yaws),), k, device=yaw.device)
+        with torch.no_grad():
+            fit = reaching_past(objective, Candidates(owner, yaw, torch.zeros_like(yaw)), side)
+        rows = torch.cat([fit.shift, fit.zoom[:, None]], 1).tolist()
+        found = losses_at(objective, k, yaws, rows)
+        for n in np.flatnonzero(found < losses[k]):
+            losses[k, n], places[k][n] = found[n], tuple(rows[n])
+    return losses, places
 
 
 def coarse_losses(objective: Objective, yaws: Float[np.ndarray, "n"]) -> Float[np.ndarray, "s n"]:
@@ -61,20 +126,42 @@ def coarse_losses(objective: Objective, yaws: Float[np.ndarray, "n"]) -> Float[n
     return torch.cat(rows, 1).cpu().numpy()
 
 
-def select_candidates(
+def losses_at(
+    objective: Objective,
+    number: int,
+    yaws: Float[np.ndarray, "n"],
+    places: Sequence[Sequence[float]],
+) -> Float[np.ndarray, "n"]:
+    """Return Eq. 1 of one object at yaws (radians), each in a place of its crop; no gradients."""
+    import torch
+
+    from ...render.soft import Fit
+
+    device = objective.middle.device
+    rows = torch.as_tensor(np.column_stack([yaws, places]), dtype=torch.float32, device=device)
+    out = []
+    with torch.no_grad():
+        for part in rows.split(_CHUNK):
+            owner = torch.full((len(part),), number, device=device)
+            fit = Fit(part[:, 1:3], part[:, 3])
+            out.append(objective(Candidates(owner, part[:, 0], torch.zeros_like(part[:, 0]), fit)))
+    return torch.cat(out).cpu().numpy()
+
+
+def selected(
     yaws: Float[np.ndarray, "n"], losses: Float[np.ndarray, "n"], config: RotationConfig
-) -> Float[np.ndarray, "k"]:
-    """Return the yaws of lowest loss, at most ``candidates``, at least ``separation`` apart."""
-    chosen: list[float] = []
-    for yaw in yaws[np.argsort(losses, kind="stable")]:
-        if all(abs(wrap(yaw - other)) >= config.separation - 1e-6 for other in chosen):
-            chosen.append(float(yaw))
+) -> list[int]:
+    """Return which yaws have the lowest loss: at most ``candidates``, ``separation`` apart."""
+    chosen: list[int] = []
+    for k in np.argsort(losses, kind="stable"):
+        if all(abs(wrap(yaws[k] - yaws[n])) >= config.separation - 1e-6 for n in chosen):
+            chosen.append(int(k))
         if len(chosen) == config.candidates:
             break
-    return np.array(chosen)
+    return chosen
 
 
-def refine(objective: Objective, starts: list[list[Found]], steps: int) -> list[list[Found]]:
+def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
     """Descend with Adam from each start; return the best of each path, best first.
 
     ``starts`` has a list for each object. The whole batch stops once no path gets better.
@@ -88,38 +175,39 @@ def refine(objective: Objective, starts: list[list[Found]], steps: int) -> list[
     if not owners:
         return [[] for _ in starts]
     owner = torch.tensor(owners, device=device)
-    begin = torch.tensor([[yaw, tilt] for found in starts for yaw, _, tilt in found], device=device)
+    begin = torch.tensor(
+        [[f.yaw, f.tilt, *f.place] for found in starts for f in found], device=device
+    )
     yaw = begin[:, 0].clone().requires_grad_()
     tilt = _unbounded(begin[:, 1], config.max_tilt).requires_grad_(config.refine_camera)
     loose = objective.loose[owner, None].float()
-    place = torch.zeros(len(owners), 3, device=device, requires_grad=bool(loose.any()))
+    change = torch.zeros(len(owners), 3, device=device, requires_grad=bool(loose.any()))
 
-    def poses() -> Candidates:
-        fit = None
-        if place.requires_grad:
-            bounded = loose * _bounded(place, config.max_fit)
-            fit = Fit(bounded[:, :2], bounded[:, 2])
-        return Candidates(owner, yaw, _bounded(tilt, config.max_tilt), fit)
+    def poses() -> tuple[Candidates, Float[Tensor, "b 3"]]:
+        place = begin[:, 2:] + loose * _bounded(change, config.max_fit)
+        fit = Fit(place[:, :2], place[:, 2]) if change.requires_grad else None
+        return Candidates(owner, yaw, _bounded(tilt, config.max_tilt), fit), place
 
     groups = [
         {"params": [yaw, tilt], "lr": config.learning_rate},
-        {"params": [place], "lr": _SHIFT * config.learning_rate},
+        {"params": [change], "lr": _SHIFT * config.learning_rate},
     ]
     optimiser = torch.optim.Adam(groups)
     rates = [group["lr"] for group in optimiser.param_groups]
-    best = torch.full((len(owners), 3), torch.inf, device=device)
+    best = torch.full((len(owners), 6), torch.inf, device=device)
     waited = 0
     for step in range(steps + 1):
-        candidates = poses()
+        candidates, place = poses()
         loss = objective(candidates)
-        now = torch.stack([loss, candidates.yaw, candidates.tilt], 1).detach()
+        now = torch.stack([loss, candidates.yaw, candidates.tilt], 1)
+        now = torch.cat([now, place], 1).detach()
         progress = now[:, 0] < best[:, 0] - 1e-3 * best[:, 0].nan_to_num(posinf=0.0).abs()
         waited = 0 if bool(progress.any()) else waited + 1
         best = torch.where(now[:, :1] < best[:, :1], now, best)
         if step == steps or (config.patience and waited >= config.patience):
             break
         optimiser.zero_grad()
-        (loss.sum() + config.fit_cost * place.square().sum() / config.max_fit**2).backward()
+        (loss.sum() + config.fit_cost * change.square().sum() / config.max_fit**2).backward()
         optimiser.step()
         if config.decay:
             fall = 0.5 * (1 + np.cos(np.pi * (step + 1) / steps))
@@ -127,20 +215,21 @@ def refine(objective: Objective, starts: list[list[Found]], steps: int) -> list[
                 group["lr"] = rate * fall
     rows = iter(best.cpu().tolist())
     refined = [[_found(*next(rows)) for _ in found] for found in starts]
-    return [sorted(found, key=lambda f: f[1]) for found in refined]
+    return [sorted(found, key=lambda f: f.loss) for found in refined]
 
 
-def _found(loss: float, yaw: float, tilt: float) -> Found:
-    return wrap(yaw), loss, tilt
+def _found(loss: float, yaw: float, tilt: float, x: float, y: float, zoom: float) -> Found:
+    return Found(wrap(yaw), loss, tilt, (x, y, zoom))
 
 
-def _distinct(found: list[Found], apart: float = float(np.deg2rad(3.0))) -> list[Found]:
-    """Return candidates, best first, without those that have come to the same place."""
+def _rivals(found: list[Found], most: int, share: float, config: RotationConfig) -> list[Found]:
+    """Return the best candidates, without those that have come to the same place or lie behind."""
     kept: list[Found] = []
-    for candidate in found:
-        if all(abs(wrap(candidate[0] - other[0])) > apart for other in kept):
+    for candidate in sorted(found, key=lambda f: f.loss):
+        near = any(abs(wrap(candidate.yaw - f.yaw)) < config.separation / 3 for f in kept)
+        if not near and candidate.loss <= (1 + share) * (kept[0].loss if kept else np.inf):
             kept.append(candidate)
-    return kept
+    return kept[:most]
 
 
 def _bounded(raw: Tensor, most: float) -> Tensor:

@@ -1,0 +1,74 @@
+"""Light of a picture put on a soft render, so that the two can be compared.
+
+A lamp shades an object by where its surface faces. A linear function of the normal tells most of
+that; its four numbers, and one gain for each colour, are fitted to the picture where the render
+and the picture's mask agree. Fitted to thousands of pixels, they cannot draw what is not there.
+"""
+
+from __future__ import annotations
+
+import torch
+from jaxtyping import Float
+from torch import Tensor
+
+from ..errors import InputError
+from .soft import SoftImages
+
+_RIDGE = 0.02  # how strongly the fit keeps to an even light, as a share of the pixels' own say
+_SHADE = (0.3, 2.0)  # darkest and brightest light that a fit may have
+_GAIN = (0.75, 1.3333)  # of a colour against the others
+_TINY = 1e-6
+
+
+def relit(
+    images: SoftImages, picture: Float[Tensor, "b 3 h w"], weight: Float[Tensor, "b h w"]
+) -> Float[Tensor, "b 3 h w"]:
+    """Return the renders' images in the light of their pictures.
+
+    Args:
+        images: renders with normals, over grey; see ``generator.render.soft.render``.
+        picture: what each is compared with, over the same grey.
+        weight: how much each pixel tells about the light, >= 0; 0 outside of the picture's mask.
+
+    The light is found without gradient: the image's gradients are those of a given light.
+
+    Raises:
+        InputError: the renders have no normals.
+    """
+    if images.normal is None:
+        raise InputError("relit needs renders with normals: pass normals=True to soft.render.")
+    cover = images.silhouette[:, None]
+    own = images.image - 0.5 * (1 - cover)
+    with torch.no_grad():
+        counted = (weight * images.silhouette.square())[:, None]
+        grey, told = own.mean(1, keepdim=True), picture.mean(1, keepdim=True)
+        terms = torch.cat([grey, grey * images.normal], 1)
+        light = _fitted(terms, told, counted)
+        shade = light[:, :, None, None] * torch.cat([torch.ones_like(grey), images.normal], 1)
+        shade = shade.sum(1, keepdim=True).clamp(*_SHADE)
+        lit = own * shade
+        both = (counted * lit * picture).sum((-2, -1), keepdim=True)
+        gain = both / ((counted * lit.square()).sum((-2, -1), keepdim=True) + _TINY)
+        gain = (gain / gain.mean(1, keepdim=True).clamp_min(_TINY)).clamp(*_GAIN)
+    return own * (shade * gain) + 0.5 * (1 - cover)
+
+
+def _fitted(
+    terms: Float[Tensor, "b 4 h w"],
+    told: Float[Tensor, "b 1 h w"],
+    counted: Float[Tensor, "b 1 h w"],
+) -> Float[Tensor, "b 4"]:
+    """Return the least-squares factors of ``terms``, drawn towards one even light.
+
+    Sums are added term by term: a matrix product's order depends on memory.
+    """
+    weighted = counted * terms
+    rows = [(weighted[:, k : k + 1] * terms).sum((-2, -1)) for k in range(4)]
+    moments = torch.stack(rows, 1).double()
+    sums = (weighted * told).sum((-2, -1)).double()
+    even = sums[:, 0] / (moments[:, 0, 0] + _TINY)
+    ridge = _RIDGE * moments[:, 0, 0] + _TINY
+    start = torch.zeros_like(sums)
+    start[:, 0] = even
+    matrix = moments + ridge[:, None, None] * torch.eye(4, dtype=moments.dtype, device=sums.device)
+    return torch.linalg.solve(matrix, sums + ridge[:, None] * start).to(told.dtype)

@@ -1,0 +1,60 @@
+"""How sure a found yaw is: against other sides, and against small turns."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...geometry import wrap
+from .found import Found, Rows
+from .objective import Candidates, Objective
+
+OTHER = float(np.deg2rad(20.0))
+"""Angle from which a yaw is another answer, not the same one found less exactly."""
+
+RISE = 0.02
+"""Share of the loss whose addition marks a minimum's width."""
+
+_SAME = float(np.deg2rad(8.0))  # a candidate that a refinement moved by less is the same one
+_STEP = float(np.deg2rad(2.0))  # of the second difference
+
+
+def margin(rounds: Rows) -> float:
+    """Return by how much the best other yaw's loss exceeds the found one's, as a share of it.
+
+    ``rounds`` are one object's candidates, the closest look first. Every rival counts by the
+    closest look it was given, against the best of that look. 0 without any.
+    """
+    answer, least, judged = rounds[0][0].yaw, float("inf"), list[float]()
+    for found in rounds:
+        near = [f.loss for f in found if abs(wrap(f.yaw - answer)) < OTHER]
+        best = min(near, default=min(f.loss for f in found))
+        for f in found:
+            known = any(abs(wrap(f.yaw - yaw)) < _SAME for yaw in judged)
+            if abs(wrap(f.yaw - answer)) >= OTHER and not known:
+                least = min(least, f.loss / best - 1)
+        judged += [f.yaw for f in found]
+    return max(least, 0.0) if np.isfinite(least) else 0.0
+
+
+def widths(objective: Objective, found: list[Found]) -> list[float]:
+    """Return the change of yaw, radians in (0, pi], that adds ``RISE`` to each object's loss.
+
+    By the second difference at the found pose of each of the objective's objects; pi where the
+    loss has no minimum there.
+    """
+    import torch
+
+    from ...render.soft import Fit
+
+    device = objective.middle.device
+    rows = torch.tensor(
+        [[f.yaw + turn, f.tilt, *f.place] for f in found for turn in (-_STEP, 0.0, _STEP)],
+        device=device,
+    )
+    owner = torch.arange(len(found), device=device).repeat_interleave(3)
+    poses = Candidates(owner, rows[:, 0], rows[:, 1], Fit(rows[:, 2:4], rows[:, 4]))
+    with torch.no_grad():
+        losses = objective(poses).view(-1, 3).double().cpu().numpy()
+    curvature = (losses[:, 0] - 2 * losses[:, 1] + losses[:, 2]) / _STEP**2
+    wide = np.sqrt(2 * RISE * losses[:, 1] / np.maximum(curvature, 1e-9))
+    return [float(w) for w in np.clip(wide, 1e-6, np.pi)]

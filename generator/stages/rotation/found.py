@@ -1,0 +1,38 @@
+"""What the search finds."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+Place = tuple[float, float, float]
+"""Shift to the right and down, as shares of a crop's side, and logarithm of the zoom."""
+
+
+class Found(NamedTuple):
+    """A candidate's yaw (radians), loss, tilt (radians) and place in its crop."""
+
+    yaw: float
+    loss: float = float("inf")
+    tilt: float = 0.0
+    place: Place = (0.0, 0.0, 0.0)
+
+
+Rows = list[list[Found]]
+"""Candidates, best first: those of several objects, or of one object at several looks."""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What is found for one object.
+
+    ``looks`` are its candidates at each look, the closest look first; ``margin``, ``width`` and
+    ``symmetric`` are those of ``generator.scene.Rotation``.
+    """
+
+    looks: Rows
+    margin: float = 0.0
+    width: float = float(np.pi)
+    symmetric: bool = True

@@ -1,0 +1,62 @@
+"""Which objects look the same from all sides: told by their own renders, not by the picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from jaxtyping import Bool
+
+from .losses import contour_distance
+from .objective import Candidates, Objective, Target
+
+_TURNS = 24  # yaws compared with the first
+
+
+def looks_round(
+    close: Callable[[], Objective], suspects: Bool[np.ndarray, "s"], flat: float
+) -> Bool[np.ndarray, "s"]:
+    """Tell which suspects look the same from all sides: those that turning changes too little.
+
+    ``close`` makes the objective that draws them; it is called only if there are suspects.
+    """
+    if not suspects.any():
+        return np.zeros_like(suspects)
+    objective = close()
+    changes = [turning_changes(objective, k) if s else np.inf for k, s in enumerate(suspects)]
+    return np.array(changes) < flat
+
+
+def turning_changes(objective: Objective, number: int) -> float:
+    """Return how much more than chance turning one object changes its own render, by Eq. 1.
+
+    Half of its points draw it at yaw 0; the other half, at yaws around the turn, are held against
+    that. The loss of the two halves at one yaw is what their scatter alone makes.
+    """
+    import torch
+
+    device = objective.middle.device
+    yaw = torch.arange(_TURNS, device=device) * (2 * np.pi / _TURNS)
+    owner = torch.full((_TURNS,), number, device=device)
+    poses = Candidates(owner, yaw, torch.zeros_like(yaw))
+    still = Candidates(owner[:1], yaw[:1], poses.tilt[:1])
+    one, other = (
+        replace(objective, surface=objective.surface.thinned(2, first)) for first in (0, 1)
+    )
+    with torch.no_grad():
+        drawn = one.render(still)
+        whole, side = drawn.silhouette, drawn.silhouette.shape[-1] * objective.config.edge_unit
+        distance = contour_distance(whole[0].cpu().numpy() > 0.5) / side
+        features = objective.encoder.features(drawn.image)
+        target = Target(
+            drawn.image,
+            whole,
+            torch.as_tensor(distance, dtype=whole.dtype, device=device)[None],
+            features,
+            torch.ones_like(whole),
+            tuple(torch.ones_like(level[:, 0]) for level in features),
+            torch.zeros_like(objective.target.cut[:1]),
+        )
+        losses = other.compare(other.render(poses), target, torch.zeros_like(owner))
+    return float((losses - losses[0]).max())
