@@ -232,9 +232,13 @@ def _residuals(
     frame: tuple[int, int],
     expected: Float[np.ndarray, "3"],
 ) -> Float[np.ndarray, "m"]:
-    """Return robust edge distances and the priors' terms; their squares sum to the cost."""
-    off = _pixels_off(parameters, points, kind, frame) * np.sqrt(_TRUST / len(points)) / _EDGE
-    robust = np.sign(off) * np.sqrt(2 * (np.sqrt(1 + off**2) - 1))
+    """Return robust edge distances and the priors' terms; their squares sum to the cost.
+
+    A stretch of the edge that was seen wrongly has many points, all astray to one side: beyond
+    what an edge point is known to, their loss grows with the distance only, not with its square.
+    """
+    off = _pixels_off(parameters, points, kind, frame) / _EDGE
+    robust = np.sign(off) * np.sqrt(2 * _TRUST / len(points) * (np.sqrt(1 + off**2) - 1))
     p = parameters
     prior = [
         p[0] / kind.azimuth,
