@@ -11,6 +11,7 @@ from jaxtyping import Float
 
 from ..geometry import inside_margin
 from ..scene import Report, Scene
+from .settling import has_toppled
 from .simulation import ON_FLOOR, ON_TABLE, Simulation, shifted, supported, turned
 
 
@@ -124,6 +125,19 @@ def _leaning(simulation: Simulation, limits: Limits) -> tuple[float, list[str]]:
         if failures := _moving(names, drift, tilt, limits, " on a leaning table"):
             return worst, failures
     return worst, []
+
+
+def overturned(scene: Scene, limits: Limits, angle: float) -> tuple[str, ...]:
+    """Return what topples (``has_toppled`` by ``angle``, radians) as gravity leans to any side."""
+    simulation = Simulation(scene)
+    down: set[str] = set()
+    for side in range(4):
+        simulation.place([o.pose for o in scene.objects])
+        with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
+            simulation.run(limits.seconds)
+        pairs = zip(scene.objects, simulation.poses, strict=True)
+        down |= {o.name for o, pose in pairs if has_toppled(o, pose, angle)}
+    return tuple(sorted(down))
 
 
 def _moving(

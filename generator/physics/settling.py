@@ -42,13 +42,15 @@ def settle(
 
 
 def has_toppled(thing: Object, pose: Pose, limit: float) -> bool:
-    """Whether an object set upright leans more than ``limit`` (radians) and lost or won height.
+    """Whether an object set upright leans more than ``limit`` (radians) and is not as it was.
 
-    A pencil that rolls onto its next side, or a die, keeps its height and has not toppled.
+    A pencil that rolls onto its next side, or a die, keeps its height and has not toppled; what is
+    taller than wide has, if it stands on its head.
     """
     up = quaternion_matrix(pose.quaternion)[2]
     if np.arccos(np.clip(up[2], -1.0, 1.0)) <= limit:
         return False
     points = np.concatenate([part.vertices for part in thing.parts])
     before, after = np.ptp(points[:, 2]), np.ptp(points @ up)
-    return bool(abs(after - before) > 0.25 * before)
+    on_head = up[2] < -0.5 and before > 1.2 * np.ptp(points[:, :2], axis=0).max()
+    return bool(on_head or abs(after - before) > 0.25 * before)

@@ -16,7 +16,7 @@ from jaxtyping import Float
 
 from ..errors import InputError, choices
 from ..geometry import convex_outline, yaw_quaternion
-from ..physics.gate import Limits, fallen, judge
+from ..physics.gate import Limits, fallen, judge, overturned
 from ..physics.inertia import body_mass
 from ..physics.parts import body_parts, lowest, model_parts
 from ..physics.seating import carried, relocate, seat_on_table, seat_stacked
@@ -225,6 +225,14 @@ def _again(scene: Scene, config: AssemblyConfig) -> Scene:
     return scene.replace(objects=with_poses(scene.objects, poses))
 
 
+def _steadied(arranged: Scene, rested: Scene, config: AssemblyConfig) -> Scene:
+    """Return the scene at rest with a foot under what topples as the gate leans."""
+    known = {*_footed(arranged, rested), *(o.name for o in rested.objects if o.placement.inside)}
+    down = set(overturned(rested, config.limits, config.topple)) - known
+    objects = tuple(on_foot(o) if o.name in down else o for o in rested.objects)
+    return rested.replace(objects=objects) if down else rested
+
+
 def _footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
     """Return what :func:`rest` has put on a foot, in the scene's order."""
     pairs = zip(arranged.objects, rested.objects, strict=True)
@@ -249,7 +257,10 @@ def _recorded(
     dropped: set[str],
     config: AssemblyConfig,
 ) -> Scene:
-    """Judge the scene; where something does not hold, let it settle on from there, shaken."""
+    """Judge the scene; where something does not hold, let it settle on from there, shaken.
+
+    What stands, but topples as gravity leans, gets a weighted foot.
+    """
     poses = [[o.pose for o in scene.objects] for scene in (wanted, arranged)]
     moved = [np.linalg.norm((b.position - a.position)[:2]) for a, b in zip(*poses, strict=True)]
     report = Report(
@@ -262,14 +273,14 @@ def _recorded(
         report = judge(scene.replace(report=report), config.limits)
         if report.passed:
             break
-        scene = _again(scene, config)
+        scene = _again(_steadied(arranged, scene, config), config)
     else:
         report = judge(scene.replace(report=report), config.limits)
     warnings = (
         *(f"{name} has no free place on the table" for name in stuck),
         *(f"{name} would not stand" for name in unstable),
         *(f"{name} stands on a weighted foot that the model does not have"
-          for name in _footed(arranged, rested)),
+          for name in _footed(arranged, scene)),
         *(f"{name} was left out" for name in sorted(dropped)),
     )  # fmt: skip
     provenance = replace(scene.provenance, warnings=scene.provenance.warnings + warnings)

@@ -143,6 +143,29 @@ def test_a_thing_that_cannot_stand_gets_a_weighted_foot() -> None:
     assert scene.object("club_1").pose.position[2] == pytest.approx(0.74 + 0.125, abs=2e-3)
 
 
+def test_what_stands_but_topples_on_a_leaning_table_gets_one_too() -> None:
+    """A goblet: its foot is a sixteenth as wide as it is high."""
+    corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    stem = [[0.08 * x, 0.08 * y, z] for x, y in corners for z in (-0.5, 0.2)]
+    cup = [[0.5 * x, 0.5 * y, z] for x, y in corners for z in (0.2, 0.5)]
+    parts = (ConvexPart(np.array(stem)), ConvexPart(np.array(cup)))
+    goblet = dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
+    scene = build({"goblet_1": (goblet, put("goblet_1", (0, 0), (0.1, 0.1, 0.25)))})
+    assert scene.report is not None
+    assert scene.report.passed, scene.report.failures
+    assert len(scene.object("goblet_1").parts) == 3
+    assert "goblet_1 stands on a weighted foot that the model does not have" in (
+        scene.provenance.warnings
+    )
+    stout = [[2 * x, 2 * y, z] for x, y, z in stem]
+    steady = dataclasses.replace(
+        box(), parts=(ConvexPart(np.array(stout)), parts[1]),
+        mesh=drawn((ConvexPart(np.array(stout)), parts[1])),
+    )  # fmt: skip
+    scene = build({"goblet_1": (steady, put("goblet_1", (0, 0), (0.1, 0.1, 0.25)))})
+    assert len(scene.object("goblet_1").parts) == 2
+
+
 def test_without_room_the_report_fails_and_says_why() -> None:
     slabs = {f"c_{k}": (box(), put(f"c_{k}", (0, 0), (0.7, 0.6, 0.05))) for k in range(5)}
     scene = build(slabs)
