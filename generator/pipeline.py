@@ -7,13 +7,11 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal, get_args
 
-import numpy as np
-
 from .backends import Backends
 from .errors import InputError, choices
 from .ledger import Seconds, Stopwatch
 from .provenance import plain, scene_name, versions
-from .salvage import salvaged
+from .salvage import allowance, salvaged
 from .scene import (
     TABLE,
     Instance,
@@ -64,7 +62,8 @@ class Config:
     leaves it out.
 
     ``leave_out``: the largest share of what was found that may be left out of a scene that would
-    not pass its gate otherwise, in [0, 1]; 0 leaves nothing out.
+    not pass its gate otherwise, in [0, 1]: one of two or more at least, never all. 0 leaves
+    nothing out.
 
     ``without``: stages left out as in the paper's ablations (Sec. 4.3, Table 3): the reasoner is
     asked for what "dro" (rotations) or "tsa" (places and sizes) would have found. The joint
@@ -89,6 +88,11 @@ class Config:
         if not 0 <= self.leave_out <= 1:
             raise InputError(f"Config.leave_out is a share in [0, 1], got {self.leave_out}.")
         known: tuple[Ablation, ...] = get_args(Ablation)
+        if isinstance(self.without, str):
+            raise InputError(
+                f"Config.without is a tuple of {' and '.join(map(repr, known))}, got the text "
+                f"{self.without!r}."
+            )
         unknown = next((s for s in self.without if s not in known), None)
         if unknown is not None:
             raise InputError(
@@ -222,11 +226,11 @@ def generate(
 
     warnings = _hidden(reference, instances) + alignment.warnings
 
-    def added(placed: tuple[Placement, ...]) -> Supplement:
+    def added(placed: tuple[Placement, ...], gone: tuple[str, ...]) -> Supplement:
         plan, scale = reference.plan, alignment.table_scale
         if not config.supplement:
             return NOTHING
-        return supplement(plan, instances, models, placed, scale, seed)
+        return supplement(plan, instances, models, placed, scale, seed, gone)
 
     def assembled(placed: tuple[Placement, ...], extra: Supplement, told: tuple[str, ...]) -> Scene:
         told = warnings + extra.warnings + told
@@ -243,7 +247,7 @@ def generate(
         )
 
     step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
-    most = int(np.ceil(config.leave_out * len(placements)))
+    most = allowance(config.leave_out, len(placements))
     scene = salvaged(assembled, added, placements, sizes, most)
     if scene.report is not None and refined.before:
         misfit = (round(refined.before, 6), round(refined.after, 6))

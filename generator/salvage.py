@@ -19,7 +19,7 @@ Placements = tuple[Placement, ...]
 
 def salvaged(
     build: Callable[[Placements, Supplement, tuple[str, ...]], Scene],
-    add: Callable[[Placements], Supplement],
+    add: Callable[[Placements, tuple[str, ...]], Supplement],
     placements: Placements,
     sizes: Mapping[str, SizePrior],
     most: int,
@@ -28,14 +28,15 @@ def salvaged(
 
     Args:
         build: assembles and judges what was found, what is added to it, with these warnings.
-        add: gives what a text asks for beyond what was found.
+        add: gives what a text asks for beyond what is placed, told what was left out.
         placements: what was found, where it stands.
         sizes: commonsense sizes of it.
         most: how many found things may be left out.
     """
-    extra, told = add(placements), ()
+    extra, told = add(placements, ()), ()
     whole = None
     gone: tuple[str, ...] = ()
+    chosen = 0
     while True:
         scene = build(placements, extra, told)
         if scene.report is None or scene.report.passed:
@@ -45,12 +46,25 @@ def salvaged(
             continue
         whole = whole or scene
         name = misfit(scene.report.failures, placements, sizes)
-        if name is None or len(gone) >= most:
+        if name is None or chosen >= most:
             return whole
-        gone += (name,)
+        chosen += 1
+        left = without(placements, name)
+        kept = {p.name for p in left}
+        inside = tuple(p.name for p in placements if p.name not in kept | {name})
         told += (f"{name} was left out: {_why(name, scene.report.failures)}.",)
-        placements = without(placements, name)
-        extra = add(placements)
+        told += tuple(f"{other} was left out with {name}." for other in inside)
+        gone += (name, *inside)
+        placements = left
+        extra = add(placements, gone)
+
+
+def allowance(share: float, count: int) -> int:
+    """Return how many of ``count`` things may be left out: a share of them, never all.
+
+    Of two or more it is one at least, unless the share is 0.
+    """
+    return min(max(1, int(share * count + 1e-9)), count - 1) if share and count else 0
 
 
 def misfit(
@@ -67,12 +81,18 @@ def misfit(
 
 
 def without(placements: Sequence[Placement], name: str) -> Placements:
-    """Return the placements without ``name``; what stood on it stands on what it stood on."""
-    (gone,) = (p for p in placements if p.name == name)
+    """Return the placements without ``name`` and what is in it.
+
+    What stood on one of these stands on what ``name`` stood on.
+    """
+    (first,) = (p for p in placements if p.name == name)
+    gone = {name}
+    while more := {p.name for p in placements if p.inside and p.on in gone} - gone:
+        gone |= more
     return tuple(
-        replace(p, on=gone.on, inside=gone.inside) if p.on == name else p
+        replace(p, on=first.on, inside=first.inside) if p.on in gone else p
         for p in placements
-        if p is not gone
+        if p.name not in gone
     )
 
 

@@ -47,6 +47,8 @@ class Supplement:
 
 NOTHING = Supplement({}, (), ())
 
+_UNSEEN = "is not to be seen in the drawing"
+
 
 def supplement(
     plan: ScenePlan | None,
@@ -55,6 +57,7 @@ def supplement(
     placements: Sequence[Placement],
     table_scale: Float[np.ndarray, "3"],
     seed: int,
+    gone: Sequence[str] = (),
 ) -> Supplement:
     """Return what of a plan no instance shows, placed by its relations.
 
@@ -65,6 +68,7 @@ def supplement(
         placements: where they stand, world frame.
         table_scale: the table's extent in metres.
         seed: of the looks and places of what is added.
+        gone: names of instances that were seen, but left out; the plan's take their place.
     """
     if plan is None:
         return NOTHING
@@ -81,8 +85,10 @@ def supplement(
     table = replace(models[TABLE], size=table_scale)
     layout = arrange_more(_renamed(plan, names), placed, {**there, **added}, table, seed)
     lost = {*added} - {p.name for p in layout.placements}
+    unfit = {i.label for i in instances if i.name in gone}
+    nouns = {names[planned.name]: planned.noun for planned in missing}
     warnings = [
-        f"{name} is not to be seen in the drawing; "
+        f"{name} {'is in place of what was left out' if nouns[name] in unfit else _UNSEEN}; "
         + ("there is no room for it." if name in lost else "it stands where the plan has it.")
         for name in added
     ]

@@ -35,12 +35,12 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     """Return the specification of ``scene`` with ``robot`` at ``mount``."""
     import mujoco
 
-    from generator.mjcf import scene_spec
+    from generator.mjcf import FRICTION_STIFFNESS, scene_spec
 
     spec = scene_spec(scene)
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
-    spec.option.impratio = 10  # what the gripper holds does not creep
+    spec.option.impratio = FRICTION_STIFFNESS  # what the gripper holds does not creep
     spec.option.noslip_iterations = 0
     spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
     # Several contacts a pair: on one alone flat things rock on hulls, and never fall asleep.

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 
 from generator.errors import InputError
 from generator.pipeline import Config
-from generator.salvage import misfit, salvaged, without
+from generator.salvage import allowance, misfit, salvaged, without
 from generator.scene import TABLE, Placement, Provenance, Report, Scene, SizePrior, Table
 from generator.supplement import NOTHING, Supplement
 
@@ -40,7 +42,7 @@ class Builder:
         )  # fmt: skip
 
 
-def nothing(_: tuple[Placement, ...]) -> Supplement:
+def nothing(_: tuple[Placement, ...], _gone: tuple[str, ...]) -> Supplement:
     return NOTHING
 
 
@@ -73,21 +75,21 @@ def test_what_fits_its_kind_least_goes_of_two_that_overlap(table):
 def test_what_was_added_goes_before_what_was_seen(table):
     more = Supplement({}, (placement("fork_1"),), ())
     build = Builder(table, {"fork_1": "fork_1 overlaps mug_1 by 3.0 mm"})
-    scene = salvaged(build, lambda _: more, FOUND, SIZES, 3)
+    scene = salvaged(build, lambda *_: more, FOUND, SIZES, 3)
     assert build.built[-1] == tuple(p.name for p in FOUND)
     assert scene.report and scene.report.passed and not scene.report.dropped
 
 
 def test_what_goes_is_asked_for_anew(table):
-    def add(placed: tuple[Placement, ...]) -> Supplement:
+    def add(placed: tuple[Placement, ...], gone: tuple[str, ...]) -> Supplement:
         if any(p.name == "berry_1" for p in placed):
             return NOTHING
-        return Supplement({}, (placement("berry_2"),), ("berry_2 comes from the plan.",))
+        return Supplement({}, (placement("berry_2"),), (f"berry_2 for {gone}.",))
 
     build = Builder(table, {"berry_1": "berry_1 floats"})
     scene = salvaged(build, add, FOUND, SIZES, 1)
     assert build.built[-1] == ("mug_1", "melon_1", "berry_2")
-    assert "berry_2 comes from the plan." in scene.provenance.warnings
+    assert "berry_2 for ('berry_1',)." in scene.provenance.warnings
 
 
 def test_with_too_much_to_leave_out_the_whole_scene_fails(table):
@@ -113,13 +115,72 @@ def test_the_most_named_is_the_misfit():
 def test_what_stood_on_it_stands_where_it_stood():
     stack = (
         placement("tray_1"),
-        placement("bowl_1", "tray_1", inside=True),
-        placement("egg_1", "bowl_1"),
+        placement("book_1", "tray_1", inside=True),
+        placement("egg_1", "book_1"),
     )
-    left = without(stack, "bowl_1")
+    left = without(stack, "book_1")
     assert [(p.name, p.on, p.inside) for p in left] == [
         ("tray_1", TABLE, False), ("egg_1", "tray_1", True),
     ]  # fmt: skip
+
+
+def test_what_was_in_it_goes_with_it(table):
+    stack = (
+        placement("mug_1", side=0.3),
+        placement("pen_1", "mug_1", inside=True),
+        placement("cap_1", "pen_1"),
+        placement("mug_2"),
+    )
+    left = without(stack, "mug_1")
+    assert [(p.name, p.on, p.inside) for p in left] == [
+        ("cap_1", TABLE, False), ("mug_2", TABLE, False),
+    ]  # fmt: skip
+    build = Builder(table, {"mug_1": "mug_1 floats"})
+    scene = salvaged(build, nothing, stack, SIZES, 1)
+    assert scene.report and scene.report.passed
+    assert scene.report.dropped == ("mug_1", "pen_1")
+    assert "pen_1 was left out with mug_1." in scene.provenance.warnings
+
+
+@pytest.mark.parametrize(
+    ("share", "count", "most"),
+    [(0.2, 1, 0), (0.2, 2, 1), (0.2, 9, 1), (0.2, 10, 2), (0.07, 100, 7), (1, 3, 2), (0, 9, 0),
+     (0.5, 0, 0)],
+)  # fmt: skip
+def test_never_all_and_none_if_so_told(share, count, most):
+    assert allowance(share, count) == most
+
+
+@pytest.mark.parametrize("overlap", [False, True])
+def test_the_pipeline_leaves_out_what_fails_in_earnest(monkeypatch, overlap, tmp_path):
+    """A thing that is stuck in the table, and cannot be freed, costs itself and not the scene."""
+    from generator.backends import Backends
+    from generator.bundle import load
+    from generator.pipeline import generate
+    from generator.stages import assembly
+
+    real = assembly.judge
+
+    def judge(scene, limits=None):
+        report = real(scene, limits)
+        if overlap and any(o.name == "mug_1" for o in scene.objects):
+            failure = "mug_1 overlaps the table by 3.0 mm"
+            report = dataclasses.replace(report, failures=(*report.failures, failure))
+        return report
+
+    monkeypatch.setattr(assembly, "judge", judge)
+    made = generate("A desk with a mug, a laptop and a book", Backends.select("embedded"), seed=0)
+    names = {o.name for o in made.scene.objects}
+    assert ("mug_1" in names) != overlap
+    assert made.scene.report.dropped == (("mug_1",) if overlap else ())
+    told = [w for w in made.scene.provenance.warnings if "left out" in w]
+    if overlap:
+        assert "mug_1 was left out: mug_1 overlaps the table by 3.0 mm." in told
+        assert "mug_2 is in place of what was left out; it stands where the plan has it." in told
+        assert "mug_2" in names
+    else:
+        assert not told
+    assert {o.name for o in load(made.save(tmp_path)).objects} == names
 
 
 def test_the_share_is_a_share():

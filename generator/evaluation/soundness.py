@@ -1,8 +1,8 @@
 """Whether a scene holds by itself: what moves, turns, floats, or hangs over the edge (Sec. 4.1).
 
-Stricter than the gate a scene passes to be published: 5 s instead of 2, half the drift. A thing
-that holds under the plain rule may still do so by luck of one time step or one exact gravity, so
-the rule can be varied (``VARIANTS``).
+The rule is the one of the gate that a scene passes to be published; here each object is told
+apart, any scene can be asked, and the rule can be varied (``VARIANTS``): what holds under the plain
+one may do so by luck of one time step or one exact gravity.
 """
 
 from __future__ import annotations

@@ -49,6 +49,7 @@ def relit(
         lit = own * shade
         both = (counted * lit * picture).sum((-2, -1), keepdim=True)
         gain = both / ((counted * lit.square()).sum((-2, -1), keepdim=True) + _TINY)
+        gain = torch.where(both.sum(1, keepdim=True) > _TINY, gain, 1.0)
         gain = (gain / gain.mean(1, keepdim=True).clamp_min(_TINY)).clamp(*_GAIN)
     return own * (shade * gain) + 0.5 * (1 - cover)
 
@@ -66,7 +67,8 @@ def _fitted(
     rows = [(weighted[:, k : k + 1] * terms).sum((-2, -1)) for k in range(4)]
     moments = torch.stack(rows, 1).double()
     sums = (weighted * told).sum((-2, -1)).double()
-    even = sums[:, 0] / (moments[:, 0, 0] + _TINY)
+    told_any = moments[:, 0, 0] > _TINY
+    even = torch.where(told_any, sums[:, 0] / (moments[:, 0, 0] + _TINY), 1.0)
     ridge = _RIDGE * moments[:, 0, 0] + _TINY
     start = torch.zeros_like(sums)
     start[:, 0] = even

@@ -213,6 +213,8 @@ class Report:
     off_table: objects whose centre of mass is outside the top's outline.
     moved: the largest correction that separating overlaps needed; settling: by settling.
     leaning: largest move with gravity leaning by the gate's angle to any of four sides.
+    seconds: how long was simulated; failures: what the gate found, in words.
+    dropped: objects that were left out, since the scene would not have passed with them.
     reach: from the best side of the table, the farthest object's distance to that side.
     misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
         over the objects: before and after the joint refinement.

@@ -227,6 +227,8 @@ def _again(scene: Scene, config: AssemblyConfig) -> Scene:
 
 def _steadied(arranged: Scene, rested: Scene, config: AssemblyConfig) -> Scene:
     """Return the scene at rest with a foot under what topples as the gate leans."""
+    if not config.limits.lean:
+        return rested
     known = {*_footed(arranged, rested), *(o.name for o in rested.objects if o.placement.inside)}
     down = set(overturned(rested, config.limits, config.topple)) - known
     objects = tuple(on_foot(o) if o.name in down else o for o in rested.objects)

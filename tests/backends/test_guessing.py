@@ -88,3 +88,12 @@ def test_a_layout_needs_a_table() -> None:
 
 def test_the_embedded_reasoner_can_be_asked_for_poses() -> None:
     assert isinstance(Reasoner(), PoseGuesser)
+
+
+def test_a_turned_tables_edge_is_kept_too() -> None:
+    mask = np.zeros(SHAPE, bool)
+    mask[2:12, 2:12] = True
+    turned = View(np.deg2rad(30.0), np.deg2rad(60.0), 0.6)
+    sizes = {"cup_1": SizePrior("cup_1", np.full(3, 0.1)), "table": table_size()}
+    center = guess_layout((table(), thing("cup_1", mask)), sizes, turned)["cup_1"].center
+    assert (np.abs(center) <= np.array(TABLE[:2]) / 2 + 1e-9).all()

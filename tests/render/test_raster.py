@@ -107,3 +107,17 @@ def test_framing_shows_everything_with_its_margin() -> None:
     assert (low >= [31, 23]).all()
     assert (high <= [289, 217]).all()
     assert ((high - low) / [256, 192]).max() == pytest.approx(1, abs=0.02)
+
+
+@pytest.mark.parametrize("piece", [37, 1 << 30])
+def test_the_same_bytes_however_pixels_are_cut_up(monkeypatch, piece):
+    from generator.render import raster
+
+    things = [
+        item(trimesh.creation.box((0.9, 0.9, 0.1)), 1),
+        item(trimesh.creation.icosphere(3, 0.3), 2, (20, 90, 200)),
+        item(trimesh.creation.icosphere(2, 0.4), 3, (0, 0, 255), opacity=0.3),
+    ]
+    usual = render(things, camera()).image
+    monkeypatch.setattr(raster, "_PIECE", piece)
+    np.testing.assert_array_equal(render(things, camera()).image, usual)

@@ -62,8 +62,8 @@ def guess_layout(
         box, size = np.asarray(instance.box), sizes[instance.name].extent
         right = ((box[0] + box[2]) - (table[0] + table[2])) / 2 / scale
         away = (0.5 - (box[3] - table[1]) / deep) * across[1] + size[:2].mean() / 2
-        seen = np.clip([right, away], -across / 2, across / 2)
-        center = rotation_z(view.azimuth)[:2, :2] @ seen
+        half = sizes[TABLE].extent[:2] / 2
+        center = np.clip(rotation_z(view.azimuth)[:2, :2] @ [right, away], -half, half)
         places[instance.name] = LayoutBox(center, size)
     return places
 

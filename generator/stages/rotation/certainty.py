@@ -15,6 +15,7 @@ RISE = 0.02
 """Share of the loss whose addition marks a minimum's width."""
 
 _SAME = float(np.deg2rad(8.0))  # a candidate that a refinement moved by less is the same one
+_LEAST = 1e-9  # loss of a render that is the picture itself
 _STEP = float(np.deg2rad(2.0))  # of the second difference
 
 
@@ -31,7 +32,7 @@ def margin(rounds: Rows) -> float:
         for f in found:
             known = any(abs(wrap(f.yaw - yaw)) < _SAME for yaw in judged)
             if abs(wrap(f.yaw - answer)) >= OTHER and not known:
-                least = min(least, f.loss / best - 1)
+                least = min(least, f.loss / max(best, _LEAST) - 1)
         judged += [f.yaw for f in found]
     return max(least, 0.0) if np.isfinite(least) else 0.0
 

@@ -75,7 +75,8 @@ def _starts(levels: Levels) -> tuple[Rows, list[bool], list[Found | None]]:
     crowded: list[bool] = []
     for k, row in enumerate(losses):
         best = selected(yaws, row, config)
-        crowded.append(not flat[k] and row[best[-1]] < (1 + config.crowded) * row.min())
+        close = len(best) > 1 and row[best[-1]] < (1 + config.crowded) * row.min()
+        crowded.append(not flat[k] and bool(close))
         if crowded[-1]:
             row = losses_at(levels.fine, k, yaws, places[k])
             best = selected(yaws, row, config)

@@ -1,0 +1,32 @@
+"""What counts as toppled."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from toy import toy_object
+
+from generator.physics.settling import has_toppled
+from generator.scene import Pose
+
+LIMIT = float(np.deg2rad(30.0))
+
+
+def tipped(degrees: float) -> Pose:
+    half = np.deg2rad(degrees) / 2
+    return Pose(np.zeros(3), np.array([np.cos(half), np.sin(half), 0.0, 0.0]))
+
+
+@pytest.mark.parametrize(
+    ("size", "degrees", "toppled"),
+    [
+        ((0.06, 0.06, 0.2), 20, False),
+        ((0.06, 0.06, 0.2), 90, True),
+        ((0.06, 0.06, 0.2), 180, True),
+        ((0.05, 0.05, 0.05), 90, False),
+        ((0.05, 0.05, 0.05), 180, False),
+        ((0.2, 0.01, 0.01), 180, False),
+    ],
+)
+def test_bottles_topple_dice_and_pencils_roll(size, degrees, toppled) -> None:
+    assert has_toppled(toy_object("thing_1", size, (0.0, 0.0)), tipped(degrees), LIMIT) == toppled
