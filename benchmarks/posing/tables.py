@@ -7,6 +7,7 @@ import datetime
 import os
 import platform
 import shlex
+import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
@@ -93,9 +94,19 @@ def run(
 
 
 def where() -> str:
-    """Return the machine and the day, for the head of a summary."""
+    """Return the machine, the day and the commit, for the head of a summary."""
     day = datetime.date.today().isoformat()
-    return f"{platform.machine()}, {os.cpu_count()} cores, {day}"
+    return f"{platform.machine()}, {os.cpu_count()} cores, {day}{_commit()}"
+
+
+def _commit() -> str:
+    """Return the commit of the working tree, nothing where there is no repository."""
+    command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"]
+    try:
+        told = subprocess.run(command, capture_output=True, text=True, timeout=10, check=True)
+    except (OSError, subprocess.SubprocessError):
+        return ""
+    return f", commit {told.stdout.strip()}"
 
 
 def command_line(*without: str) -> str:
