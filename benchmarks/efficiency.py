@@ -15,7 +15,6 @@ table's head, for instance that it was not alone.
 from __future__ import annotations
 
 import argparse
-import json
 from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -29,7 +28,6 @@ from posing.figures import column
 from posing.tables import Row
 
 from generator.backends.embedded.planner import plan_scene
-from generator.errors import TabletopError
 from generator.figures import write_picture
 from generator.pipeline import STAGES, Config, generate
 from generator.stages.rotation import RotationConfig
@@ -55,8 +53,7 @@ _INK, _PALE = (40, 44, 52), (222, 226, 232)
 def texts_of(path: Path, cases: int, seed: int) -> list[tuple[str, int]]:
     """Return the first texts of a file whose plan has 6 to 9 objects, with that number."""
     found = []
-    for entry in json.loads(path.read_text(encoding="utf-8")):
-        text = entry if isinstance(entry, str) else entry["text"]
+    for text in tables.texts_in(path):
         count = len(plan_scene(text, seed).objects)
         if FEWEST <= count <= MOST:
             found.append((text, count))
@@ -70,9 +67,7 @@ def work(job: tuple[str, int], seed: int, device: str) -> list[Row]:
     try:
         made = generate(text, config=Config(rotation=RotationConfig(device=device)), seed=seed)
     except Exception as error:  # one text must not end the run
-        known = isinstance(error, TabletopError)
-        told = f"{error}" if known else f"{type(error).__name__}: {error}"
-        return [row | {"error": told[:300]}]
+        return [row | {"error": tables.failure(error)}]
     for stage, spent in made.seconds.items():
         row[f"wall_{stage.replace(' ', '_')}"] = round(spent.wall, 3)
         row[f"cpu_{stage.replace(' ', '_')}"] = round(spent.cpu, 3)

@@ -17,7 +17,6 @@ from __future__ import annotations
 import argparse
 import csv
 import datetime
-import json
 import os
 import platform
 import sys
@@ -29,6 +28,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from posing.tables import texts_in
 
 if TYPE_CHECKING:
     from generator.scene import Scene
@@ -198,8 +198,7 @@ def main() -> None:
     parser.add_argument("--limit", type=int, default=None, help="only the first N texts")
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()
-    entries = json.loads(args.texts.read_text())
-    texts = [e if isinstance(e, str) else e["text"] for e in entries][: args.limit]
+    texts = texts_in(args.texts)[: args.limit]
     args.out.mkdir(parents=True, exist_ok=True)
     stem = args.route + ("" if args.texts.stem == "texts" else f"_{args.texts.stem}")
     table = args.out / f"{stem}.csv"

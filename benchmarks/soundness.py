@@ -13,7 +13,6 @@ the summary to the ``.md`` beside it.
 from __future__ import annotations
 
 import argparse
-import json
 import tempfile
 import time
 from collections.abc import Sequence
@@ -26,7 +25,6 @@ from posing.tables import Row
 
 from generator.bundle import load, save
 from generator.compose import compose
-from generator.errors import TabletopError
 from generator.evaluation import collisions
 from generator.evaluation.soundness import VARIANTS, soundness
 from generator.pipeline import generate
@@ -56,9 +54,7 @@ def work(job: tuple[str, int], route: str) -> list[Row]:
             row["seconds"] = round(time.perf_counter() - start, 2)
             return [row | measured(path)]
         except Exception as error:  # one text must not end the run
-            known = isinstance(error, TabletopError)
-            told = f"{error}" if known else f"{type(error).__name__}: {error}"
-            return [row | {"error": told[:300]}]
+            return [row | {"error": tables.failure(error)}]
 
 
 def measured(bundle: Path) -> Row:
@@ -143,8 +139,7 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()
     tables.alone()
-    entries = json.loads(args.texts.read_text(encoding="utf-8"))
-    texts = [e if isinstance(e, str) else e["text"] for e in entries][: args.limit]
+    texts = tables.texts_in(args.texts)[: args.limit]
     args.out.mkdir(parents=True, exist_ok=True)
     path = args.out / f"soundness_{args.route}.csv"
     rows = tables.resume(path, FIELDS, KEY)

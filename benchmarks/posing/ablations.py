@@ -120,7 +120,9 @@ def work(number: int, run: Run) -> list[Row]:
         tiles["picture"] = np.asarray(truth.picture)
         backends = remembering(Backends.select("embedded"))
     except TabletopError as error:
-        return [dict.fromkeys(FIELDS, "") | {"scene": number, "of": 1, "error": _told(error)}]
+        return [
+            dict.fromkeys(FIELDS, "") | {"scene": number, "of": 1, "error": tables.failure(error)}
+        ]
     for variant, config in VARIANTS.items():
         begin = time.process_time()
         try:
@@ -128,15 +130,10 @@ def work(number: int, run: Run) -> list[Row]:
             new = rows_of(truth, made, time.process_time() - begin)
             tiles[variant] = _tile(made)
         except Exception as error:  # one variant must not end the run
-            new = [dict.fromkeys(FIELDS, "") | {"error": _told(error)}]
+            new = [dict.fromkeys(FIELDS, "") | {"error": tables.failure(error)}]
         rows += [r | {"variant": variant} for r in new]
     write_strip(tiles, number, run.strips)
     return [r | {"scene": number, "of": len(rows)} for r in rows]
-
-
-def _told(error: Exception) -> str:
-    known = isinstance(error, TabletopError)
-    return (f"{error}" if known else f"{type(error).__name__}: {error}")[:300]
 
 
 def _tile(made: Generation) -> UInt8[np.ndarray, "h w 3"]:

@@ -15,7 +15,7 @@ import numpy as np
 from jaxtyping import Bool, UInt8
 from scipy.optimize import linear_sum_assignment
 
-from generator.errors import SceneError, TabletopError
+from generator.errors import SceneError
 from generator.pipeline import Generation, generate
 from generator.scene import TABLE, Object
 
@@ -160,10 +160,7 @@ def work(number: int, split: str, seed: int, sheets: Path | None) -> list[Row]:
         if sheets is not None:
             _save_sheet(made, sheets / f"{number:03d}.png")
     except Exception as error:  # one scene must not end the run
-        told = (
-            f"{error}" if isinstance(error, TabletopError) else f"{type(error).__name__}: {error}"
-        )
-        rows = [dict.fromkeys(FIELDS, "") | {"of": 1, "error": told[:300],
+        rows = [dict.fromkeys(FIELDS, "") | {"of": 1, "error": tables.failure(error),
                 "cpu_seconds": round(time.process_time() - begin, 1)}]  # fmt: skip
     return [r | {"scene": number} for r in rows]
 

@@ -12,7 +12,6 @@ from pathlib import Path
 import numpy as np
 from jaxtyping import UInt8
 
-from generator.errors import TabletopError
 from generator.render.sheet import grid
 
 from . import tables
@@ -43,10 +42,7 @@ def work(job: tuple[int, str], draw: Draw) -> list[Row]:
     try:
         return [row_of(draw_case(draw, number), number, config)]
     except Exception as error:  # one case must not end the run
-        told = (
-            f"{error}" if isinstance(error, TabletopError) else f"{type(error).__name__}: {error}"
-        )
-        return [start_of_row(number, config) | {"error": told[:300]}]
+        return [start_of_row(number, config) | {"error": tables.failure(error)}]
 
 
 def run(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import datetime
+import json
 import os
 import platform
 import shlex
@@ -14,7 +15,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any
 
-from generator.errors import InputError
+from generator.errors import InputError, TabletopError
 
 Row = dict[str, Any]
 
@@ -126,6 +127,18 @@ def alone() -> None:
     import torch
 
     torch.set_num_threads(1)
+
+
+def texts_in(path: Path) -> list[str]:
+    """Return the texts of a JSON list of texts, or of objects with a "text"."""
+    entries = json.loads(path.read_text(encoding="utf-8"))
+    return [entry if isinstance(entry, str) else entry["text"] for entry in entries]
+
+
+def failure(error: Exception) -> str:
+    """Return what a row says of a case that failed; an error that is not ours has its kind."""
+    known = isinstance(error, TabletopError)
+    return (f"{error}" if known else f"{type(error).__name__}: {error}")[:300]
 
 
 def _key(row: Row, key: Sequence[str]) -> tuple[str, ...]:
