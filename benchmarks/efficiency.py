@@ -28,6 +28,7 @@ from posing.figures import column
 from posing.tables import Row
 
 from generator.backends.embedded.planner import plan_scene
+from generator.errors import TabletopError
 from generator.figures import write_picture
 from generator.pipeline import STAGES, Config, generate
 from generator.stages.rotation import RotationConfig

@@ -169,8 +169,7 @@ def generate(
     """
     b = backends or Backends.select("embedded")
     config = config or Config()
-    if config.without:
-        pose_guesser(b.reasoner)  # refused before any work
+    guesser = pose_guesser(b.reasoner) if config.without else None  # refused before any work
     clock = Stopwatch(STAGES, progress)
     step = clock.step
 
@@ -194,8 +193,7 @@ def generate(
     models = make_models(reference, instances, sizes, view, b.modeler, b.reasoner)
 
     step()  # Sec. 3.3, DRO: Eqs. 1-4; left out (Sec. 4.3), the reasoner says the yaws
-    if "dro" in config.without:
-        guesser = pose_guesser(b.reasoner)
+    if guesser is not None and "dro" in config.without:
         rotations = ask_rotations(reference, instances, sizes, view, guesser)
     else:
         rotations = estimate_rotations(
@@ -203,8 +201,7 @@ def generate(
         )
 
     step()  # Sec. 3.3, TSA: Eqs. 5-6; left out (Sec. 4.3), the reasoner says places and sizes
-    if "tsa" in config.without:
-        guesser = pose_guesser(b.reasoner)
+    if guesser is not None and "tsa" in config.without:
         alignment = ask_layout(
             reference, instances, models, sizes, rotations, view, b.reasoner, guesser
         )

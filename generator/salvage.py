@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from .physics.gate import names_in
 from .scene import Placement, Scene, SizePrior
 from .supplement import Supplement
 
@@ -50,8 +51,7 @@ def salvaged(
             return whole
         chosen += 1
         left = without(placements, name)
-        kept = {p.name for p in left}
-        inside = tuple(p.name for p in placements if p.name not in kept | {name})
+        inside = _inside(placements, name)
         told += (f"{name} was left out: {_why(name, scene.report.failures)}.",)
         told += tuple(f"{other} was left out with {name}." for other in inside)
         gone += (name, *inside)
@@ -74,7 +74,7 @@ def misfit(
 
     Of those named equally often it is the one whose size is farthest from its kind's.
     """
-    words = [word.strip(";,.") for failure in failures for word in failure.split()]
+    words = [word for failure in failures for word in names_in(failure)]
     named = [(words.count(p.name), _oddness(p, sizes), p.name) for p in placements]
     count, _, name = max(named, default=(0, 0.0, ""))
     return name if count else None
@@ -86,14 +86,20 @@ def without(placements: Sequence[Placement], name: str) -> Placements:
     What stood on one of these stands on what ``name`` stood on.
     """
     (first,) = (p for p in placements if p.name == name)
-    gone = {name}
-    while more := {p.name for p in placements if p.inside and p.on in gone} - gone:
-        gone |= more
+    gone = {name, *_inside(placements, name)}
     return tuple(
         replace(p, on=first.on, inside=first.inside) if p.on in gone else p
         for p in placements
         if p.name not in gone
     )
+
+
+def _inside(placements: Sequence[Placement], name: str) -> tuple[str, ...]:
+    """Return what is in ``name``, and what is in that, in the order of the placements."""
+    gone = {name}
+    while more := {p.name for p in placements if p.inside and p.on in gone} - gone:
+        gone |= more
+    return tuple(p.name for p in placements if p.name in gone - {name})
 
 
 def _oddness(placement: Placement, sizes: Mapping[str, SizePrior]) -> float:
@@ -105,7 +111,7 @@ def _oddness(placement: Placement, sizes: Mapping[str, SizePrior]) -> float:
 
 
 def _why(name: str, failures: Sequence[str]) -> str:
-    return "; ".join(f for f in failures if name in f.replace(",", "").split())
+    return "; ".join(f for f in failures if name in names_in(f))
 
 
 def _recorded(scene: Scene, gone: tuple[str, ...]) -> Scene:

@@ -15,6 +15,7 @@ from scipy.optimize import linear_sum_assignment
 
 from .layout import arrange_more, build_models
 from .layout.arranging import support_of
+from .physics.gate import names_in
 from .scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan
 
 
@@ -31,7 +32,7 @@ class Supplement:
 
         Nothing is left if it names none: what nobody saw must not spoil what was seen.
         """
-        words = {word.strip(";,.") for failure in failures for word in failure.split()}
+        words = {word for failure in failures for word in names_in(failure)}
         gone = {p.name for p in self.placements if p.name in words}
         if not gone:
             gone = {p.name for p in self.placements}

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -84,6 +85,11 @@ def judge(scene: Scene, limits: Limits | None = None) -> Report:
     return dataclasses.replace(report, failures=tuple(failures))
 
 
+def names_in(failure: str) -> tuple[str, ...]:
+    """Return the words of one of a report's failures; the things' names are among them."""
+    return tuple(word.strip(";,.") for word in failure.split())
+
+
 def watched(
     simulation: Simulation, limits: Limits
 ) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
@@ -118,8 +124,7 @@ def _leaning(simulation: Simulation, limits: Limits) -> tuple[float, list[str]]:
     names = [o.name for o in simulation.scene.objects]
     worst = 0.0
     for side in range(4):
-        simulation.place([o.pose for o in simulation.scene.objects])
-        with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
+        with _leaning_to(side, simulation, limits):
             drift, tilt = watched(simulation, limits)
         worst = max(worst, float(drift.max(initial=0.0)))
         if failures := _moving(names, drift, tilt, limits, " on a leaning table"):
@@ -132,12 +137,19 @@ def overturned(scene: Scene, limits: Limits, angle: float) -> tuple[str, ...]:
     simulation = Simulation(scene)
     down: set[str] = set()
     for side in range(4):
-        simulation.place([o.pose for o in scene.objects])
-        with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
+        with _leaning_to(side, simulation, limits):
             simulation.run(limits.seconds)
         pairs = zip(scene.objects, simulation.poses, strict=True)
         down |= {o.name for o, pose in pairs if has_toppled(o, pose, angle)}
     return tuple(sorted(down))
+
+
+@contextmanager
+def _leaning_to(side: int, simulation: Simulation, limits: Limits) -> Iterator[None]:
+    """Start anew from the scene's poses, with gravity leaning to one of four sides."""
+    simulation.place([o.pose for o in simulation.scene.objects])
+    with simulation.conditions(limits.lean, side * np.pi / 2, _LEANING_TIMESTEP):
+        yield
 
 
 def _moving(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
@@ -79,3 +81,11 @@ def mask_in_crop(mask: Bool[np.ndarray, "h w"], instance: Instance) -> UInt8[np.
         mask.astype(np.uint8) * 255, matrix, (width, height), flags=cv2.INTER_LINEAR
     )
     return np.repeat(alpha[..., None], 4, axis=2)
+
+
+def hiders(instance: Instance, things: Sequence[Instance]) -> Bool[np.ndarray, "h w"] | None:
+    """Return where in the picture other things may hide an instance; None if nothing does."""
+    if not instance.occluded:
+        return None
+    others = [np.asarray(t.mask) for t in things if t.name != instance.name]
+    return np.logical_or.reduce(others) if others else None

@@ -163,16 +163,20 @@ def _colors(
         lit = np.ones(len(own)) if shadow is None else shadow.lit(point, normal)
         color[own] = shade(albedo, normal, camera.position - point, lit, light)
 
+    pieces = []
+    for k, item in enumerate(items):
+        own = np.flatnonzero(hits.item == k)
+        if len(own):
+            normals = corner_normals(item.vertices, item.faces)
+            parts = np.split(own, range(_PIECE, len(own), _PIECE))
+            pieces += [(item, normals, part) for part in parts]
+    if len(color) <= 2 * _PIECE:  # a pool would cost more than it saves
+        for piece in pieces:
+            paint(*piece)
+        return color
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        done = []
-        for k, item in enumerate(items):
-            own = np.flatnonzero(hits.item == k)
-            if len(own):
-                normals = corner_normals(item.vertices, item.faces)
-                pieces = np.split(own, range(_PIECE, len(own), _PIECE))
-                done += [pool.submit(paint, item, normals, piece) for piece in pieces]
-        for piece in done:
-            piece.result()
+        for done in [pool.submit(paint, *piece) for piece in pieces]:
+            done.result()
     return color
 
 

@@ -166,7 +166,7 @@ def _problem(
 ) -> _Problem:
     import torch
 
-    from ..render.crop import MARGIN, in_reference, mask_in_crop, tight_box, tight_crop
+    from ..render.crop import MARGIN, hiders, in_reference, mask_in_crop, tight_box, tight_crop
     from ..render.soft import sample_surface, smooth, stack
 
     things = [shown[p.name] for p in placements]
@@ -179,9 +179,12 @@ def _problem(
     masks, weights = [], []
     for thing, box in zip(things, tight, strict=True):
         masks.append(tight_crop(thing.crop, box, size)[..., 3])
-        hidden = _hidden(thing, list(shown.values()))
-        over = tight_crop(mask_in_crop(hidden, thing), box, size)[..., 3]
-        weights.append(1 - (1 - config.unsure) * over)
+        hidden = hiders(thing, list(shown.values()))
+        sure = np.ones((size, size), np.float32)
+        if hidden is not None:
+            over = tight_crop(mask_in_crop(hidden, thing), box, size)[..., 3]
+            sure -= (1 - config.unsure) * over
+        weights.append(sure)
     place = np.array([p.translation for p in placements])
     names = [p.name for p in placements]
     base = [names.index(p.on) if p.on in names else -1 for p in placements]
@@ -211,12 +214,6 @@ def _problem(
         tensor(view_rotation(view)),
         tensor(_standpoint(place, middle, eye)),
     )  # fmt: skip
-
-
-def _hidden(thing: Instance, things: Sequence[Instance]) -> np.ndarray:
-    """Return where others may hide an instance."""
-    masks = [np.asarray(t.mask) for t in things if thing.occluded and t.name != thing.name]
-    return np.logical_or.reduce(masks) if masks else np.zeros(np.asarray(thing.mask).shape, bool)
 
 
 def _standpoint(

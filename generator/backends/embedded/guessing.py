@@ -55,6 +55,7 @@ def guess_layout(
     across = rotated_extent(sizes[TABLE].extent, -view.azimuth)  # as the camera sees it, metres
     scale = (table[2] - table[0]) / across[0]  # pixels per metre
     deep = min(scale * across[1] * np.sin(view.elevation), table[3] - table[1])
+    half = sizes[TABLE].extent[:2] / 2
     places = {}
     for instance in instances:
         if instance.name == TABLE:
@@ -62,7 +63,6 @@ def guess_layout(
         box, size = np.asarray(instance.box), sizes[instance.name].extent
         right = ((box[0] + box[2]) - (table[0] + table[2])) / 2 / scale
         away = (0.5 - (box[3] - table[1]) / deep) * across[1] + size[:2].mean() / 2
-        half = sizes[TABLE].extent[:2] / 2
         center = np.clip(rotation_z(view.azimuth)[:2, :2] @ [right, away], -half, half)
         places[instance.name] = LayoutBox(center, size)
     return places

@@ -84,14 +84,10 @@ def fit_table(
     usual = TableForm(outline, corners_of(outline), height)
     best, rival = _Legs(usual, scale, shift, seen).fitted(height)
     if max(best[1], rival[1]) < _SHOWN:
-        overlap = fine.overlap(_silhouette(_Legs(usual, scale, shift, fine), usual))
+        overlap = fine.overlap(_Legs(usual, scale, shift, fine).silhouette(usual))
         return Fitted(usual, scale, shift, overlap, False)
     first, other = (_settled(form, scale, shift, fine, height) for form, _ in (best, rival))
     return other if other.overlap > first.overlap + _CLEAR else first
-
-
-def _silhouette(legs: _Legs, form: TableForm) -> Mask:
-    return legs.drawn(form) | legs.top
 
 
 def _settled(
@@ -126,7 +122,7 @@ def _settled(
 
     def liked(p: np.ndarray) -> float:
         tried, size, place = made(p)
-        drawn = _silhouette(_Legs(tried, size, place, seen), tried)
+        drawn = _Legs(tried, size, place, seen).silhouette(tried)
         rows = np.flatnonzero(drawn.any(1))
         low = abs(float(rows[-1]) - seen.bottom) if len(rows) and not seen.cut_below else 0.0
         return seen.overlap(drawn) - _EVEN * abs(p[3] - p[4]) - _REACHING * low / tall_rows
@@ -142,7 +138,7 @@ def _settled(
     starts = sorted((start(place) for place in places), key=liked)
     found = max((searched(begin) for begin in starts[-_STARTS:]), key=liked)
     tried, size, place = made(found)
-    overlap = seen.overlap(_silhouette(_Legs(tried, size, place, seen), tried))
+    overlap = seen.overlap(_Legs(tried, size, place, seen).silhouette(tried))
     return Fitted(tried, size, place, overlap, True)
 
 
@@ -216,10 +212,16 @@ class _Legs:
     ) -> None:
         self.form, self.scale, self.shift, self.seen = form, scale, shift, seen
         self.top = _drawn([self._placed(at_height(form.outline, 0.0))], seen.projection)
-        brush = np.ones((3, 3), np.uint8)
-        beside = cv2.dilate(self.top.astype(np.uint8), brush) == 0
-        self.counted = beside & seen.shown
-        self.wanted = seen.mask & self.counted
+
+    @cached_property
+    def _counted(self) -> Mask:
+        """What shows, beside the top."""
+        over = cv2.dilate(self.top.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+        return self.seen.shown & ~over
+
+    @cached_property
+    def _wanted(self) -> Mask:
+        return self.seen.mask & self._counted
 
     def _placed(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
         return points * self.scale + self.shift
@@ -231,11 +233,15 @@ class _Legs:
         pieces = [piece.reshape(-1, 3) - down for piece in form.pieces()]
         return _drawn([self._placed(p) for p in [slab, *pieces]], self.seen.projection)
 
+    def silhouette(self, form: TableForm) -> Mask:
+        """Return the silhouette of a form with the top."""
+        return self.drawn(form) | self.top
+
     def overlap(self, form: TableForm) -> float:
         """Return the intersection over union of what lies below the top."""
-        drawn = self.drawn(form) & self.counted
-        union = np.count_nonzero(drawn | self.wanted)
-        return np.count_nonzero(drawn & self.wanted) / union if union else 0.0
+        drawn = self.drawn(form) & self._counted
+        union = np.count_nonzero(drawn | self._wanted)
+        return np.count_nonzero(drawn & self._wanted) / union if union else 0.0
 
     def grounded(self, form: TableForm, usual: float) -> TableForm:
         """Return a form as high as brings its feet down to the silhouette's lowest row.

@@ -11,6 +11,7 @@ from jaxtyping import Bool
 
 from ...backends.protocols import Encoder
 from ...errors import InputError
+from ...render.crop import hiders
 from ...scene import TABLE, Instance, Model, Reference, Rotation, View
 from .config import RotationConfig
 from .found import Answer
@@ -42,7 +43,7 @@ def estimate_rotations(
     for instance in things:
         if instance.name not in models:
             raise InputError(f"Instance {instance.name!r} has no model; make the models first.")
-    hidden = [_hiders(instance, things) for instance in things]
+    hidden = [hiders(instance, things) for instance in things]
 
     def searched(group: Sequence[int]) -> list[Answer]:
         for k in group:
@@ -109,11 +110,3 @@ def _rotation(name: str, answer: Answer) -> Rotation:
     found = answer.looks[0]
     candidates = tuple((f.yaw, f.loss) for f in found)
     return Rotation(name, *candidates[0], candidates, answer.margin, answer.width, answer.symmetric)
-
-
-def _hiders(instance: Instance, things: Sequence[Instance]) -> Bool[np.ndarray, "h w"] | None:
-    """Return where others may hide an instance, if anything does."""
-    if not instance.occluded:
-        return None
-    others = [np.asarray(t.mask) for t in things if t.name != instance.name]
-    return np.logical_or.reduce(others) if others else None
