@@ -11,8 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from .physics.gate import names_in
-from .scene import Placement, Scene, SizePrior
+from .scene import Placement, Scene, SizePrior, names_in
 from .supplement import Supplement
 
 Placements = tuple[Placement, ...]

@@ -15,8 +15,7 @@ from scipy.optimize import linear_sum_assignment
 
 from .layout import arrange_more, build_models
 from .layout.arranging import support_of
-from .physics.gate import names_in
-from .scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan
+from .scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan, names_in
 
 
 @dataclass(frozen=True, eq=False)

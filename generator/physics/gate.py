@@ -85,11 +85,6 @@ def judge(scene: Scene, limits: Limits | None = None) -> Report:
     return dataclasses.replace(report, failures=tuple(failures))
 
 
-def names_in(failure: str) -> tuple[str, ...]:
-    """Return the words of one of a report's failures; the things' names are among them."""
-    return tuple(word.strip(";,.") for word in failure.split())
-
-
 def watched(
     simulation: Simulation, limits: Limits
 ) -> tuple[Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:

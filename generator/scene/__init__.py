@@ -31,6 +31,7 @@ from .result import (
     Scene,
     Stacking,
     Table,
+    names_in,
 )
 
 __all__ = [
@@ -65,4 +66,5 @@ __all__ = [
     "TopView",
     "View",
     "frozen_array",
+    "names_in",
 ]

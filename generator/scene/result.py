@@ -203,6 +203,11 @@ class Table:
         return float(self.scale[2])
 
 
+def names_in(failure: str) -> tuple[str, ...]:
+    """Return the words of one of a report's failures; the things' names are among them."""
+    return tuple(word.strip(";,.") for word in failure.split())
+
+
 @dataclass(frozen=True)
 class Report:
     """The recorded physical gate of a scene (lengths in metres, angles in radians).
