@@ -171,7 +171,7 @@ def soundness(scene: Scene, rule: Rule = PLAIN) -> Soundness:
             )
             for k, thing in enumerate(scene.objects)
         ),
-        _diverged(simulation),
+        bool(simulation.diverged),
     )
 
 
@@ -189,14 +189,6 @@ def _set(simulation: Simulation, rule: Rule) -> None:
     options.gravity[:] = [
         aside * np.cos(rule.toward), aside * np.sin(rule.toward), -strength * np.cos(rule.lean)
     ]  # fmt: skip
-
-
-def _diverged(simulation: Simulation) -> bool:
-    import mujoco
-
-    kinds = mujoco.mjtWarning
-    broken = (kinds.mjWARN_BADQPOS, kinds.mjWARN_BADQVEL, kinds.mjWARN_BADQACC)
-    return any(simulation.data.warning[int(kind)].number for kind in broken)
 
 
 def _degrees(angle: float) -> float:

@@ -214,6 +214,7 @@ class Report:
     moved: the largest correction that separating overlaps needed; settling: by settling.
     leaning: largest move with gravity leaning by the gate's angle to any of four sides.
     seconds: how long was simulated; failures: what the gate found, in words.
+        Where they say that the simulation broke down, drift, tilt and leaning say nothing.
     dropped: objects that were left out, since the scene would not have passed with them.
     reach: from the best side of the table, the farthest object's distance to that side.
     misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean

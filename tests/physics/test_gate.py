@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_scene, toy_table
 
-from generator.physics.gate import Limits, judge, reach, watched
+from generator.physics.gate import Limits, judge, names_in, reach, watched
 from generator.physics.simulation import Simulation
 from generator.scene import ConvexPart, Object, Pose, Scene
 
@@ -118,6 +118,33 @@ def test_a_thing_that_slides_evenly_is_seen_though_not_watched_to_the_end() -> N
     with simulation.conditions(slope, 0.0, 2e-3):
         drift, _ = watched(simulation, Limits())
     assert drift[0] > 0.1
+
+
+def breaking(monkeypatch: pytest.MonkeyPatch, dof: int, leaning: bool) -> None:
+    """Make a velocity of every simulation, or of those that lean, infinite."""
+    import mujoco
+
+    step = mujoco.mj_step
+
+    def run(model: mujoco.MjModel, data: mujoco.MjData, nstep: int = 1) -> None:
+        if model.opt.gravity[:2].any() or not leaning:
+            data.qvel[dof] = np.inf
+        step(model, data, nstep)
+
+    monkeypatch.setattr(mujoco, "mj_step", run)
+
+
+@pytest.mark.parametrize(("leaning", "where"), [(False, ""), (True, " on a leaning table")])
+def test_a_simulation_that_breaks_down_fails_and_says_at_what(
+    leaning: bool, where: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """MuJoCo starts anew from the scene's poses, so that nothing seems to have moved."""
+    breaking(monkeypatch, 8, leaning)
+    report = judge(toy_scene((cube("a_1", 0), cube("b_1", 0.2))))
+    said = f"b_1 moved beyond all bounds{where}: the simulation broke down"
+    assert report.failures == (said,)
+    assert report.drift < 1e-3
+    assert "b_1" in names_in(said)
 
 
 def test_limits_are_the_callers() -> None:
