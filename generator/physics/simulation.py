@@ -55,6 +55,11 @@ class Simulation:
         self._undamped = self.model.dof_damping.copy()
 
     @property
+    def time(self) -> float:
+        """Seconds simulated since :meth:`place`."""
+        return float(self.data.time)
+
+    @property
     def poses(self) -> tuple[Pose, ...]:
         """The objects' poses now, in the scene's order."""
         return tuple(

@@ -152,6 +152,15 @@ def test_limits_are_the_callers() -> None:
     assert judge(toy_scene((cube("a_1", 0),)), Limits(seconds=0.1)).seconds == 0.1
 
 
+def test_the_report_says_how_much_was_simulated_and_how_much_is_forecast() -> None:
+    still = judge(toy_scene((cube("a_1", 0),)))
+    assert still.seconds == 5.0
+    assert still.simulated is not None
+    assert 0.5 < still.simulated < 2.0
+    dropped = judge(toy_scene((cube("a_1", 0, z=0.03),)), Limits(seconds=1.5))
+    assert (dropped.seconds, dropped.simulated) == (1.5, 1.5)
+
+
 @pytest.mark.parametrize(
     ("xy", "expected"), [((0.0, 0.0), 0.35), ((0.5, 0.0), 0.1), ((0, 0.3), 0.05)]
 )
