@@ -63,7 +63,8 @@ VARIANTS: Mapping[str, Rule] = MappingProxyType(
 )
 """The plain rule, at other time steps, and with gravity leaning by 2 degrees to four sides.
 
-Round things roll under a leaning gravity, as they should; what stands on a base must not.
+Round things must lie still, too: their rolling resistance (``generator.mjcf.FLAT_SPOT``) holds them
+up to about six degrees. Beyond that they roll away.
 """
 
 
