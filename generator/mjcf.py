@@ -39,9 +39,9 @@ ROUND = 0.02
 FLAT_SPOT = 0.1
 """Rolling resistance of round things, in radii: they lie still on a table that leans by two
 degrees, with a margin of almost three, as fruit does, and roll away from six degrees on (its
-tangent is this). A glass marble would roll at once. What is small has ``_LEAST_FLAT`` metres."""
+tangent is this). Small things have ``_LEAST_FLAT``, metres; glass marbles would roll at once."""
 
-_LEAST_FLAT = 0.0015
+_LEAST_FLAT = 0.002
 _FIRM = {"solimp": "0.98 0.99 0.001", "solmix": "100"}
 """Contacts of what resists rolling are this much firmer than MuJoCo's usual (0.9 0.95). Resistance
 gives way by a creep that goes with the softness and with the inverse square of FLAT_SPOT: on that

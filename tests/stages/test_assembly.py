@@ -163,6 +163,8 @@ def test_a_foot_under_what_is_low_already_makes_it_lower_and_centres_it() -> Non
     low = dataclasses.replace(
         toy_object("egg_1", (0.05, 0.05, 0.06), (0, 0)), com=np.array([0.006, 0.0, -0.025])
     )
+    flat = on_foot(toy_object("card_1", (0.05, 0.05, 0.002), (0, 0)))
+    assert np.linalg.eigvalsh(flat.inertia).min() > 0
     footed = on_foot(low)
     np.testing.assert_allclose(footed.com[:2], 0, atol=1e-12)
     assert -0.03 < footed.com[2] < low.com[2]
