@@ -15,6 +15,8 @@ shears. The world may have its origin anywhere: it is shifted so that the table 
 under the origin. A method without a table gives ``{"size": [x, y, z]}`` as "table": a block of that
 extent, its top's middle at ``"top": [x, y, z]`` in the method's world. ``label`` (the name without
 its number if left out), ``on`` ("table") and ``inside`` may be missing.
+
+A table's top is its highest large level surface; for simulation it is a slab without the rim.
 """
 
 from __future__ import annotations
@@ -53,7 +55,11 @@ TRANSFORMS = "transforms.json"
 MOST_OBJECTS = 256
 _FARTHEST = 100.0  # metres: larger things and places are in other units
 _SHEAR = 1e-3
-_TOP = 0.01  # metres: what of a table lies this near under its highest point is its top
+_TOP = 0.01  # metres: what of a table lies this near its level belongs to its top
+_EVEN = 0.003  # metres: how uneven a top may be
+_LEVEL = 0.97  # cosine of the steepest that counts as level
+_LEAST_TOP = 0.03  # square metres
+_RIM = 0.04  # metres: what rises higher over the top is no rim
 _Z_UP = {"y": np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]]), "z": np.eye(3)}
 
 
@@ -83,7 +89,7 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     if not isinstance(entries, list) or len(entries) > MOST_OBJECTS:
         raise InputError(f"{place}: 'objects' must be a list of at most {MOST_OBJECTS} objects.")
     mesh, shift = _table_mesh(place, payload.get("table"), _Z_UP[up])
-    table = _table(mesh)
+    table = _table(mesh, f"{place}: the table")
     bodies = [_object(place, entry, _Z_UP[up], shift, decompose) for entry in entries]
     _check_supports(bodies)
     warning = "collision parts are convex hulls: not fit for simulation"
@@ -147,14 +153,44 @@ def _table_mesh(
     return Mesh(vertices, mesh.faces, mesh.uv, mesh.texture), move
 
 
-def _table(mesh: Mesh) -> Table:
+def _table(mesh: Mesh, what: str) -> Table:
+    """Return the table with a slab under its top, a rim left out.
+
+    Raises:
+        InputError: it has no level top, or something rises from it.
+    """
     unit, _, extent = to_unit_box(mesh)
     model = Model(TABLE, TABLE, unit, extent)
     vertices = unit.vertices * extent
-    high = float(vertices[:, 2].max())
-    outline = convex_outline(vertices[vertices[:, 2] > high - _TOP][:, :2])
+    high = _top(vertices[unit.faces], what)
+    if (above := float(vertices[:, 2].max()) - high) > _RIM:
+        raise InputError(
+            f"{what} rises {100 * above:.0f} cm over its largest level surface. Leave out of its "
+            "mesh what stands on it."
+        )
+    outline = convex_outline(vertices[np.abs(vertices[:, 2] - high) < _TOP][:, :2])
     slab = np.array([[x, y, z] for x, y in outline for z in (high - 3 * _TOP, high)])
     return Table(model, extent, (ConvexPart(slab),), outline, model.physics.friction)
+
+
+def _top(triangles: Float[np.ndarray, "m 3 3"], what: str) -> float:
+    """Return the height of the top: the highest level with half as much area as any has.
+
+    Surfaces count on both sides: not every file turns them outwards.
+    """
+    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]) / 2
+    areas = np.linalg.norm(normals, axis=1)
+    level = np.abs(normals[:, 2]) > _LEVEL * areas
+    order = np.argsort(triangles[level].mean(1)[:, 2], kind="stable")
+    heights, areas = triangles[level].mean(1)[order, 2], areas[level][order]
+    sums = np.append(0.0, np.cumsum(areas))
+    first = np.searchsorted(heights, heights - _EVEN)
+    near = sums[1:] - sums[first]  # the area from just below each triangle up to it
+    if near.max(initial=0.0) < _LEAST_TOP:
+        raise InputError(f"{what} has no level top of {1e4 * _LEAST_TOP:.0f} square centimetres.")
+    last = int(np.flatnonzero(near >= near.max() / 2)[-1])
+    middle = np.searchsorted(sums, (sums[first[last]] + sums[last + 1]) / 2, side="right") - 1
+    return float(heights[min(int(middle), last)])
 
 
 def _object(

@@ -57,9 +57,13 @@ def judge(scene: Scene, limits: Limits | None = None) -> Report:
     held = supported(simulation.contacts(margin=limits.gap), len(names))
     off = inside_margin(simulation.centers_of_mass[:, :2], scene.table.outline) < 0
     drift, tilt = watched(simulation, limits)
+    simulated = simulation.time
+    level = _moving(simulation, drift, tilt, limits, "")
     fell = fallen(simulation)
-    level = _moving(names, drift, tilt, limits, "")
-    leaning, leans = (0.0, []) if level or not limits.lean else _leaning(simulation, limits)
+    leaning, leans = 0.0, []
+    if limits.lean and not level:
+        leaning, shortest, leans = _leaning(simulation, limits)
+        simulated = min(simulated, shortest)
     report = Report(
         penetration=max(overlaps.values(), default=0.0),
         drift=float(drift.max(initial=0.0)),
@@ -73,6 +77,7 @@ def judge(scene: Scene, limits: Limits | None = None) -> Report:
         reach=reach(scene),
         seconds=limits.seconds,
         dropped=scene.report.dropped if scene.report else (),
+        simulated=round(simulated, 6),
     )
     failures = [
         *_overlapping(overlaps, names, limits.penetration),
@@ -92,16 +97,20 @@ def watched(
 
     What creeps evenly is not watched to the end: once two looks in a row show no object moving or
     turning faster than before, and going on so would use up no more than half of the limits, that
-    forecast is returned. Toppling speeds up, and is watched.
+    forecast is returned. Toppling speeds up, and is watched. A simulation that breaks down ends it:
+    then the figures say nothing.
     """
     start = simulation.poses
     bounds = np.array([limits.drift, limits.tilt])
     last = np.zeros((len(start), 2))
     gone, calm = last, 0
     looks = max(1, round(limits.seconds / _STRIDE))
+    begin = simulation.time
     for k in range(looks):
         before = gone
-        simulation.run(limits.seconds / looks)
+        simulation.run(begin + limits.seconds * (k + 1) / looks - simulation.time)
+        if simulation.diverged:
+            break
         now = simulation.poses
         gone = np.stack([shifted(start, now), turned(start, now)], axis=1)
         step = np.abs(gone - before)
@@ -114,17 +123,17 @@ def watched(
     return gone[:, 0], gone[:, 1]
 
 
-def _leaning(simulation: Simulation, limits: Limits) -> tuple[float, list[str]]:
-    """Return the farthest any object moves under leaning gravity, and what moves too far."""
-    names = [o.name for o in simulation.scene.objects]
-    worst = 0.0
+def _leaning(simulation: Simulation, limits: Limits) -> tuple[float, float, list[str]]:
+    """Return how far anything moves as gravity leans, the least time simulated, and failures."""
+    worst, shortest = 0.0, limits.seconds
     for side in range(4):
         with _leaning_to(side, simulation, limits):
             drift, tilt = watched(simulation, limits)
         worst = max(worst, float(drift.max(initial=0.0)))
-        if failures := _moving(names, drift, tilt, limits, " on a leaning table"):
-            return worst, failures
-    return worst, []
+        shortest = min(shortest, simulation.time)
+        if failures := _moving(simulation, drift, tilt, limits, " on a leaning table"):
+            return worst, shortest, failures
+    return worst, shortest, []
 
 
 def overturned(scene: Scene, limits: Limits, angle: float) -> tuple[str, ...]:
@@ -148,12 +157,18 @@ def _leaning_to(side: int, simulation: Simulation, limits: Limits) -> Iterator[N
 
 
 def _moving(
-    names: Sequence[str],
+    simulation: Simulation,
     drift: Float[np.ndarray, "n"],
     tilt: Float[np.ndarray, "n"],
     limits: Limits,
     where: str,
 ) -> list[str]:
+    """Say what the run just ended shows: what moved too far, or at what it broke down."""
+    names = [o.name for o in simulation.scene.objects]
+    if broken := simulation.diverged:
+        return [
+            f"{names[k]} moved beyond all bounds{where}: the simulation broke down" for k in broken
+        ]
     return [
         *(f"{n} moved {1e3 * d:.1f} mm in {limits.seconds:g} s{where}"
           for n, d in zip(names, drift, strict=True) if d > limits.drift),

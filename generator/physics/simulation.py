@@ -55,6 +55,11 @@ class Simulation:
         self._undamped = self.model.dof_damping.copy()
 
     @property
+    def time(self) -> float:
+        """Seconds simulated since :meth:`place`."""
+        return float(self.data.time)
+
+    @property
     def poses(self) -> tuple[Pose, ...]:
         """The objects' poses now, in the scene's order."""
         return tuple(
@@ -70,6 +75,20 @@ class Simulation:
     def centers_of_mass(self) -> Float[np.ndarray, "n 3"]:
         """The objects' centres of mass in the world, as of the last step or contact search."""
         return self.data.xipos[self.model.nbody - len(self.scene.objects) :]
+
+    @property
+    def diverged(self) -> tuple[int, ...]:
+        """Objects whose motion left all bounds since :meth:`place`, in the scene's order.
+
+        MuJoCo then starts anew from the scene's own poses: what is measured after that says
+        nothing.
+        """
+        import mujoco
+
+        kinds = mujoco.mjtWarning
+        lengths = {kinds.mjWARN_BADQPOS: 7, kinds.mjWARN_BADQVEL: 6, kinds.mjWARN_BADQACC: 6}
+        told = [(self.data.warning[int(kind)], length) for kind, length in lengths.items()]
+        return tuple(sorted({w.lastinfo // length for w, length in told if w.number}))
 
     def place(self, poses: Iterable[Pose]) -> None:
         """Put the objects at ``poses``, at rest, at time 0."""

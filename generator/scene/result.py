@@ -213,12 +213,16 @@ class Report:
     """The recorded physical gate of a scene (lengths in metres, angles in radians).
 
     penetration: deepest overlap of two collision shapes at the start.
-    drift, tilt: largest move and turn of any object over ``seconds`` of simulation.
+    drift, tilt: largest move and turn of any object over ``seconds``.
     floating: objects with no contact and a gap below them; fallen: objects that left the table.
     off_table: objects whose centre of mass is outside the top's outline.
     moved: the largest correction that separating overlaps needed; settling: by settling.
     leaning: largest move with gravity leaning by the gate's angle to any of four sides.
-    seconds: how long was simulated; failures: what the gate found, in words.
+    seconds: the time that drift, tilt and leaning stand for.
+    simulated: the least of it that was simulated, level or leaning; the rest is the forecast of an
+        even creep. None where that was not recorded.
+    failures: what the gate found, in words. Where they say that the simulation broke down, drift,
+        tilt and leaning say nothing.
     dropped: objects that were left out, since the scene would not have passed with them.
     reach: from the best side of the table, the farthest object's distance to that side.
     misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
@@ -239,6 +243,7 @@ class Report:
     dropped: tuple[str, ...] = ()
     failures: tuple[str, ...] = ()
     misfit: tuple[float, float] | None = None
+    simulated: float | None = None
 
     @property
     def passed(self) -> bool:

@@ -17,7 +17,7 @@ from jaxtyping import Float
 from ..errors import InputError, choices
 from ..geometry import convex_outline, yaw_quaternion
 from ..physics.gate import Limits, fallen, judge, overturned
-from ..physics.inertia import body_mass
+from ..physics.inertia import MassProperties, body_mass, box_mass, joined
 from ..physics.parts import body_parts, lowest, model_parts
 from ..physics.seating import carried, relocate, seat_on_table, seat_stacked
 from ..physics.separation import ancestry, separate, with_poses
@@ -39,6 +39,7 @@ from ..scene import (
 )
 
 _SHAKE = 1.5  # in leans of the gate
+_FOOT = 0.25, 0.75  # the least and the largest share of its weight that a thing has in its foot
 
 
 @dataclass(frozen=True)
@@ -145,17 +146,24 @@ def rest(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
 
 
 def on_foot(thing: Object) -> Object:
-    """Return the object with a flat box under it and its weight drawn down to a third.
+    """Return the object with a flat box under it that has a share of its weight.
 
-    The foot spans the object's box and is a thirtieth of its height, 2 mm at least.
+    The foot spans the object's box and is a thirtieth of its height, 2 mm at least. It has a
+    quarter of the weight, or as much (up to three) as draws the whole's centre down to a third of
+    the height; its own lies so that the whole's is over the middle, as far as the foot reaches.
     """
-    half = thing.scale / 2
-    thick = max(2e-3, float(thing.scale[2]) / 30)
-    low, high = lowest(thing), lowest(thing) + thick
-    corners = [[x, y, z] for x in (-half[0], half[0]) for y in (-half[1], half[1])
-               for z in (low, high)]  # fmt: skip
-    com = np.array([0.0, 0.0, low + min(thing.com[2] - low, float(thing.scale[2]) / 3)])
-    return replace(thing, parts=(*thing.parts, ConvexPart(np.array(corners), "box")), com=com)
+    height = float(thing.scale[2])
+    size = np.array([*thing.scale[:2], max(2e-3, height / 30)])
+    middle = np.array([0.0, 0.0, lowest(thing) + size[2] / 2])
+    rise = float(thing.com[2] - middle[2])
+    needed = 1 - (height / 3 - size[2] / 2) / rise if rise > 0 else 0.0
+    share = float(np.clip(needed, *_FOOT))
+    aside = np.clip((1 - 1 / share) * (thing.com * [1, 1, 0]), -size / 2, size / 2)
+    rest = MassProperties((1 - share) * thing.mass, thing.com, (1 - share) * thing.inertia)
+    whole = joined((rest, box_mass(share * thing.mass, middle + aside, size)))
+    corners = middle + size * (np.indices((2, 2, 2)).reshape(3, 8).T - 0.5)
+    parts = (*thing.parts, ConvexPart(corners, "box"))
+    return replace(thing, parts=parts, com=whole.com, inertia=whole.inertia)
 
 
 # ------------------------------------------------------------------------------------------ bodies

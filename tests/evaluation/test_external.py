@@ -90,6 +90,61 @@ def test_the_world_is_shifted_so_that_the_table_stands_under_the_origin(folder: 
     assert np.allclose(scene.table.height, 0.74)
 
 
+def join(path: Path, *solids: trimesh.Trimesh) -> None:
+    """Write solids, z up, as one mesh."""
+    whole = trimesh.util.concatenate(list(solids))
+    whole.visual = trimesh.visual.ColorVisuals(whole, face_colors=(180, 150, 120, 255))
+    path.write_bytes(trimesh.Scene([whole]).export(file_type="glb"))
+
+
+def block(extents: tuple[float, float, float], middle: tuple[float, float, float]) -> Any:
+    made = trimesh.creation.box(extents=extents)
+    made.apply_translation(middle)
+    return made
+
+
+TOP = block((1.2, 0.7, 0.03), (0, 0, 0.725))
+LEGS = [block((0.05, 0.05, 0.71), (x, y, 0.355)) for x in (-0.5, 0.5) for y in (-0.3, 0.3)]
+SHELF = block((1.1, 0.6, 0.02), (0, 0, 0.2))
+
+
+@pytest.mark.parametrize("turned", [False, True])
+def test_things_rest_on_a_tables_top_and_not_on_its_rim(folder: Path, turned: bool) -> None:
+    """A rim 8 mm high, a shelf below; a file may turn its surfaces inwards."""
+    rim = [block((1.2, 0.02, 0.038), (0, y, 0.729)) for y in (-0.34, 0.34)]
+    rim += [block((0.02, 0.7, 0.038), (x, 0, 0.729)) for x in (-0.59, 0.59)]
+    parts = [p.copy() for p in (TOP, *LEGS, SHELF, *rim)]
+    if turned:
+        for part in parts:
+            part.invert()
+    join(folder / "table.glb", *parts)
+    glb(folder / "box.glb", (0.2, 0.1, 0.06), up="z")
+    table = {"glb": "table.glb", "matrix": matrix()}
+    scene = load_external(
+        write(folder, payload(thing("book_1", (0, 0, 0.77)), table=table, up="z"))
+    )
+    assert scene.table.height == pytest.approx(0.748)
+    assert np.allclose(np.abs(scene.table.outline), [0.6, 0.35])
+    found = soundness(scene)
+    assert (found.stable, found.floating, found.off_table) == (True, (), ())
+    assert found.objects[0].drift < 1e-3
+
+
+@pytest.mark.parametrize(
+    ("parts", "words"),
+    [
+        ([trimesh.creation.cone(radius=0.5, height=0.7)], "rises 70 cm"),
+        ([trimesh.creation.icosphere(radius=0.4)], "no level top"),
+        ([TOP, *LEGS, block((1.2, 0.02, 0.3), (0, 0.34, 0.89))], "rises 30 cm"),
+    ],
+)
+def test_a_table_without_a_plain_top_is_refused(folder: Path, parts: list[Any], words: str) -> None:
+    join(folder / "table.glb", *parts)
+    table = {"glb": "table.glb", "matrix": matrix()}
+    with pytest.raises(InputError, match=words):
+        load_external(write(folder, payload(table=table, up="z")))
+
+
 def test_a_method_without_a_table_gets_a_block(folder: Path) -> None:
     table = {"size": [1.0, 0.8, 0.7], "top": [0, 0, 0]}
     scene = load_external(

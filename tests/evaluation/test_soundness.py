@@ -10,6 +10,7 @@ from toy import toy_object, toy_scene
 
 from generator.errors import InputError
 from generator.evaluation.soundness import PLAIN, VARIANTS, Rule, robustness, soundness
+from generator.mjcf import FLAT_SPOT
 from generator.scene import Object
 
 SHORT = dataclasses.replace(PLAIN, seconds=0.5)
@@ -17,6 +18,13 @@ SHORT = dataclasses.replace(PLAIN, seconds=0.5)
 
 def cube(name: str = "cube_1", x: float = 0.0, z: float = 0.0) -> Object:
     return toy_object(name, (0.05,) * 3, (x, 0.0), top=0.74 + z)
+
+
+def fruit(radius: float) -> Object:
+    """A solid ball a little lighter than water."""
+    mass = 900 * 4 / 3 * np.pi * radius**3
+    ball = toy_object("orange_1", (2 * radius,) * 3, (0, 0), kind="ellipsoid", mass=mass)
+    return dataclasses.replace(ball, inertia=0.4 * mass * radius**2 * np.eye(3))
 
 
 def test_a_sound_scene_stands_still_under_every_rule() -> None:
@@ -60,6 +68,21 @@ def test_a_leaning_gravity_moves_what_barely_stands_and_not_what_stands() -> Non
     for name in ("leaning to +x", "leaning to -y"):
         rule = dataclasses.replace(VARIANTS[name], seconds=2.0)
         assert soundness(scene, rule).unstable == ("pole_1",)
+
+
+@pytest.mark.parametrize("radius", [0.006, 0.015, 0.021, 0.037, 0.11])
+@pytest.mark.parametrize("timestep", [1e-3, 4e-3])
+def test_round_things_lie_still_on_a_leaning_table(radius: float, timestep: float) -> None:
+    rule = dataclasses.replace(VARIANTS["leaning to +x"], timestep=timestep)
+    assert soundness(toy_scene((fruit(radius),)), rule).stable
+
+
+def test_round_things_roll_away_from_about_six_degrees_on() -> None:
+    angle = float(np.arctan(FLAT_SPOT))
+    for factor, stable in ((0.7, True), (1.4, False)):
+        rule = Rule(seconds=3.0, tilt=0.1, lean=factor * angle)
+        assert soundness(toy_scene((fruit(0.037),)), rule).stable is stable
+    assert 5 < np.rad2deg(angle) < 7
 
 
 @pytest.mark.parametrize(("toward", "falls"), [(90, True), (-90, False), (0, False)])

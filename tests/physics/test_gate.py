@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_scene, toy_table
 
-from generator.physics.gate import Limits, judge, reach, watched
+from generator.physics.gate import Limits, judge, names_in, reach, watched
 from generator.physics.simulation import Simulation
 from generator.scene import ConvexPart, Object, Pose, Scene
 
@@ -120,9 +120,45 @@ def test_a_thing_that_slides_evenly_is_seen_though_not_watched_to_the_end() -> N
     assert drift[0] > 0.1
 
 
+def breaking(monkeypatch: pytest.MonkeyPatch, dof: int, leaning: bool) -> None:
+    """Make a velocity of every simulation, or of those that lean, infinite."""
+    import mujoco
+
+    step = mujoco.mj_step
+
+    def run(model: mujoco.MjModel, data: mujoco.MjData, nstep: int = 1) -> None:
+        if model.opt.gravity[:2].any() or not leaning:
+            data.qvel[dof] = np.inf
+        step(model, data, nstep)
+
+    monkeypatch.setattr(mujoco, "mj_step", run)
+
+
+@pytest.mark.parametrize(("leaning", "where"), [(False, ""), (True, " on a leaning table")])
+def test_a_simulation_that_breaks_down_fails_and_says_at_what(
+    leaning: bool, where: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """MuJoCo starts anew from the scene's poses, so that nothing seems to have moved."""
+    breaking(monkeypatch, 8, leaning)
+    report = judge(toy_scene((cube("a_1", 0), cube("b_1", 0.2))))
+    said = f"b_1 moved beyond all bounds{where}: the simulation broke down"
+    assert report.failures == (said,)
+    assert report.drift < 1e-3
+    assert "b_1" in names_in(said)
+
+
 def test_limits_are_the_callers() -> None:
     assert failures(cube("a_1", 0, z=0.005), limits=Limits(gap=0.006, drift=0.01)) == ""
     assert judge(toy_scene((cube("a_1", 0),)), Limits(seconds=0.1)).seconds == 0.1
+
+
+def test_the_report_says_how_much_was_simulated_and_how_much_is_forecast() -> None:
+    still = judge(toy_scene((cube("a_1", 0),)))
+    assert still.seconds == 5.0
+    assert still.simulated is not None
+    assert 0.5 < still.simulated < 2.0
+    dropped = judge(toy_scene((cube("a_1", 0, z=0.03),)), Limits(seconds=1.5))
+    assert (dropped.seconds, dropped.simulated) == (1.5, 1.5)
 
 
 @pytest.mark.parametrize(

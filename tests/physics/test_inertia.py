@@ -9,8 +9,17 @@ from hypothesis import strategies as st
 from shapes import UNIT, sphere_mesh
 from toy import cube_mesh
 
+from generator.catalogue import build
 from generator.errors import SceneError
-from generator.physics.inertia import body_mass, is_watertight, parts_mass
+from generator.physics.inertia import (
+    LEAST_GYRATION,
+    body_mass,
+    box_mass,
+    is_watertight,
+    joined,
+    parts_mass,
+)
+from generator.physics.parts import model_parts
 from generator.scene import ConvexPart, Mesh, Physics
 
 SIDE = st.floats(0.01, 0.5)
@@ -76,9 +85,59 @@ def test_neither_closed_mesh_nor_parts_is_an_error() -> None:
         body_mass(dataclasses.replace(cube, faces=cube.faces[:-1]), np.ones(3), Physics(), ())
 
 
+def rod(length: float, diameter: float) -> np.ndarray:
+    """Principal moments of a solid cylinder along x, per kg."""
+    across = diameter**2 / 16 + length**2 / 12
+    return np.array([diameter**2 / 8, across, across])
+
+
+def plate(size: np.ndarray) -> np.ndarray:
+    """Principal moments of a solid box, per kg."""
+    return (size @ size - size**2) / 12
+
+
+def pot(radius: float, height: float) -> np.ndarray:
+    """Principal moments, per kg, of a thin can along z that is open above."""
+    side, bottom = 2 * height / (2 * height + radius), radius / (2 * height + radius)
+    low = side * height / 2  # the centre over the bottom
+    across = side * (radius**2 / 2 + height**2 / 12 + (height / 2 - low) ** 2)
+    across += bottom * (radius**2 / 4 + low**2)
+    return np.array([across, across, (side + bottom / 2) * radius**2])
+
+
+@pytest.mark.parametrize(
+    ("key", "like"),
+    [
+        ("pencil", lambda size: rod(size[0], size[1:].mean())),
+        ("marker", lambda size: rod(size[0], 0.85 * size[1])),  # its cap is wider than it is
+        ("knife", lambda size: plate(size * [1, 0.75, 1])),  # it tapers
+        ("fork", lambda size: plate(size * [1, 0.75, 1])),
+        ("ruler", plate),
+        ("mug", lambda size: pot(size[1] / 2, size[2])),
+        ("book", plate),
+    ],
+)
+def test_things_turn_as_the_solids_they_are_like(key: str, like) -> None:
+    model = build(key, 0)
+    found = body_mass(model.mesh, model.size, model.physics, model_parts(model, model.size))
+    ratio = np.diag(found.inertia) / found.mass / like(model.size)
+    assert ratio.min() > 1 / 1.5, ratio
+    assert ratio.max() < 1.5, ratio
+
+
 def test_thin_and_light_things_keep_a_sound_inertia() -> None:
-    found = body_mass(cube_mesh(), np.array([0.1, 0.001, 0.001]), Physics(100.0), ())
+    size = np.array([0.1, 0.0003, 0.0003])
+    found = body_mass(cube_mesh(), size, Physics(100.0), ())
     values = np.linalg.eigvalsh(found.inertia)
     assert found.mass == pytest.approx(2e-3)
-    assert values[0] > 0
+    assert values[0] == pytest.approx(2e-3 * (LEAST_GYRATION * np.linalg.norm(size)) ** 2)
     assert values[2] <= values[0] + values[1] + 1e-15
+
+
+def test_two_halves_make_the_whole_box() -> None:
+    size, half = np.array([0.2, 0.1, 0.06]), np.array([0.1, 0.1, 0.06])
+    halves = [box_mass(0.4, np.array([x, 0.02, 0.01]), half) for x in (-0.05, 0.05)]
+    whole = joined(halves)
+    assert whole.mass == pytest.approx(0.8)
+    np.testing.assert_allclose(whole.com, [0, 0.02, 0.01], atol=1e-12)
+    np.testing.assert_allclose(whole.inertia, box_inertia(0.8, size), atol=1e-12)

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from toy import toy_object
+from toy import toy_object, toy_scene
 
-from generator.physics.settling import has_toppled
+from generator.physics.settling import has_toppled, settle
+from generator.physics.simulation import Simulation
 from generator.scene import Pose
 
 LIMIT = float(np.deg2rad(30.0))
@@ -30,3 +31,13 @@ def tipped(degrees: float) -> Pose:
 )
 def test_bottles_topple_dice_and_pencils_roll(size, degrees, toppled) -> None:
     assert has_toppled(toy_object("thing_1", size, (0.0, 0.0)), tipped(degrees), LIMIT) == toppled
+
+
+def test_settling_that_breaks_down_gives_the_poses_it_began_with(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    thing = toy_object("box_1", (0.05,) * 3, (0.0, 0.0), top=0.75)
+    (rested,) = settle(toy_scene((thing,)), 0.2)
+    assert rested.position[2] < thing.pose.position[2] - 5e-3
+    monkeypatch.setattr(Simulation, "diverged", property(lambda self: (0,)))
+    assert settle(toy_scene((thing,)), 0.2) == (thing.pose,)

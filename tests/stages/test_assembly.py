@@ -5,12 +5,13 @@ import dataclasses
 import numpy as np
 import pytest
 from shapes import MANUAL, TABLE_SIZE, ball, box, cup, drawn, put, table
+from toy import toy_object
 
 from generator.errors import InputError
 from generator.geometry import quaternion_matrix
 from generator.physics.gate import judge
 from generator.scene import ConvexPart, Model, Placement, PlannedTable, Scene, ScenePlan, View
-from generator.stages.assembly import AssemblyConfig, assemble
+from generator.stages.assembly import AssemblyConfig, assemble, on_foot
 
 
 def build(things: dict[str, tuple[Model, Placement]], **options) -> Scene:
@@ -141,6 +142,33 @@ def test_a_thing_that_cannot_stand_gets_a_weighted_foot() -> None:
     assert len(scene.object("club_1").parts) == 2
     assert any("club_1 stands on a weighted foot" in w for w in scene.provenance.warnings)
     assert scene.object("club_1").pose.position[2] == pytest.approx(0.74 + 0.125, abs=2e-3)
+
+
+def test_a_foot_has_its_share_of_weight_and_inertia() -> None:
+    """A pole of 1 kg, 0.3 m high, whose foot draws its centre from the half down to a third."""
+    pole = toy_object("pole_1", (0.03, 0.04, 0.3), (0, 0), mass=1.0)
+    footed = on_foot(dataclasses.replace(pole, com=np.array([0.004, 0.0, 0.0])))
+    assert footed.mass == 1.0
+    np.testing.assert_allclose(footed.com, [0, 0, -0.05], atol=1e-9)
+    thick, arm = 0.01, 0.145
+    share = 0.05 / arm
+    long = (1 - share) * (0.3**2 + 0.04**2) / 12 + share * (thick**2 + 0.04**2) / 12
+    assert footed.inertia[0, 0] == pytest.approx(long + share * (1 - share) * arm**2)
+    apart = 0.004 / share  # along x, between the foot's centre and the pole's
+    upright = pole.inertia[2, 2] + share * (1 - share) * apart**2
+    assert footed.inertia[2, 2] == pytest.approx(upright)
+
+
+def test_a_foot_under_what_is_low_already_makes_it_lower_and_centres_it() -> None:
+    low = dataclasses.replace(
+        toy_object("egg_1", (0.05, 0.05, 0.06), (0, 0)), com=np.array([0.006, 0.0, -0.025])
+    )
+    flat = on_foot(toy_object("card_1", (0.05, 0.05, 0.002), (0, 0)))
+    assert np.linalg.eigvalsh(flat.inertia).min() > 0
+    footed = on_foot(low)
+    np.testing.assert_allclose(footed.com[:2], 0, atol=1e-12)
+    assert -0.03 < footed.com[2] < low.com[2]
+    assert np.linalg.eigvalsh(footed.inertia).min() > 0
 
 
 def test_what_stands_but_topples_on_a_leaning_table_gets_one_too() -> None:
