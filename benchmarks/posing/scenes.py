@@ -16,15 +16,16 @@ from jaxtyping import Bool, UInt8
 from scipy.optimize import linear_sum_assignment
 
 from generator.errors import SceneError
+from generator.evaluation.symmetry import cloud, order, yaw_error
 from generator.pipeline import Generation, generate
 from generator.scene import TABLE, Object
 
 from . import tables
 from .distinct import DISTINCT
 from .figures import column, cumulative, error_cells, median, share
-from .symmetry import best_turn, cloud, order, posed, yaw_error
 from .tables import Row
 from .truth import Truth, apart, azimuth_error, draw_truth, seen, table_width
+from .turning import best_turn, posed
 
 KEY = ("scene",)
 FIELDS = (
@@ -38,7 +39,6 @@ MATCH = 0.5
 """Least overlap (IoU) of two masks of one thing."""
 
 _SHOWS = 1e-4  # share of the picture from which a thing can be found
-_POINTS = 1200
 
 
 @dataclass(frozen=True)
@@ -122,7 +122,7 @@ def _held(
         state = "alike"
     else:
         clouds = [
-            posed(cloud(o.model.mesh, np.asarray(o.scale), _POINTS), s.yaw)
+            posed(cloud(o.model.mesh, np.asarray(o.scale)), s.yaw)
             for o, s in ((found, b), (true, a))
         ]
         turn = best_turn(clouds[0], clouds[1])
