@@ -27,7 +27,7 @@ def turned(thing: Object, degrees: float, shift=(0.0, 0.0, 0.0)) -> Object:
     ("degrees", "wrong"), [(0, 0), (10, 10), (90, 0), (80, 10), (135, 45), (-170, 10)]
 )
 def test_a_cubes_yaw_counts_modulo_a_quarter_turn(degrees: float, wrong: float) -> None:
-    cube = toy_object("cube_1", (0.1,) * 3, (0, 0))
+    cube = toy_object("cube_1", (0.1, 0.1, 0.1), (0, 0))
     (found,) = truth_errors(toy_scene((turned(cube, degrees),)), toy_scene((cube,))).objects
     assert np.rad2deg(found.yaw) == pytest.approx(wrong, abs=1e-6)
 
@@ -45,7 +45,7 @@ def test_a_flip_of_a_printed_thing_is_an_error(printed: bool) -> None:
 
 
 def test_a_round_thing_has_no_yaw_and_its_facts_are_json() -> None:
-    ball = toy_object("ball_1", (0.08,) * 3, (0, 0))
+    ball = toy_object("ball_1", (0.08, 0.08, 0.08), (0, 0))
     ball = dataclasses.replace(ball, model=dataclasses.replace(ball.model, mesh=sphere_mesh()))
     found = truth_errors(toy_scene((turned(ball, 71),)), toy_scene((ball,)))
     assert found.objects[0].yaw == 0
