@@ -13,6 +13,7 @@ from jaxtyping import Bool, Float, UInt8
 
 from generator.catalogue import CATEGORIES, build
 from generator.errors import InputError, SceneError
+from generator.evaluation.symmetry import order
 from generator.geometry import Camera, mask_box, yaw_quaternion
 from generator.render.raster import Item, place, render
 from generator.render.shading import Light
@@ -21,7 +22,6 @@ from generator.training import patterns
 
 from .distinct import DISTINCT, alike, window
 from .spoiling import Spoiling, blurred, eroded, holed, occluder, wrong_size
-from .symmetry import order
 
 WIDTH, HEIGHT = 1024, 768
 TABLE_WIDTH = 1.2  # metres across the picture's middle

@@ -14,6 +14,7 @@ from generator.backends.embedded.planner import plan_scene
 from generator.backends.embedded.themes import THEMES
 from generator.compose import compose
 from generator.errors import SceneError
+from generator.evaluation.symmetry import order, yaw_error
 from generator.geometry import (
     Camera,
     convex_outline,
@@ -31,7 +32,6 @@ from generator.scene import TABLE, Object, Pose, Scene, View
 
 from .cases import STREAMS, VARIANTS
 from .distinct import alike
-from .symmetry import order, yaw_error
 
 WIDTH, HEIGHT = 960, 720
 _TRIES = 20
@@ -175,8 +175,7 @@ def azimuth_error(truth: Truth, azimuth: float) -> float | None:
     None of a round table, which has no front.
     """
     table = truth.scene.table
-    mesh = dataclasses.replace(table.model.mesh, uv=0 * table.model.mesh.uv)  # of one colour
-    symmetry = order(mesh, np.asarray(table.scale))
+    symmetry = order(table.model.mesh, np.asarray(table.scale), prints=False)
     if math.isinf(symmetry):
         return None
     return yaw_error(azimuth, truth.view.azimuth, symmetry)

@@ -23,6 +23,7 @@ def evaluate(
     picture: Path | None = None,
     truth: str | None = None,
     sweep: bool = False,
+    judge: str | None = None,
     json: bool = False,
 ) -> int:
     """Measure scenes: collisions, what floats or drifts, sizes, likeness to picture and truth.
@@ -35,6 +36,8 @@ def evaluate(
         picture: The picture to compare with; the one each bundle keeps if left out.
         truth: A bundle taken as the true scene, objects matched by name.
         sweep: Also look from 160 views for the one nearest to the picture (about 20 s a scene).
+        judge: Backend whose reasoner marks each scene from 1 to 7 (VF, IA, PP), and ranks them if
+            --picture and several bundles are given. The embedded one cannot.
         json: Print one JSON object instead of tables.
     """
     from ..bundle import load
@@ -42,17 +45,24 @@ def evaluate(
     from ..evaluation.perceptual import available
     from ..stages.reference import read_image
 
+    asked = None if judge is None else _judge(judge)
     given = None if picture is None else read_image(picture)
     true = None if truth is None else load(one(truth))
     metrics = available() if sweep else None
     found: list[tuple[str, Evaluation]] = []
     for path in _paths(bundles):
-        evaluation = report.evaluate_bundle(path, picture=given, truth=true, metrics=metrics)
+        evaluation = report.evaluate_bundle(
+            path, picture=given, truth=true, metrics=metrics, judge=asked
+        )
         found.append((str(path), evaluation))
+    order: tuple[str, ...] = ()
+    if asked is not None and given is not None and len(found) > 1:
+        order = report.ranking(dict(found), given, asked)
     summary = rates(e.collisions for _, e in found)
     if json:
         scenes = [{"bundle": path, **e.facts()} for path, e in found]
-        emit({"scenes": scenes, "rates": dataclasses.asdict(summary)}, True, list)
+        told = {"scenes": scenes, "rates": dataclasses.asdict(summary)}
+        emit(told | ({"ranking": list(order)} if order else {}), True, list)
     else:
         _print(found)
         print(
@@ -60,7 +70,17 @@ def evaluate(
             f"Col_O {100 * summary.col_o:.2f} % of {summary.pairs} pairs, "
             f"Col_S {100 * summary.col_s:.1f} %"
         )
+        if order:
+            print(f"ranked by {judge}, the best first: {', '.join(order)}")
     return 0 if all(e.flawless for _, e in found) else 1
+
+
+def _judge(backend: str) -> object:
+    """Return a backend's reasoner as a judge, before anything is measured."""
+    from ..backends import Backends
+    from ..evaluation.judged import as_judge
+
+    return as_judge(Backends.select(reasoner=backend).reasoner)
 
 
 def _paths(bundles: tuple[str, ...]) -> list[Path]:

@@ -6,9 +6,13 @@ from .collisions import rates as rates
 from .external import load_external as load_external
 from .findings import Finding as Finding
 from .findings import Limits as Limits
+from .judged import Marks as Marks
+from .judged import judged as judged
+from .judged import ranked as ranked
 from .report import Evaluation as Evaluation
 from .report import evaluate as evaluate
 from .report import evaluate_bundle as evaluate_bundle
+from .report import ranking as ranking
 from .soundness import Rule as Rule
 from .soundness import Soundness as Soundness
 from .soundness import soundness as soundness

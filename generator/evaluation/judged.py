@@ -88,7 +88,7 @@ def judged(judge: object, reference: Picture, pictures: Sequence[Picture]) -> Ma
         BackendError: it is no judge, or its answer lacks a mark or leaves the scale.
         InputError: there is no picture of the scene.
     """
-    asked = _judge(judge)
+    asked = as_judge(judge)
     if not pictures:
         raise InputError("A judge needs at least one picture of the scene.")
     answer = asked.rate(reference, tuple(pictures), CRITERIA)
@@ -113,7 +113,7 @@ def ranked(
         BackendError: it is no judge, or its answer does not name each method once.
     """
     order = tuple(
-        _judge(judge).rank(reference, {name: tuple(shown) for name, shown in methods.items()})
+        as_judge(judge).rank(reference, {name: tuple(shown) for name, shown in methods.items()})
     )
     if sorted(order) != sorted(methods):
         raise BackendError(
@@ -158,10 +158,17 @@ def measured(
     return Marks(MEASURED, marks, notes)
 
 
-def _judge(judge: object) -> Judge:
+def as_judge(judge: object) -> Judge:
+    """Return ``judge`` if it has the ``Judge`` protocol's methods.
+
+    Raises:
+        BackendError: it lacks one of them.
+    """
     if not isinstance(judge, Judge):
+        kind = type(judge)
         raise BackendError(
-            f"{type(judge).__name__} cannot judge scenes: it lacks rate or rank. See "
-            "generator.backends.protocols.Judge, or use evaluation.judged.measured."
+            f"{kind.__module__}.{kind.__qualname__} cannot judge scenes: it lacks rate or rank "
+            "(generator.backends.protocols.Judge). Name another judge, or none: marks then follow "
+            "from the measured figures."
         )
     return judge

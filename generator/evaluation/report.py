@@ -20,7 +20,7 @@ from . import findings as found_in
 from .collisions import Collisions, colliding, collisions
 from .external import TRANSFORMS, load_external
 from .findings import Finding, Limits
-from .judged import Marks, judged, measured
+from .judged import Marks, as_judge, judged, measured, ranked
 from .perceptual import Available
 from .silhouettes import Fit, fits
 from .sizes import UsualSize, usual_sizes
@@ -129,6 +129,8 @@ def evaluate(
     """
     if picture is None and (metrics is not None or judge is not None):
         raise InputError("Metrics and judges compare with a picture; pass the reference picture.")
+    if judge is not None:
+        as_judge(judge)
     limits = limits or Limits()
     notes = []
     overlaps = collisions(scene, limits.overlap)
@@ -201,6 +203,30 @@ def evaluate_bundle(
     return dataclasses.replace(found, notes=found.notes + note)
 
 
+def ranking(
+    evaluations: Mapping[str, Evaluation], picture: Picture, judge: object
+) -> tuple[str, ...]:
+    """Ask a judge to order several methods' scenes of one picture, the best first.
+
+    Args:
+        evaluations: one scene a method, by the method's name.
+        picture: the reference picture that all were made from.
+        judge: who ranks them.
+
+    Raises:
+        BackendError: ``judge`` is none, or its answer does not name each method once.
+    """
+    shown = {name: (_shown(e.scene, e.comparison),) for name, e in evaluations.items()}
+    return ranked(judge, picture, shown)
+
+
+def _shown(scene: Scene, compared: Comparison | None) -> Picture:
+    """Draw a scene from its picture's camera; from the front above where that is not known."""
+    from ..render.picture import render_scene
+
+    return render_scene(scene, camera=None if compared is None else compared.camera).image
+
+
 def _marks(
     scene: Scene,
     overlaps: Collisions,
@@ -210,10 +236,7 @@ def _marks(
     picture: Picture | None,
 ) -> Marks:
     if judge is not None and picture is not None:
-        from ..render.picture import render_scene
-
-        camera = None if compared is None else compared.camera
-        return judged(judge, picture, (render_scene(scene, camera=camera).image,))
+        return judged(judge, picture, (_shown(scene, compared),))
     wrong: set[str] = set(colliding(overlaps))
     if held is not None:
         wrong |= {*held.unstable, *held.floating, *held.off_table}

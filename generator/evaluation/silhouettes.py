@@ -16,7 +16,7 @@ from ..comparison import Comparison
 from ..geometry import Camera, quaternion_matrix, rotation_z
 from ..render.scanlines import rasterise
 from ..scene import TABLE, Object
-from .symmetry import symmetry
+from .symmetry import order, yaw_error
 
 TURNS = tuple(np.deg2rad(range(15, 360, 15)).tolist())
 """Turns tried, radians."""
@@ -26,7 +26,7 @@ FACTORS = (0.4, 0.5, 0.6, 0.7, 0.8, 1.25, 1.4, 1.65, 2.0, 2.5)
 
 _SIDE = 480  # longest side of the pictures masks are compared in
 _LEAST_PIXELS, _LEAST_SHOWN = 60, 0.5
-_SAME = float(np.deg2rad(20.0))  # turns nearer than this to a symmetry are not told apart
+_SAME = 20.0  # degrees: turns nearer than this to a symmetry are not told apart
 
 
 @dataclass(frozen=True)
@@ -78,11 +78,11 @@ def _fit(
     if not shape.any() or (shape & free).sum() < _LEAST_SHOWN * shape.sum():
         return None
     whole = _overlap(shape, mask, free)
-    own = symmetry(thing.model.mesh, thing.scale)
+    own = order(thing.model.mesh, thing.scale, prints=False)  # a silhouette shows none
     turned = [
         (_overlap(_silhouette(thing, camera, turn=turn), mask, free), turn)
         for turn in TURNS
-        if own.error(turn) > _SAME
+        if yaw_error(turn, 0.0, own) > _SAME
     ]
     scaled = [
         (_overlap(_silhouette(thing, camera, factor=factor), mask, free), factor)

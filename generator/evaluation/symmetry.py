@@ -1,7 +1,8 @@
-"""Under which turns about the vertical an object looks as before, told from its mesh."""
+"""Which turns about the vertical leave an object as it is, from its shape and its look."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,93 +12,110 @@ from scipy.spatial import KDTree
 from ..geometry import rotation_z, wrap
 from ..scene import Mesh
 
-STEPS = 72
-"""Turns tried: every 5 degrees."""
+ORDERS = (8, 6, 5, 4, 3, 2)
+"""Finite orders that are looked for, highest first."""
 
-_POINTS, _MOST_POINTS = 600, 60_000
-_SHARE, _LEAST = 0.03, 1e-3  # how far a surface may miss itself: of its radius, and metres
-_MOST = 0.985  # share of the surface that must come as near as that
+_ANY_ANGLE = np.deg2rad([13.0, 37.0, 71.0, 101.0, 158.0, 223.0])  # in no symmetry of low order
+_MISFIT = 0.015  # share of the surface that may differ
+_NEAR = 1.6  # of the spacing of points: that far may a turned point lie from the surface
+_SHADE = 0.15  # difference of colours in [0, 1] that counts
+_POINTS, _ASKED, _AROUND = 10_000, 2_000, 8
 
 
 @dataclass(frozen=True, eq=False)
-class Symmetry:
-    """``same[k]`` says whether a turn by ``k`` steps of 5 degrees leaves the shape as it is."""
+class Cloud:
+    """Even points of a visible textured surface: metres about the vertical through its centroid.
 
-    same: Bool[np.ndarray, "72"]
+    ``color`` is in [0, 1] and smoothed over neighbours; ``spacing`` is the points' distance.
+    """
 
-    @property
-    def round(self) -> bool:
-        """Whether every turn does."""
-        return bool(self.same.all())
+    position: Float[np.ndarray, "n 3"]
+    color: Float[np.ndarray, "n 3"]
+    spacing: float
 
-    @property
-    def order(self) -> int:
-        """How many turns do: 1 for a shape with a front, 2 for a book, 4 for a cube; 72 is round.
+    def turned(self, angle: float) -> Float[np.ndarray, "n 3"]:
+        """Return the points turned by ``angle`` radians about the vertical."""
+        return self.position @ rotation_z(angle).T
 
-        Neighbouring turns that both do count once, as shapes are the same to a tolerance.
-        """
-        if self.round:
-            return STEPS
-        return max(1, int((self.same & ~np.roll(self.same, 1)).sum()))
-
-    def error(self, turn: float) -> float:
-        """Return by how far ``turn`` (radians) misses the nearest one that changes nothing.
-
-        In [0, pi]. Of neighbouring turns that all leave the shape as it is (to a tolerance), the
-        middle one counts.
-        """
-        if self.round:
-            return 0.0
-        angles = self._middles()
-        return min(abs(wrap(turn - angle)) for angle in angles)
-
-    def _middles(self) -> list[float]:
-        """Return the middle of each run of neighbouring turns, radians."""
-        start = int(np.flatnonzero(~self.same)[0])
-        turned = np.roll(self.same, -start)
-        edges = np.flatnonzero(np.diff(np.concatenate([[False], turned, [False]]).astype(int)))
-        runs = edges.reshape(-1, 2)
-        step = 2 * np.pi / STEPS
-        return [wrap((start + (a + b - 1) / 2) * step) for a, b in runs]
+    def thinned(self, count: int) -> Cloud:
+        """Return every k-th point, about ``count``, colours smoothed over as many neighbours."""
+        step = max(1, len(self.position) // count)
+        position = self.position[::step]
+        smooth = _smoothed(self.position, self.color, position, step * _AROUND)
+        return Cloud(position, smooth, self.spacing * math.sqrt(step))
 
 
-def symmetry(mesh: Mesh, scale: Float[np.ndarray, "3"], seed: int = 0) -> Symmetry:
-    """Return the turns about the vertical through the box's middle that leave a mesh as it is.
+def cloud(mesh: Mesh, size: Float[np.ndarray, "3"], count: int = _POINTS) -> Cloud:
+    """Sample a canonical mesh of ``size`` (metres); what lies right under a cover is left out."""
+    from ..render.soft import sample_surface
 
-    The surface counts as the same where all but a sixtieth of it comes within 3 % of the shape's
-    radius (1 mm at least) of where it was. Colours and prints are not looked at.
+    drawn = sample_surface(mesh, size, count, seed=0)
+    open_air = ~drawn.covered[0].numpy()
+    position = drawn.position[0].numpy().astype(float)[open_air]
+    color = drawn.color[0].numpy().astype(float)[open_air]
+    smooth = _smoothed(position, color, position, _AROUND)
+    middle = np.array([*position[:, :2].mean(0), position[:, 2].min()])
+    return Cloud(position - middle, smooth, math.sqrt(float(drawn.area)))
+
+
+def _smoothed(
+    position: Float[np.ndarray, "n 3"],
+    color: Float[np.ndarray, "n 3"],
+    asked: Float[np.ndarray, "m 3"],
+    around: int,
+) -> Float[np.ndarray, "m 3"]:
+    """Return the mean colour of the points nearest to each place asked."""
+    near = KDTree(position).query(asked, k=min(around, len(position)))[1]
+    return color[near.reshape(len(asked), -1)].mean(1)
+
+
+def changed(points: Cloud, angle: float, every: int = 1) -> Bool[np.ndarray, "m"]:
+    """Return which points, turned by ``angle`` radians, lie where the surface looks different.
+
+    Only each ``every``-th point is asked.
+    """
+    turned, color = points.turned(angle)[::every], points.color[::every]
+    apart, index = KDTree(points.position).query(turned, k=6)
+    away = apart > _NEAR * points.spacing
+    shade = np.abs(points.color[index] - color[:, None]).max(-1)
+    return (away | (shade > _SHADE)).all(1)
+
+
+def misfit(points: Cloud, angle: float) -> float:
+    """Return the share of the surface that looks different when it is turned by ``angle``."""
+    every = max(1, len(points.position) // _ASKED)
+    return float(changed(points, angle, every).mean())
+
+
+def order(mesh: Mesh, size: Float[np.ndarray, "3"], *, prints: bool = True) -> float:
+    """Return the order of an object's rotational symmetry about the vertical, from shape and look.
+
+    1 has none, n looks the same turned by 360/n degrees, infinity turned by any angle. Only
+    ``ORDERS`` are looked for. Up to ``_MISFIT`` of the surface may differ.
 
     Args:
         mesh: canonical mesh.
-        scale: its extent, metres.
-        seed: of the points on the surface that are compared.
+        size: its extent, metres.
+        prints: whether colours count; otherwise the shape alone does.
     """
-    corners = (mesh.vertices.astype(float) * np.asarray(scale, float))[mesh.faces]
-    rng = np.random.default_rng(seed)
-    points = _sampled(corners, _POINTS, rng)
-    near = max(_LEAST, _SHARE * float(np.linalg.norm(points[:, :2], axis=1).max()))
-    spacing = near / 2
-    dense = int(np.clip(_area(corners).sum() / spacing**2, _POINTS, _MOST_POINTS))
-    surface = KDTree(_sampled(corners, dense, rng))
-    same = np.ones(STEPS, bool)
-    for k in range(1, STEPS // 2 + 1):  # a turn back is as good as a turn
-        away = surface.query(points @ rotation_z(2 * np.pi * k / STEPS).T)[0]
-        same[k] = same[-k] = float((away <= near + spacing).mean()) >= _MOST
-    return Symmetry(same)
+    if not prints:
+        mesh = Mesh(mesh.vertices, mesh.faces, 0 * mesh.uv, mesh.texture)
+    points = cloud(mesh, size)
+    if all(misfit(points, angle) < _MISFIT for angle in _ANY_ANGLE):
+        return math.inf
+    for n in ORDERS:
+        if misfit(points, 2 * np.pi / n) < _MISFIT:
+            return n
+    return 1
 
 
-def _sampled(
-    corners: Float[np.ndarray, "m 3 3"], count: int, rng: np.random.Generator
-) -> Float[np.ndarray, "n 3"]:
-    """Return points spread evenly over triangles."""
-    area = _area(corners)
-    face = rng.choice(len(corners), count, p=area / area.sum())
-    u, v = rng.random((2, count, 1))
-    u, v = np.where(u + v > 1, 1 - u, u), np.where(u + v > 1, 1 - v, v)
-    a, b, c = (corners[face, k] for k in range(3))
-    return a + u * (b - a) + v * (c - a)
+def yaw_error(found: float, true: float, order: float) -> float:
+    """Return how far two yaws (radians) are apart, at best, for an object of that order: degrees.
 
-
-def _area(corners: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "m"]:
-    sides = corners[:, 1:] - corners[:, :1]
-    return np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1) / 2
+    In [0, 180 / order]; 0 if the order is infinite.
+    """
+    if math.isinf(order):
+        return 0.0
+    period = 2 * np.pi / order
+    off = abs(wrap(found - true)) % period
+    return float(np.rad2deg(min(off, period - off)))

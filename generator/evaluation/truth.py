@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from ..geometry import quaternion_yaw, wrap
+from ..geometry import quaternion_yaw
 from ..scene import Object, Scene
-from .symmetry import symmetry
+from .symmetry import order, yaw_error
 
 
 @dataclass(frozen=True)
@@ -17,10 +18,12 @@ class PoseError:
     """One object against its namesake.
 
     yaw: turn about the vertical in [0, pi], modulo the true object's own symmetry, radians.
+        What a print makes differ is no symmetry: a book turned about is turned by pi.
     translation: distance of the boxes' centres, metres; ``share`` is it over the table's width.
     scale: geometric mean of the ratios of the extents, ours over true; ``worst_axis`` the ratio
         farthest from 1.
     support: whether it stands on, or in, the same thing.
+    symmetry: the true object's order of symmetry by shape and look, infinity of a round one.
     """
 
     name: str
@@ -30,7 +33,7 @@ class PoseError:
     scale: float
     worst_axis: float
     support: bool
-    symmetry: int
+    symmetry: float
 
 
 @dataclass(frozen=True)
@@ -61,7 +64,7 @@ class TruthErrors:
                 {
                     "name": o.name,
                     "yaw_error_deg": round(float(np.rad2deg(o.yaw)), 2),
-                    "symmetry": o.symmetry,
+                    "symmetry": "round" if math.isinf(o.symmetry) else int(o.symmetry),
                     "translation_error_cm": round(100 * o.translation, 3),
                     "translation_error_percent_of_table": round(100 * o.share, 3),
                     "scale_ratio": round(o.scale, 4),
@@ -89,17 +92,17 @@ def truth_errors(scene: Scene, truth: Scene) -> TruthErrors:
 
 
 def _errors(ours: Object, true: Object, width: float) -> PoseError:
-    turn = quaternion_yaw(ours.pose.quaternion) - quaternion_yaw(true.pose.quaternion)
-    own = symmetry(true.model.mesh, true.scale)
+    symmetry = order(true.model.mesh, true.scale)
+    yaws = [quaternion_yaw(o.pose.quaternion) for o in (ours, true)]
     ratios = np.log(ours.scale / true.scale)
     away = float(np.linalg.norm(ours.pose.position - true.pose.position))
     return PoseError(
         ours.name,
-        own.error(wrap(turn)),
+        float(np.deg2rad(yaw_error(yaws[0], yaws[1], symmetry))),
         away,
         away / width,
         float(np.exp(ratios.mean())),
         float(np.exp(ratios[np.argmax(np.abs(ratios))])),
         (ours.placement.on, ours.placement.inside) == (true.placement.on, true.placement.inside),
-        own.order,
+        symmetry,
     )

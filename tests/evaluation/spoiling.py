@@ -14,6 +14,9 @@ from generator.geometry import Camera, yaw_quaternion
 from generator.render.picture import render_scene
 from generator.scene import TABLE, Object, Pose, Scene, View
 
+FOUR = {"can_1": "overlap", "bottle_1": "float", "mug_1": "shrink", "bar_1": "turn"}
+"""What is spoiled in ``spoiled_four_ways``, and how."""
+
 VIEW = View(azimuth=0.2, elevation=0.8, fov=0.6)
 
 
@@ -55,6 +58,14 @@ def spoiled(scene: Scene, name: str, change: str) -> Scene:
         return scene.replace(objects=tuple(o for o in scene.objects if o.name != name))
     objects = [_changed(thing, scene, change) if o is thing else o for o in scene.objects]
     return scene.replace(objects=tuple(objects))
+
+
+def spoiled_four_ways() -> Scene:
+    """The sound scene with one thing that overlaps, one afloat, one shrunk and one turned."""
+    scene = sound()
+    for name, change in FOUR.items():
+        scene = spoiled(scene, name, change)
+    return scene.replace(name="spoiled")
 
 
 def _changed(thing: Object, scene: Scene, change: str) -> Object:

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 from command import command
 from PIL import Image
-from spoiling import Shot, shot, sound, spoiled
+from spoiling import Shot, shot, sound, spoiled, spoiled_four_ways
 
 from generator import bundle
+from generator.backends.select import TABLE
 from generator.errors import InputError
 from generator.evaluation import Evaluation, Limits, evaluate
 from generator.evaluation.perceptual import EMBEDDED, PUBLISHED
@@ -234,6 +235,70 @@ def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
     bare = saved(taken.scene.replace(name="bare"), store)
     assert command("evaluate", bare, "--sweep") == 0
     assert "keeps no picture" in capsys.readouterr().out
+
+
+def test_the_command_reports_all_four_defects_of_one_bundle(
+    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Overlapped, floated, shrunk and turned by 90 degrees: each object with its own defect."""
+    good = saved(taken.scene, store)
+    bad = saved(spoiled_four_ways(), store)
+    assert command("evaluate", bad, "--truth", good, "--json") == 1
+    (scene,) = json.loads(capsys.readouterr().out)["scenes"]
+    told = {(f["kind"], f["object"], f["evidence"]): f["value"] for f in scene["findings"]}
+    assert told["overlap", "box_1", "meshes"] == pytest.approx(3, abs=0.2)  # millimetres
+    assert ("floats", "bottle_1", "simulation") in told
+    assert told["wrong_size", "mug_1", "truth"] == pytest.approx(0.45, abs=1e-3)
+    assert told["wrong_yaw", "bar_1", "truth"] == pytest.approx(90, abs=0.1)
+    assert {name for kind, name, _ in told if kind == "wrong_yaw"} == {"bar_1"}
+    assert {name for kind, name, _ in told if kind == "wrong_size"} == {"mug_1"}
+    assert {name for kind, name, _ in told if kind == "floats"} == {"bottle_1"}
+
+
+def test_the_command_asks_a_judge_for_marks_and_a_ranking(
+    store: Path,
+    taken: Shot,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(TABLE, "strict", {"reasoner": "judging:Judging"})  # type: ignore[arg-type]
+    monkeypatch.setattr("generator.evaluation.report._shown", lambda *_: taken.picture)
+    few = taken.scene.replace(objects=taken.scene.objects[1:2])
+    one, two = saved(few, store), saved(few.replace(name="again"), store)
+    picture = store / "picture.png"
+    Image.fromarray(taken.picture).save(picture)
+    words = ("--judge", "strict", "--picture", str(picture))
+    assert command("evaluate", one, two, *words, "--json") == 0
+    told = json.loads(capsys.readouterr().out)
+    marks = told["scenes"][0]["marks"]
+    assert (marks["judge"], marks["VF"], marks["IA"], marks["PP"]) == ("Judging", 3, 4, 5)
+    assert told["ranking"] == sorted([one, two], reverse=True)
+    assert command("evaluate", one, *words) == 0
+    assert "marks (Judging): VF 3" in (shown := capsys.readouterr().out)
+    assert "ranked" not in shown
+    assert command("evaluate", one, "--judge", "strict") == 2
+    assert "reference picture" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [("embedded", "cannot judge scenes"), ("embeded", "Did you mean 'embedded'")],
+)
+def test_a_backend_that_cannot_judge_is_refused_before_anything_is_measured(
+    name: str,
+    words: str,
+    store: Path,
+    taken: Shot,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def measure(*args: object, **kwargs: object) -> None:
+        raise AssertionError("measured first")
+
+    monkeypatch.setattr("generator.evaluation.report.collisions", measure)
+    path = saved(taken.scene, store, taken)
+    assert command("evaluate", path, "--judge", name) == 3
+    assert words in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

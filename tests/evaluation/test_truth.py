@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 
 import numpy as np
 import pytest
+from printed import box
 from shapes import sphere_mesh
-from toy import cube_mesh, toy_object, toy_scene
+from toy import toy_object, toy_scene
 
-from generator.catalogue import build
-from generator.evaluation.symmetry import STEPS, symmetry
 from generator.evaluation.truth import truth_errors
 from generator.geometry import yaw_quaternion
 from generator.scene import Object, Pose
@@ -24,39 +24,34 @@ def turned(thing: Object, degrees: float, shift=(0.0, 0.0, 0.0)) -> Object:
 
 
 @pytest.mark.parametrize(
-    ("size", "order"), [((0.1, 0.1, 0.1), 4), ((0.1, 0.05, 0.1), 2), ((0.1, 0.1, 0.3), 4)]
-)
-def test_boxes_have_the_symmetry_of_their_base(size: tuple, order: int) -> None:
-    assert symmetry(cube_mesh(), np.array(size)).order == order
-
-
-def test_round_things_look_the_same_from_everywhere() -> None:
-    ball = symmetry(sphere_mesh(), np.full(3, 0.08))
-    assert ball.round
-    assert ball.order == STEPS
-    assert ball.error(1.234) == 0
-    assert not symmetry(sphere_mesh(), np.array([0.12, 0.08, 0.08])).round
-
-
-@pytest.mark.parametrize(("word", "order"), [("mug", 1), ("plate", STEPS), ("book", 2)])
-def test_catalogue_things_have_the_symmetry_they_look_like(word: str, order: int) -> None:
-    thing = build(word, 0)
-    assert symmetry(thing.mesh, thing.size).order == order
-
-
-@pytest.mark.parametrize(
     ("degrees", "wrong"), [(0, 0), (10, 10), (90, 0), (80, 10), (135, 45), (-170, 10)]
 )
 def test_a_cubes_yaw_counts_modulo_a_quarter_turn(degrees: float, wrong: float) -> None:
-    cube = symmetry(cube_mesh(), np.full(3, 0.1))
-    assert np.rad2deg(cube.error(np.deg2rad(degrees))) == pytest.approx(wrong, abs=1e-6)
+    cube = toy_object("cube_1", (0.1, 0.1, 0.1), (0, 0))
+    (found,) = truth_errors(toy_scene((turned(cube, degrees),)), toy_scene((cube,))).objects
+    assert np.rad2deg(found.yaw) == pytest.approx(wrong, abs=1e-6)
 
 
-def test_a_mugs_yaw_counts_in_full() -> None:
-    mug = build("mug", 0)
-    own = symmetry(mug.mesh, mug.size)
-    assert np.rad2deg(own.error(np.pi)) == pytest.approx(180)
-    assert np.rad2deg(own.error(-np.deg2rad(7))) == pytest.approx(7)
+@pytest.mark.parametrize("printed", [False, True])
+def test_a_flip_of_a_printed_thing_is_an_error(printed: bool) -> None:
+    """A box that is the same from behind but for its print."""
+    plain = toy_object("box_1", (0.2, 0.1, 0.08), (0, 0))
+    thing = dataclasses.replace(
+        plain, model=dataclasses.replace(plain.model, mesh=box(printed=printed))
+    )
+    (found,) = truth_errors(toy_scene((turned(thing, 180),)), toy_scene((thing,))).objects
+    assert np.rad2deg(found.yaw) == pytest.approx(180 if printed else 0, abs=1e-6)
+    assert found.symmetry == (1 if printed else 2)
+
+
+def test_a_round_thing_has_no_yaw_and_its_facts_are_json() -> None:
+    ball = toy_object("ball_1", (0.08, 0.08, 0.08), (0, 0))
+    ball = dataclasses.replace(ball, model=dataclasses.replace(ball.model, mesh=sphere_mesh()))
+    found = truth_errors(toy_scene((turned(ball, 71),)), toy_scene((ball,)))
+    assert found.objects[0].yaw == 0
+    assert json.loads(json.dumps(found.facts(), allow_nan=False))["objects"][0]["symmetry"] == (
+        "round"
+    )
 
 
 def test_a_scene_has_no_error_against_itself() -> None:

@@ -13,9 +13,9 @@ from posing.cases import (
     draw_case,
 )
 from posing.meshes import load_model, mesh_files
-from posing.symmetry import order
 
 from generator.errors import InputError
+from generator.evaluation.symmetry import order
 from generator.scene import Model
 
 

@@ -110,6 +110,22 @@ def test_errors_of_a_scene_are_measured() -> None:
     assert "Not found: scene 0 box_1." in text
 
 
+def test_a_round_model_of_a_thing_with_a_front_is_not_right() -> None:
+    blank = dict.fromkeys(scenes.FIELDS, "") | {"scene": 0, "of": 4, "found": 1}
+    errors = {"mug_1": 1.0, "pan_1": None, "fork_1": 40.0, "cup_1": 3.0}
+    rows = [
+        blank | {"object": name, "yaw_error_deg": "" if off is None else off,
+                 "yaw_state": "unclear" if off is None else "judged",
+                 "found_category": "generic" if off == 40 else "mug"}
+        for name, off in errors.items()
+    ]  # fmt: skip
+    text = scenes.summary(rows, "bench")
+    assert "median of those judged | 3.00° |" in text
+    assert "is not right | 25 %, 50 %, 50 % |" in text
+    assert "(generic): number; their yaw error, median | 1; 40.0° |" in text
+    assert "Round models of things with a front: scene 0 pan_1 (mug)." in text
+
+
 def test_a_scene_turned_with_its_camera_is_the_same_scene() -> None:
     true = truth()
     turn = np.deg2rad(25)

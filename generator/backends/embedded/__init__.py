@@ -1,1 +1,1 @@
-"""The embedded backend: plain CPU, no key, no network, no learned weights."""
+"""The embedded backend: plain CPU, no key, no network; its learned weights come with it."""

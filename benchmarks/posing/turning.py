@@ -1,0 +1,96 @@
+"""By how much one object is turned against another of another make, told by their surfaces."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+from scipy.spatial import KDTree
+
+from generator.evaluation.symmetry import Cloud, changed
+from generator.geometry import wrap
+
+_COARSE, _FINE = 1200, 4000  # points of each cloud as turns are searched, and refined
+_FLAT = 0.012  # change of the mean distance, over the object's radius, that is the samples' own
+_TIE = 0.03  # of what turning changes: so nearly alike may two turns fit
+_TELLING = 0.15  # of what two turns differ by in the true object, so much decides between them
+_FEW = 20  # points that must differ for it
+_INK = 0.3  # weight of colours beside places
+
+
+def best_turn(found: Cloud, true: Cloud) -> float | None:
+    """Return by how much one posed object is turned against another of another make, radians.
+
+    Both clouds are posed; sizes are made equal. The turn undone that brings the surfaces, with
+    their colours, closest together counts. Of turns that do so nearly equally well, as those of a
+    pencil's two ends, the one counts that fits clearly better where the true object itself looks
+    different turned from one to the other; where that does not tell either, the smallest of those
+    within ``_TIE`` of what turning changes. None if turning changes nothing: then one is round.
+    """
+    one, other = _normal(found), _normal(true)
+    near, far = one.thinned(_COARSE), other.thinned(_COARSE)
+    coarse = np.deg2rad(np.arange(0, 360, 5.0))
+    costs = np.array([_apart(near, far, -angle) for angle in coarse])
+    change = float(np.ptp(costs))
+    if change < _FLAT:
+        return None
+    low = (costs <= np.roll(costs, 1)) & (costs <= np.roll(costs, -1))
+    starts = coarse[low & (costs <= costs.min() + 0.35 * change)]
+    near, far = one.thinned(_FINE), other.thinned(_FINE)
+    ends = [_refined(near, far, float(start)) for start in starts]
+    least = min(cost for cost, _ in ends)
+    close = [(cost > least + _TIE * change, abs(turn), turn)
+             for cost, turn in ends if cost <= least + max(_TIE * change, _FLAT)]  # fmt: skip
+    best, *rivals = [turn for *_, turn in sorted(close)]
+    for rival in rivals:
+        best = rival if _fits_better(one, other, rival, best) else best
+    return best
+
+
+def posed(points: Cloud, yaw: float) -> Cloud:
+    """Return a cloud turned by ``yaw`` radians."""
+    return Cloud(points.turned(yaw), points.color, points.spacing)
+
+
+def _refined(one: Cloud, other: Cloud, turn: float) -> tuple[float, float]:
+    """Return the cost and the turn of the minimum near ``turn``."""
+    cost = np.inf
+    for reach, step in ((4.0, 1.0), (0.75, 0.25)):
+        near = turn + np.deg2rad(np.arange(-reach, reach + step / 2, step))
+        here = [_apart(one, other, -angle) for angle in near]
+        cost, turn = min(here), float(near[int(np.argmin(here))])
+    return cost, wrap(turn)
+
+
+def _fits_better(found: Cloud, true: Cloud, rival: float, best: float) -> bool:
+    """Tell whether ``rival`` fits clearly better than ``best`` where the true object tells them.
+
+    If ``rival`` is right, ``found`` turned back by ``best`` shows the true object turned by
+    ``rival - best``: only where that changes it can the two be told apart.
+    """
+    between = rival - best
+    telling = changed(true, -between)
+    if int(telling.sum()) < _FEW:
+        return False
+    asked = _features(true, 0.0)[telling]
+
+    def away(cloud: Cloud, turn: float) -> float:
+        return float(KDTree(_features(cloud, turn)).query(asked)[0].mean())
+
+    gain = away(found, -best) - away(found, -rival)
+    return gain > _TELLING * away(true, between)
+
+
+def _normal(points: Cloud) -> Cloud:
+    radius = float(np.sqrt((points.position**2).sum(1).mean()))
+    return Cloud(points.position / radius, points.color, points.spacing / radius)
+
+
+def _features(points: Cloud, angle: float) -> Float[np.ndarray, "n 6"]:
+    """Return turned places and weighted colours side by side."""
+    return np.hstack([points.turned(angle), _INK * points.color])
+
+
+def _apart(one: Cloud, other: Cloud, angle: float) -> float:
+    """Return the mean distance of nearest points, both ways, in space and (weighted) colour."""
+    a, b = _features(one, angle), _features(other, 0.0)
+    return float(KDTree(b).query(a)[0].mean() + KDTree(a).query(b)[0].mean())
