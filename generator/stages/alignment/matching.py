@@ -33,6 +33,8 @@ def complete_boxes(
     found = segmenter.segment(np.asarray(top.image), labels)
     table = next((d for d in found if d.label == TABLE), None)
     things = [d for d in found if d.label != TABLE]
+    if top.boxes and not things:
+        return top, ()
     if table is None or not things:
         raise SceneError("The top view shows no object on the table; draw it again.")
     frame = next(np.asarray(i.box) for i in instances if i.name == TABLE)
