@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from ..errors import InputError
+from ..errors import require
 from ..geometry import Camera, view_rotation, wrap
 from ..render.contact import at_rest
 from ..scene import Instance, Model, Placement, View
@@ -38,7 +38,7 @@ class RefinementConfig:
         steps: Adam's steps; 0 leaves everything as it is.
         learning_rate: Adam's first step, in units of the scales below; it falls to zero.
         turn, move, grow: how far yaw (radians), place (metres) and size (logarithm) usually are
-            wrong.
+            wrong; 0 leaves it as it is.
         resolution: side of the compared crops, pixels.
         points: surface points drawn per object.
         unsure: weight of pixels where another instance may hide this one.
@@ -54,11 +54,12 @@ class RefinementConfig:
     unsure: float = 0.2
 
     def __post_init__(self) -> None:
-        if self.steps < 0 or self.resolution < 16 or self.points < 100:
-            raise InputError(
-                "RefinementConfig needs steps >= 0, resolution >= 16 and points >= 100, got "
-                f"{self}."
-            )
+        require(self, "steps", least=0, whole=True)
+        require(self, "learning_rate", above=0)
+        require(self, "turn", "move", "grow", least=0)
+        require(self, "resolution", least=16, whole=True)
+        require(self, "points", least=100, whole=True)
+        require(self, "unsure", least=0, most=1)
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,6 +10,7 @@ from shapes import sphere_mesh
 from toy import cube_mesh
 
 from generator.backends.embedded.planner import plan_scene
+from generator.errors import InputError
 from generator.geometry import rotated_extent
 from generator.render.contact import Body, resting_height
 from generator.scene import (
@@ -261,6 +262,16 @@ def test_what_a_top_view_drops_is_placed_and_told(check):
     assert {p.name for p in result.placements} == {"box_1", "pen_1", "cup_1"}
     assert result.top_view is not None and result.top_view.repaired == ("pen_1",)
     assert any("pen_1" in w and "lacks" in w for w in result.warnings)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"tau": 0.0}, {"tau": float("nan")}, {"size_limit": 0.5}, {"guess_limit": 0.9},
+     {"table_limit": float("nan")}],
+)  # fmt: skip
+def test_settings_out_of_range_are_refused(wrong):
+    with pytest.raises(InputError, match="AlignmentConfig needs"):
+        AlignmentConfig(**wrong)
 
 
 def test_a_top_view_without_boxes_is_searched():

@@ -152,6 +152,19 @@ def test_same_seed_same_scene(instances):
         np.testing.assert_array_equal(a.translation, b.translation)
 
 
-def test_settings_out_of_range_are_refused():
+@pytest.mark.parametrize(
+    "wrong",
+    [{"resolution": 4}, {"steps": -1}, {"learning_rate": float("nan")}, {"learning_rate": 0.0},
+     {"move": -1.0}, {"turn": float("inf")}, {"unsure": 1.5}, {"points": 2500.5}],
+)  # fmt: skip
+def test_settings_out_of_range_are_refused(wrong):
     with pytest.raises(InputError, match="RefinementConfig needs"):
-        RefinementConfig(resolution=4)
+        RefinementConfig(**wrong)
+
+
+def test_what_may_not_move_does_not(instances):
+    start = disturbed(0)
+    found = refined(instances, start, steps=6, move=0.0)
+    for old, new in zip(start, found.placements, strict=True):
+        np.testing.assert_array_equal(new.translation[:2], old.translation[:2])
+    assert any(new.yaw != old.yaw for old, new in zip(start, found.placements, strict=True))

@@ -112,12 +112,25 @@ def test_paper_settings():
     [
         {"coarse_step": 0.0}, {"candidates": 0}, {"resolution": 4}, {"close_resolution": 4},
         {"close_points": 1}, {"rivals": 0}, {"close_steps": -1}, {"doubt": -0.1},
-        {"tie": float("nan")},
+        {"tie": float("nan")}, {"lambda_a": float("nan")}, {"lambda_s": -1.0},
+        {"lambda_s": 0, "lambda_e": 0, "lambda_a": 0}, {"learning_rate": float("nan")},
+        {"learning_rate": 0.0}, {"edge_unit": 0.0}, {"max_tilt": -0.1}, {"max_fit": float("inf")},
+        {"candidates": 2.5}, {"steps": True}, {"unsure": 2.0}, {"device": "gpu"}, {"device": None},
+        {"patience": -1}, {"separation": -0.1}, {"thinning": "3"},
     ],
 )  # fmt: skip
 def test_settings_out_of_range_are_refused(wrong):
     with pytest.raises(InputError, match="RotationConfig needs"):
         RotationConfig(**wrong)
+
+
+def test_a_gpu_that_is_not_there_is_refused(monkeypatch):
+    monkeypatch.setattr(torch.cuda, "device_count", lambda: 1)
+    model = build("plate", 0)
+    instance, _ = picture_of(model, 2.0, (320, 240))
+    config = dataclasses.replace(FAST, device="cuda:1")
+    with pytest.raises(InputError, match=r"torch finds 1 such GPUs"):
+        dro.make_objectives([model], [instance], VIEW, Encoder(), config, SIZE)
 
 
 # --------------------------------------------------------------------------------------- search
@@ -217,6 +230,17 @@ def test_a_hidden_part_that_is_missing_is_allowed_for():
         found = dro.optimise_rotation(model, part, VIEW, Encoder(), FAST, SIZE)
         errors.append(abs(np.rad2deg(wrap(found.yaw - 0.53))))
     assert errors[0] < min(errors[1], 4)
+
+
+def test_no_tilt_and_no_fit_leave_both_as_they_are():
+    model = build("toy_train", 5)
+    instance, _ = picture_of(model, 0.53, (320, 240))
+    part = dataclasses.replace(instance, occluded=True)
+    config = dataclasses.replace(FAST, max_tilt=0.0, max_fit=0.0)
+    objective = dro.make_objectives([model], [part], VIEW, Encoder(), config, SIZE).fine
+    ((found,),) = dro.refine(objective, [[dro.Found(0.5)]], 6)
+    assert found.tilt == 0.0 and found.place == (0.0, 0.0, 0.0)
+    assert abs(found.yaw - 0.53) < 0.02
 
 
 def test_same_seed_same_rotation():

@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ...backends.protocols import Imager, Reasoner, Segmenter
+from ...errors import require
 from ...geometry import rotated_extent
 from ...render.contact import at_rest
 from ...scene import (
@@ -55,6 +56,10 @@ class AlignmentConfig:
     guess_limit: float = 4.0
     table_limit: float = 2.0
     check: bool = True
+
+    def __post_init__(self) -> None:
+        require(self, "tau", above=0)
+        require(self, "size_limit", "guess_limit", "table_limit", least=1, endless=True)
 
 
 @dataclass(frozen=True, eq=False)

@@ -195,6 +195,7 @@ def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
     ]
     optimiser = torch.optim.Adam(groups)
     rates = [group["lr"] for group in optimiser.param_groups]
+    costs = config.fit_cost / config.max_fit**2 if config.max_fit else 0.0
     best = torch.full((len(owners), 6), torch.inf, device=device)
     waited = 0
     for step in range(steps + 1):
@@ -208,7 +209,7 @@ def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
         if step == steps or (config.patience and waited >= config.patience):
             break
         optimiser.zero_grad()
-        (loss.sum() + config.fit_cost * change.square().sum() / config.max_fit**2).backward()
+        (loss.sum() + costs * change.square().sum()).backward()
         optimiser.step()
         if config.decay:
             fall = 0.5 * (1 + np.cos(np.pi * (step + 1) / steps))
@@ -234,8 +235,8 @@ def _rivals(found: list[Found], most: int, share: float, config: RotationConfig)
 
 
 def _bounded(raw: Tensor, most: float) -> Tensor:
-    return most * (raw / most).tanh()
+    return most * (raw / most).tanh() if most else 0 * raw
 
 
 def _unbounded(value: Tensor, most: float) -> Tensor:
-    return most * (value / most).clamp(-0.999, 0.999).atanh()
+    return most * (value / most).clamp(-0.999, 0.999).atanh() if most else 0 * value
