@@ -217,7 +217,7 @@ class Report:
     dropped: objects that were left out, since the scene would not have passed with them.
     reach: from the best side of the table, the farthest object's distance to that side.
     misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
-        over the objects: before and after the joint refinement.
+        over the objects: before the joint refinement, and of the finished scene, as it rests.
     """
 
     penetration: float
