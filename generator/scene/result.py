@@ -31,6 +31,9 @@ class Rotation:
             thirds of the errors are smaller.
         symmetric: the object looks the same from all sides: it keeps yaw 0, ``margin`` is 0 and
             ``width`` pi.
+        order: turned by 2 pi / ``order`` the object looks the same, as a plain box does by a half
+            turn: such yaws are one answer, and ``margin`` is against others. Asked only where
+            another side fits about as well; else 1.
     """
 
     name: str
@@ -40,8 +43,11 @@ class Rotation:
     margin: float = 0.0
     width: float = float(np.pi)
     symmetric: bool = False
+    order: int = 1
 
     def __post_init__(self) -> None:
+        if self.order < 1:
+            raise InputError(f"Rotation {self.name!r} needs an order >= 1, got {self.order}.")
         if not (np.isfinite(self.yaw) and 0 <= self.margin < np.inf and 0 < self.width <= np.pi):
             raise InputError(
                 f"Rotation {self.name!r} needs a finite yaw, a finite margin >= 0 and a "

@@ -298,6 +298,42 @@ def test_a_round_thing_with_a_print_is_turned_and_sure():
     assert np.rad2deg(found.width) < 5
 
 
+def box(size: tuple[float, float, float], front: tuple[int, int, int] | None = None) -> Model:
+    """A grey box; ``front`` is the colour of one of its ends."""
+    corners, faces, uv = [], [], []
+    for axis in range(3):
+        for side in (-0.5, 0.5):
+            n = len(corners)
+            for u, v in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)):
+                corner = np.empty(3)
+                corner[[axis, (axis + 1) % 3, (axis + 2) % 3]] = side, u, v
+                corners.append(corner)
+            quad = [[n, n + 1, n + 2], [n, n + 2, n + 3]]
+            faces += quad if side > 0 else [f[::-1] for f in quad]
+            uv += [[0.75 if (axis, side) == (0, 0.5) else 0.25, 0.5]] * 4
+    texture = np.array([[(170, 170, 165), front or (170, 170, 165)]], np.uint8)
+    mesh = Mesh(np.array(corners), np.array(faces), np.array(uv), texture)
+    return dataclasses.replace(build("candle", 0), mesh=mesh, size=np.array(size))
+
+
+@pytest.mark.parametrize(
+    ("size", "front", "order"),
+    [((0.16, 0.09, 0.06), None, 2), ((0.1, 0.1, 0.06), None, 4),
+     ((0.16, 0.09, 0.06), (200, 30, 30), 1)],
+)  # fmt: skip
+def test_a_side_that_looks_the_same_is_no_rival(size, front, order):
+    """Of a plain box, half a turn is no other answer; of one with a red end, it is."""
+    model = box(size, front)
+    instance, _ = picture_of(model, 0.6, (320, 240))
+    found = dro.optimise_rotation(model, instance, VIEW, Encoder(), FAST, SIZE)
+    assert found.order == order and not found.symmetric
+    assert abs(np.rad2deg(wrap(order * (found.yaw - 0.6)) / order)) < 4
+    assert found.confidence > 0.6
+    rivals = [loss for yaw, loss in found.candidates if abs(wrap(yaw - found.yaw)) > 1]
+    if order > 1 and rivals:  # it is sure though another yaw fits as well
+        assert min(rivals) < 1.1 * found.loss
+
+
 def test_a_weak_print_makes_it_less_sure():
     sure = {}
     for name, model in (
@@ -323,6 +359,13 @@ def test_a_weak_print_makes_it_less_sure():
 def test_margin_is_told_by_the_closest_look(margins, expected):
     looks = [[dro.Found(yaw, loss) for yaw, loss in look] for look in margins]
     assert dro.margin(looks) == pytest.approx(expected)
+
+
+def test_margin_is_modulo_the_looks():
+    look = [dro.Found(y, loss) for y, loss in ((0.1, 1.0), (0.1 - np.pi, 1.01), (1.6, 1.4))]
+    assert dro.margin([look]) == pytest.approx(0.01)
+    assert dro.margin([look], order=2) == pytest.approx(0.4)
+    assert dro.margin([look], order=4) == 0.0
 
 
 def test_width_follows_the_curvature():

@@ -41,8 +41,8 @@ class RotationConfig:
         patience: stop after that many steps without progress; 0 never stops early.
         suspect, flat: an object whose coarse losses vary by less than ``suspect`` of the lowest
             may look the same from all sides. Then its own renders are compared with each other;
-            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. 0 asks for
-            neither.
+            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. Likewise told
+            is which turns leave the looks of a doubtful object as they are. 0 asks for neither.
         edge_unit: the distance that counts as 1 in Eq. 3, as a share of the crop's side.
         keep_aspect: pad the tight crop to a square; False stretches it, which drops the aspect.
         perspective: see each object along its own ray; False looks at all of them as if they
