@@ -11,6 +11,7 @@ from generator.catalogue import build
 from generator.errors import InputError
 from generator.geometry import Camera, mask_box, wrap, yaw_quaternion
 from generator.render.raster import place, render
+from generator.render.soft import Surface
 from generator.scene import TABLE, Instance, Mesh, Model, Reference, View
 from generator.stages import rotation as dro
 from generator.stages.rotation import RotationConfig
@@ -36,6 +37,18 @@ def picture_of(
     x0, y0, x1, y1 = box.astype(int)
     crop = np.dstack([drawn.image, mask.astype(np.uint8) * 255])[y0:y1, x0:x1]
     return Instance(model.name, model.label, box, mask, crop, box), Reference(drawn.image)
+
+
+def doubled(value):
+    """Return an objective with all its tensors in double precision."""
+    if isinstance(value, torch.Tensor):
+        return value.double() if value.is_floating_point() else value
+    if isinstance(value, tuple):
+        return tuple(map(doubled, value))
+    if isinstance(value, (Surface, dro.Target, dro.Objective)):
+        changes = {f.name: doubled(getattr(value, f.name)) for f in dataclasses.fields(value)}
+        return dataclasses.replace(value, **changes)
+    return value
 
 
 # ------------------------------------------------------------------------------------ equations
@@ -185,6 +198,35 @@ def test_refining_descends_from_the_coarse_angle():
     ((found,),) = dro.refine(objective, [[dro.Found(0.45, before)]], 25)
     assert found.loss < before
     assert abs(found.yaw - 0.53) < abs(0.45 - 0.53) / 2
+
+
+@pytest.mark.parametrize("weights", [(1, 0, 0), (0, 1, 0), (0, 0, 1)], ids=["s", "e", "a"])
+@pytest.mark.parametrize("settings", [RotationConfig(), RotationConfig.paper()], ids=["", "paper"])
+def test_gradients_of_the_objective_agree_with_finite_differences(settings, weights):
+    """Of yaw and tilt, of an object off the axis, whose centre moves as its crop stays tight.
+
+    Without the picture's light on the render: what that is does not follow the normals' gradient.
+    """
+    model = build("toy_train", 5)
+    instance, _ = picture_of(model, 0.53, (520, 130))
+    s, e, a = weights
+    config = dataclasses.replace(
+        settings, lambda_s=s, lambda_e=e, lambda_a=a, resolution=48, coarse_resolution=48,
+        points=2000, relight=False,
+    )  # fmt: skip
+    made = dro.make_objectives([model], [instance], VIEW, Encoder(), config, SIZE).fine
+    objective, owner = doubled(made), torch.zeros(1, dtype=torch.long)
+
+    def loss(angles: torch.Tensor) -> torch.Tensor:
+        return objective(dro.Candidates(owner, angles[:1], angles[1:]))[0]
+
+    angles = torch.tensor([0.7, 0.02], dtype=torch.float64, requires_grad=True)
+    (gradient,) = torch.autograd.grad(loss(angles), angles)
+    for k, offset in enumerate(1e-6 * torch.eye(2, dtype=torch.float64)):
+        with torch.no_grad():
+            slope = float((loss(angles + offset) - loss(angles - offset)) / 2e-6)
+        assert float(gradient[k]) == pytest.approx(slope, rel=2e-3, abs=2e-4)
+        assert abs(slope) > 0.01
 
 
 def test_objects_of_a_batch_are_found_as_if_alone():

@@ -94,7 +94,7 @@ class Objective:
         owner = poses.owner
         rotation = soft.object_to_camera(poses.yaw, poses.tilt, self.world_to_camera)
         center = soft.fit_center(
-            self.surface.corners[owner], rotation.detach(), self.middle[owner], self.span[owner]
+            self.surface.corners[owner], rotation, self.middle[owner], self.span[owner]
         )
         return rotation, center
 
