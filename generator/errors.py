@@ -1,11 +1,14 @@
 """The errors this project raises on purpose: one base class and its five children.
 
-Each message says what was wrong, what exists instead, and what to do.
+Each message says what was wrong, what exists instead, and what to do: ``choices`` helps with names,
+``require`` with the numbers of settings.
 """
 
 from __future__ import annotations
 
 import difflib
+import math
+import numbers
 from collections.abc import Iterable
 
 
@@ -40,3 +43,45 @@ def choices(wrong: str, available: Iterable[str]) -> str:
     hint = f" Did you mean {near[0]!r}?" if near else ""
     listed = ", ".join(names) if names else "nothing"
     return f"{hint} Available: {listed}."
+
+
+def require(
+    settings: object,
+    *names: str,
+    least: float | None = None,
+    above: float | None = None,
+    most: float | None = None,
+    whole: bool = False,
+    endless: bool = False,
+) -> None:
+    """Check that some fields of a settings object are numbers within a range.
+
+    Args:
+        settings: the object; its class is named by the message.
+        names: the fields.
+        least: the least value.
+        above: what the value is above.
+        most: the largest value.
+        whole: they are integers.
+        endless: infinity is a number too.
+
+    Raises:
+        InputError: one is not.
+    """
+    kind = numbers.Integral if whole else numbers.Real
+    low, high = f" >= {least:g}" if least is not None else "", ""
+    low = f" > {above:g}" if above is not None else low
+    if most is not None:
+        high = f" and <= {most:g}" if low else f" <= {most:g}"
+    for name in names:
+        value = getattr(settings, name)
+        number = isinstance(value, kind) and not isinstance(value, bool)
+        size = float(value) if number else math.nan
+        good = endless or math.isfinite(size)
+        good = good and size >= (-math.inf if least is None else least)
+        good = good and size > above if above is not None else good
+        if not (good and size <= (math.inf if most is None else most)):
+            raise InputError(
+                f"{type(settings).__name__} needs {name} to be a "
+                f"{'whole ' if whole else ''}number{low}{high}, got {value!r}."
+            )

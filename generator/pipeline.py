@@ -9,6 +9,7 @@ from typing import Literal, get_args
 
 from .backends import Backends
 from .errors import InputError, choices
+from .finishing import finished
 from .ledger import Seconds, Stopwatch
 from .provenance import plain, scene_name, versions
 from .salvage import allowance, salvaged
@@ -40,7 +41,7 @@ from .stages.reference import (
     refer,
     source_digest,
 )
-from .stages.refinement import Refinement, RefinementConfig, refine_scene
+from .stages.refinement import Refinement, RefinementConfig, outline_misfit, refine_scene
 from .stages.rotation import RotationConfig, estimate_rotations
 from .supplement import NOTHING, Supplement, supplement
 
@@ -219,7 +220,6 @@ def generate(
         instances, models, placements, alignment.table_scale, view, (width, height),
         replace(config.refinement, steps=0) if unrefined else config.refinement, seed,
     )  # fmt: skip
-    placements = refined.placements
 
     warnings = _hidden(reference, instances) + alignment.warnings
 
@@ -243,12 +243,18 @@ def generate(
             plan=reference.plan,
         )
 
+    def built(placed: tuple[Placement, ...], told: tuple[str, ...]) -> Scene:
+        return salvaged(
+            lambda placed, extra, more: assembled(placed, extra, told + more),
+            added, placed, sizes, allowance(config.leave_out, len(placed)),
+        )  # fmt: skip
+
+    def misfit(scene: Scene) -> float:
+        size = width, height
+        return outline_misfit(instances, scene.objects, view, size, config.refinement, seed)
+
     step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
-    most = allowance(config.leave_out, len(placements))
-    scene = salvaged(assembled, added, placements, sizes, most)
-    if scene.report is not None and refined.before:
-        misfit = (round(refined.before, 6), round(refined.after, 6))
-        scene = scene.replace(report=replace(scene.report, misfit=misfit))
+    scene = finished(built, misfit, refined, alignment.placements)
     return Generation(
         reference, instances, view, sizes, models, rotations, alignment, refined, scene,
         clock.stop(),

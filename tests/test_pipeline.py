@@ -11,10 +11,12 @@ import pytest
 
 from generator.errors import InputError, SceneError, TabletopError
 from generator.figures import bundle_images
+from generator.finishing import WORSE
 from generator.ledger import Seconds
 from generator.pipeline import STAGES, Generation, generate
 from generator.provenance import scene_name
 from generator.scene import TABLE
+from generator.stages.refinement import outline_misfit
 
 TEXT = "a wooden desk with a red mug, a laptop and a book"
 
@@ -95,7 +97,10 @@ def test_a_picture_alone_is_enough(from_text: Generation) -> None:
     assert 0.95 * whole < sum(s.wall for s in again.seconds.values()) < whole
     assert all(s.wall > 0 and s.cpu >= 0 for s in again.seconds.values())
     before, after = again.scene.report.misfit or (0.0, 0.0)
-    assert 0 < after <= before
+    assert 0 < after <= before + WORSE
+    shown = again.reference.image.shape[1::-1]
+    there = outline_misfit(again.instances, again.scene.objects, again.view, shown, seed=3)
+    assert after == pytest.approx(there, abs=1e-6), "the finished scene's, not the refinement's"
 
 
 @pytest.mark.parametrize("picture", ["white", "noise"])

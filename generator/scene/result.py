@@ -31,6 +31,9 @@ class Rotation:
             thirds of the errors are smaller.
         symmetric: the object looks the same from all sides: it keeps yaw 0, ``margin`` is 0 and
             ``width`` pi.
+        order: turned by 2 pi / ``order`` the object looks the same, as a plain box does by a half
+            turn: such yaws are one answer, and ``margin`` is against others. Asked only where
+            another side fits about as well; else 1.
     """
 
     name: str
@@ -40,8 +43,11 @@ class Rotation:
     margin: float = 0.0
     width: float = float(np.pi)
     symmetric: bool = False
+    order: int = 1
 
     def __post_init__(self) -> None:
+        if self.order < 1:
+            raise InputError(f"Rotation {self.name!r} needs an order >= 1, got {self.order}.")
         if not (np.isfinite(self.yaw) and 0 <= self.margin < np.inf and 0 < self.width <= np.pi):
             raise InputError(
                 f"Rotation {self.name!r} needs a finite yaw, a finite margin >= 0 and a "
@@ -226,7 +232,7 @@ class Report:
     dropped: objects that were left out, since the scene would not have passed with them.
     reach: from the best side of the table, the farthest object's distance to that side.
     misfit: of a scene made from a picture, one minus the overlap of outlines (Eq. 2), the mean
-        over the objects: before and after the joint refinement.
+        over the objects: before the joint refinement, and of the finished scene, as it rests.
     """
 
     penetration: float

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from jaxtyping import Float
 
-from ..errors import InputError, choices
+from ..errors import InputError, choices, require
 from ..geometry import convex_outline, yaw_quaternion
 from ..physics.gate import Limits, fallen, judge, overturned
 from ..physics.inertia import MassProperties, body_mass, box_mass, joined
@@ -62,6 +62,12 @@ class AssemblyConfig:
     attempts: int = 4
     drop_failing: bool = False
     limits: Limits = field(default_factory=Limits)
+
+    def __post_init__(self) -> None:
+        require(self, "clearance", least=0)
+        require(self, "settle_seconds", above=0)
+        require(self, "topple", above=0, most=np.pi)
+        require(self, "attempts", least=1, whole=True)
 
 
 def assemble(

@@ -10,6 +10,7 @@ from shapes import sphere_mesh
 from toy import cube_mesh
 
 from generator.backends.embedded.planner import plan_scene
+from generator.errors import InputError
 from generator.geometry import rotated_extent
 from generator.render.contact import Body, resting_height
 from generator.scene import (
@@ -26,6 +27,7 @@ from generator.scene import (
     View,
 )
 from generator.stages.alignment import (
+    AlignmentConfig,
     align,
     metres_per_pixel,
     own_extent,
@@ -182,6 +184,7 @@ def run(
     sizes: dict[str, tuple[float, float, float]],
     plan: ScenePlan | None = None,
     usual: dict[str, tuple[float, float, float]] | None = None,
+    config: AlignmentConfig | None = None,
 ):
     backend: Any = answers
     instances = tuple(instance(n) for n in sizes)
@@ -189,7 +192,7 @@ def run(
     priors = {n: SizePrior(n, np.array(s)) for n, s in (usual or sizes).items()}
     rotations = {n: Rotation(n, 0.0, 0.0) for n in sizes}
     return align(Reference(IMAGE, plan=plan), instances, models, priors, rotations, VIEW,
-                 backend, backend, backend)  # fmt: skip
+                 backend, backend, backend, config)  # fmt: skip
 
 
 SIZES = {"table": (1.5, 0.7, 0.74), "box_1": (0.25, 0.2, 0.2), "pen_1": (0.14, 0.01, 0.01),
@@ -249,6 +252,26 @@ def test_an_anchor_that_makes_the_table_absurd_is_passed_over():
     assert result.anchor != "box_1"
     assert result.table_scale[0] < 3.0
     assert any("box_1" in w and "table" in w for w in result.warnings)
+
+
+@pytest.mark.parametrize("check", [True, False])
+def test_what_a_top_view_drops_is_placed_and_told(check):
+    boxes = {name: box for name, box in TOP.boxes.items() if name != "pen_1"}
+    dropped = Answers(TopView(IMAGE, TOP.table_box, boxes), ON)
+    result = run(dropped, SIZES, config=AlignmentConfig(check=check))
+    assert {p.name for p in result.placements} == {"box_1", "pen_1", "cup_1"}
+    assert result.top_view is not None and result.top_view.repaired == ("pen_1",)
+    assert any("pen_1" in w and "lacks" in w for w in result.warnings)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [{"tau": 0.0}, {"tau": float("nan")}, {"size_limit": 0.5}, {"guess_limit": 0.9},
+     {"table_limit": float("nan")}],
+)  # fmt: skip
+def test_settings_out_of_range_are_refused(wrong):
+    with pytest.raises(InputError, match="AlignmentConfig needs"):
+        AlignmentConfig(**wrong)
 
 
 def test_a_top_view_without_boxes_is_searched():

@@ -237,6 +237,16 @@ def test_an_empty_table_is_a_scene() -> None:
     assert scene.report.passed
 
 
+@pytest.mark.parametrize(
+    "wrong",
+    [{"attempts": -1}, {"attempts": 0}, {"clearance": float("nan")}, {"settle_seconds": 0.0},
+     {"topple": -0.5}],
+)  # fmt: skip
+def test_settings_out_of_range_are_refused(wrong):
+    with pytest.raises(InputError, match="AssemblyConfig needs"):
+        AssemblyConfig(**wrong)
+
+
 def test_bad_placements_are_named() -> None:
     placement = put("box_1", (0, 0), (0.1,) * 3)
     with pytest.raises(InputError, match=r"No model.*'box_1'"):

@@ -11,6 +11,7 @@ from generator.catalogue import build
 from generator.errors import InputError
 from generator.geometry import Camera, mask_box, wrap, yaw_quaternion
 from generator.render.raster import place, render
+from generator.render.soft import Surface
 from generator.scene import TABLE, Instance, Mesh, Model, Reference, View
 from generator.stages import rotation as dro
 from generator.stages.rotation import RotationConfig
@@ -36,6 +37,18 @@ def picture_of(
     x0, y0, x1, y1 = box.astype(int)
     crop = np.dstack([drawn.image, mask.astype(np.uint8) * 255])[y0:y1, x0:x1]
     return Instance(model.name, model.label, box, mask, crop, box), Reference(drawn.image)
+
+
+def doubled(value):
+    """Return an objective with all its tensors in double precision."""
+    if isinstance(value, torch.Tensor):
+        return value.double() if value.is_floating_point() else value
+    if isinstance(value, tuple):
+        return tuple(map(doubled, value))
+    if isinstance(value, (Surface, dro.Target, dro.Objective)):
+        changes = {f.name: doubled(getattr(value, f.name)) for f in dataclasses.fields(value)}
+        return dataclasses.replace(value, **changes)
+    return value
 
 
 # ------------------------------------------------------------------------------------ equations
@@ -112,12 +125,25 @@ def test_paper_settings():
     [
         {"coarse_step": 0.0}, {"candidates": 0}, {"resolution": 4}, {"close_resolution": 4},
         {"close_points": 1}, {"rivals": 0}, {"close_steps": -1}, {"doubt": -0.1},
-        {"tie": float("nan")},
+        {"tie": float("nan")}, {"lambda_a": float("nan")}, {"lambda_s": -1.0},
+        {"lambda_s": 0, "lambda_e": 0, "lambda_a": 0}, {"learning_rate": float("nan")},
+        {"learning_rate": 0.0}, {"edge_unit": 0.0}, {"max_tilt": -0.1}, {"max_fit": float("inf")},
+        {"candidates": 2.5}, {"steps": True}, {"unsure": 2.0}, {"device": "gpu"}, {"device": None},
+        {"patience": -1}, {"separation": -0.1}, {"thinning": "3"},
     ],
 )  # fmt: skip
 def test_settings_out_of_range_are_refused(wrong):
     with pytest.raises(InputError, match="RotationConfig needs"):
         RotationConfig(**wrong)
+
+
+def test_a_gpu_that_is_not_there_is_refused(monkeypatch):
+    monkeypatch.setattr(torch.cuda, "device_count", lambda: 1)
+    model = build("plate", 0)
+    instance, _ = picture_of(model, 2.0, (320, 240))
+    config = dataclasses.replace(FAST, device="cuda:1")
+    with pytest.raises(InputError, match=r"torch finds 1 such GPUs"):
+        dro.make_objectives([model], [instance], VIEW, Encoder(), config, SIZE)
 
 
 # --------------------------------------------------------------------------------------- search
@@ -174,6 +200,35 @@ def test_refining_descends_from_the_coarse_angle():
     assert abs(found.yaw - 0.53) < abs(0.45 - 0.53) / 2
 
 
+@pytest.mark.parametrize("weights", [(1, 0, 0), (0, 1, 0), (0, 0, 1)], ids=["s", "e", "a"])
+@pytest.mark.parametrize("settings", [RotationConfig(), RotationConfig.paper()], ids=["", "paper"])
+def test_gradients_of_the_objective_agree_with_finite_differences(settings, weights):
+    """Of yaw and tilt, of an object off the axis, whose centre moves as its crop stays tight.
+
+    Without the picture's light on the render: what that is does not follow the normals' gradient.
+    """
+    model = build("toy_train", 5)
+    instance, _ = picture_of(model, 0.53, (520, 130))
+    s, e, a = weights
+    config = dataclasses.replace(
+        settings, lambda_s=s, lambda_e=e, lambda_a=a, resolution=48, coarse_resolution=48,
+        points=2000, relight=False,
+    )  # fmt: skip
+    made = dro.make_objectives([model], [instance], VIEW, Encoder(), config, SIZE).fine
+    objective, owner = doubled(made), torch.zeros(1, dtype=torch.long)
+
+    def loss(angles: torch.Tensor) -> torch.Tensor:
+        return objective(dro.Candidates(owner, angles[:1], angles[1:]))[0]
+
+    angles = torch.tensor([0.7, 0.02], dtype=torch.float64, requires_grad=True)
+    (gradient,) = torch.autograd.grad(loss(angles), angles)
+    for k, offset in enumerate(1e-6 * torch.eye(2, dtype=torch.float64)):
+        with torch.no_grad():
+            slope = float((loss(angles + offset) - loss(angles - offset)) / 2e-6)
+        assert float(gradient[k]) == pytest.approx(slope, rel=2e-3, abs=2e-4)
+        assert abs(slope) > 0.01
+
+
 def test_objects_of_a_batch_are_found_as_if_alone():
     models = [build("toy_train", 5), build("plate", 0), build("mug", 5)]
     instances = [
@@ -217,6 +272,17 @@ def test_a_hidden_part_that_is_missing_is_allowed_for():
         found = dro.optimise_rotation(model, part, VIEW, Encoder(), FAST, SIZE)
         errors.append(abs(np.rad2deg(wrap(found.yaw - 0.53))))
     assert errors[0] < min(errors[1], 4)
+
+
+def test_no_tilt_and_no_fit_leave_both_as_they_are():
+    model = build("toy_train", 5)
+    instance, _ = picture_of(model, 0.53, (320, 240))
+    part = dataclasses.replace(instance, occluded=True)
+    config = dataclasses.replace(FAST, max_tilt=0.0, max_fit=0.0)
+    objective = dro.make_objectives([model], [part], VIEW, Encoder(), config, SIZE).fine
+    ((found,),) = dro.refine(objective, [[dro.Found(0.5)]], 6)
+    assert found.tilt == 0.0 and found.place == (0.0, 0.0, 0.0)
+    assert abs(found.yaw - 0.53) < 0.02
 
 
 def test_same_seed_same_rotation():
@@ -274,6 +340,42 @@ def test_a_round_thing_with_a_print_is_turned_and_sure():
     assert np.rad2deg(found.width) < 5
 
 
+def box(size: tuple[float, float, float], front: tuple[int, int, int] | None = None) -> Model:
+    """A grey box; ``front`` is the colour of one of its ends."""
+    corners, faces, uv = [], [], []
+    for axis in range(3):
+        for side in (-0.5, 0.5):
+            n = len(corners)
+            for u, v in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)):
+                corner = np.empty(3)
+                corner[[axis, (axis + 1) % 3, (axis + 2) % 3]] = side, u, v
+                corners.append(corner)
+            quad = [[n, n + 1, n + 2], [n, n + 2, n + 3]]
+            faces += quad if side > 0 else [f[::-1] for f in quad]
+            uv += [[0.75 if (axis, side) == (0, 0.5) else 0.25, 0.5]] * 4
+    texture = np.array([[(170, 170, 165), front or (170, 170, 165)]], np.uint8)
+    mesh = Mesh(np.array(corners), np.array(faces), np.array(uv), texture)
+    return dataclasses.replace(build("candle", 0), mesh=mesh, size=np.array(size))
+
+
+@pytest.mark.parametrize(
+    ("size", "front", "order"),
+    [((0.16, 0.09, 0.06), None, 2), ((0.1, 0.1, 0.06), None, 4),
+     ((0.16, 0.09, 0.06), (200, 30, 30), 1)],
+)  # fmt: skip
+def test_a_side_that_looks_the_same_is_no_rival(size, front, order):
+    """Of a plain box, half a turn is no other answer; of one with a red end, it is."""
+    model = box(size, front)
+    instance, _ = picture_of(model, 0.6, (320, 240))
+    found = dro.optimise_rotation(model, instance, VIEW, Encoder(), FAST, SIZE)
+    assert found.order == order and not found.symmetric
+    assert abs(np.rad2deg(wrap(order * (found.yaw - 0.6)) / order)) < 4
+    assert found.confidence > 0.6
+    rivals = [loss for yaw, loss in found.candidates if abs(wrap(yaw - found.yaw)) > 1]
+    if order > 1 and rivals:  # it is sure though another yaw fits as well
+        assert min(rivals) < 1.1 * found.loss
+
+
 def test_a_weak_print_makes_it_less_sure():
     sure = {}
     for name, model in (
@@ -299,6 +401,13 @@ def test_a_weak_print_makes_it_less_sure():
 def test_margin_is_told_by_the_closest_look(margins, expected):
     looks = [[dro.Found(yaw, loss) for yaw, loss in look] for look in margins]
     assert dro.margin(looks) == pytest.approx(expected)
+
+
+def test_margin_is_modulo_the_looks():
+    look = [dro.Found(y, loss) for y, loss in ((0.1, 1.0), (0.1 - np.pi, 1.01), (1.6, 1.4))]
+    assert dro.margin([look]) == pytest.approx(0.01)
+    assert dro.margin([look], order=2) == pytest.approx(0.4)
+    assert dro.margin([look], order=4) == 0.0
 
 
 def test_width_follows_the_curvature():

@@ -1,29 +1,53 @@
 """A top view held against the reference picture: what an image model moved, dropped or invented.
 
-Both pictures show where things touch the table. A ray through the front of a thing's foot in the
-reference picture meets the table's plane; seen from above, the same point is the near edge of its
-box. One scale and one shift carry all of them from one to the other, if the top view is true.
+The picture tells where each thing's box from above lies on the tabletop's plane (``ground``). One
+scale and one shift carry all of these boxes into the top view, if it is true. Most of what it shows
+on the table tells them; where too few agree, the tabletop's own ends do, and where the frame cuts
+these off, how large things usually are.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
 from jaxtyping import Float
 
-from ...geometry import Camera, rotated_extent
-from ...render.crop import in_reference, tight_box
+from ...geometry import rotated_extent
 from ...scene import TABLE, Instance, Model, Rotation, Stacking, TopView, View
+from .ground import boxes_on_ground, table_on_ground
 
-_ASTRAY = 0.07  # of the table's longer side: how far a box may be from where geometry has it
-_OWN = 0.5  # of a box's longer side, which may be added to that
-_CLOSE = 0.4  # of that distance: what agrees on a scale and a shift
+_ASTRAY = 0.05  # of the table's longer side: how far a box may be from where geometry has it
+_OWN = 0.15  # of a box's own length, which may be added to that
+_CLOSE = 0.5  # of that distance: what agrees on a scale and a shift
+_LOOSE = 1.5  # times that distance, where only the tabletop's ends tell scale and shift
+_VAGUE = 3.0  # or only usual sizes
+_GROWN = 1.6  # how many times too large or too small a box may be drawn
+_TINY = 0.02  # of the table's longer side: a difference of lengths that is none
 _ROOM = 0.15  # of its support's box: how far beyond it the middle of what stands there may be
 _FEWEST = 4  # things on the table from which a scale and a shift can be trusted
-_AGREE = 0.5  # share of them that must agree
+_AGREE = 0.6  # share of them that must agree, three at least
+_SCALED = 1.6  # how many times larger than by the tabletop's ends that scale may be
+_SHIFTED = 0.3  # of the table's longer side: how far from there that shift may be
+
+_ELSEWHERE = "the top view has it elsewhere; geometry put it back"
+_LACKS = "the top view lacks it; geometry put it in"
+
+Box = Float[np.ndarray, "4"]
+
+
+@dataclass(frozen=True, eq=False)
+class _Carried:
+    """A scale and a shift from the ground into the top view, and how many limits it may be off."""
+
+    scale: float
+    shift: Float[np.ndarray, "2"]
+    slack: float = 1.0
+
+    def __call__(self, box: Box) -> Box:
+        return self.scale * box + np.tile(self.shift, 2)
 
 
 def check_top_view(
@@ -34,158 +58,209 @@ def check_top_view(
     stacking: Mapping[str, Stacking],
     view: View,
     image_size: tuple[int, int],
+    only_missing: bool = False,
 ) -> tuple[TopView, tuple[str, ...]]:
-    """Return the top view with every box where geometry confirms it, and a warning per repair.
+    """Return the top view with a box for every instance, and a warning per repair.
+
+    A box that lies elsewhere or is far larger or smaller than geometry has it comes from geometry.
+    Where most boxes do, all do.
 
     Args:
         top: boxes as they were drawn and detected; some may be missing.
         instances: the reference picture's, the table among them.
-        models: give a missing box its proportions.
-        rotations: and its yaw.
+        models: give the boxes their proportions.
+        rotations: and their yaws.
         stacking: what stands on what; only what stands on the table tells scale and shift.
         view: the reference picture's camera.
         image_size: (width, height) of the reference picture.
-
-    Where too few things agree to tell what is right, the top view is kept as it is.
+        only_missing: take what the top view shows as it is.
     """
-    things = [i for i in instances if i.name != TABLE]
-    on = {i.name: stacking[i.name].on if i.name in stacking else TABLE for i in things}
-    feet = {i.name: foot for i in things if (foot := _foot(i, view, image_size)) is not None}
-    standing = [n for n in feet if on[n] == TABLE and n in top.boxes]
+    ground = boxes_on_ground(instances, models, rotations, stacking, view, image_size)
     boxes = {name: np.asarray(box, float) for name, box in top.boxes.items()}
-    length = float(np.max(top.table_box[2:] - top.table_box[:2]))
-    towards = _towards(view)
-    near = {n: _near_edge(boxes[n], towards) for n in standing}
-    limits = {n: _ASTRAY * length + _OWN * float(np.ptp(boxes[n].reshape(2, 2), axis=0).max())
-              for n in standing}  # fmt: skip
-    carried = _agreed(feet, near, limits)
-    if carried is None:
-        return top, ()
-    scale, shift = carried
-    repaired, warnings = [], []
-    for name in feet:
-        if on[name] != TABLE:
+    table, *things = sorted(instances, key=lambda i: i.name != TABLE)
+    on = {i.name: stacking[i.name].on if i.name in stacking else TABLE for i in things}
+    length = _length(top.table_box)
+    ends = _by_ends(table_on_ground(table, view, image_size), top)
+    drawn = {n: boxes[n] for n in ground if on[n] == TABLE and n in boxes}
+    guesses = {i.name: _guess(i, table, top, boxes, models, rotations) for i in things}
+    carried = _agreed(ground, drawn, ends, length) or ends or _by_sizes(ground, guesses)
+    placed = {n: carried(box) for n, box in ground.items()} if carried else {}
+    told: dict[str, str] = {}
+    warnings: tuple[str, ...] = ()
+    if carried and not only_missing:
+        told = _false(boxes, placed, drawn, carried.slack * length)
+        astray = sum(what == _ELSEWHERE for what in told.values())
+        if 2 * astray > len(drawn):
+            told = dict.fromkeys(placed, "")
+            warnings = (f"The top view has {astray} of {len(drawn)} things on the table elsewhere "
+                        "than the picture; geometry placed all of them.",)  # fmt: skip
+        boxes |= {name: placed[name] for name in told}
+    for thing in sorted(things, key=lambda i: stacking[i.name].order if i.name in stacking else 2):
+        name, lost = thing.name, thing.name not in boxes
+        below = boxes.get(on[name])
+        if not lost and (only_missing or below is None or _over(boxes[name], below)):
             continue
-        there = scale * feet[name] + shift
-        if name not in boxes:
-            boxes[name] = _moved(_shape(name, models, rotations, boxes), there, towards)
-            warnings.append(f"{name}: the top view lacks it; geometry put it in.")
-        elif np.linalg.norm(there - near[name]) > limits[name]:
-            boxes[name] = _moved(boxes[name], there, towards)
-            warnings.append(f"{name}: the top view has it elsewhere; geometry put it back.")
-        else:
-            continue
-        repaired.append(name)
-    for name in sorted(on, key=lambda n: stacking[n].order if n in stacking else 0):
-        below = on[name]
-        if below not in boxes or (name in boxes and _over(boxes[name], boxes[below])):
-            continue
-        lost = name not in boxes
-        shape = _shape(name, models, rotations, boxes) if lost else boxes[name]
-        middle = boxes[below].reshape(2, 2).mean(0)
-        boxes[name] = shape + np.tile(middle - shape.reshape(2, 2).mean(0), 2)
-        repaired.append(name)
-        what = "lacks it" if lost else "does not show it there"
-        warnings.append(f"{name}: it is on {below}, and the top view {what}; it was put there.")
-    return replace(top, boxes=boxes, repaired=(*top.repaired, *repaired)), tuple(warnings)
+        boxes[name] = _put([placed.get(name), boxes.get(name), guesses[name]], below)
+        told[name] = _LACKS if below is None else (
+            f"it is on {on[name]}, and the top view {'lacks it' if lost else 'has it elsewhere'}; "
+            "it was put there"
+        )  # fmt: skip
+    warnings += tuple(f"{name}: {what}." for name, what in told.items() if what)
+    repaired = tuple(dict.fromkeys((*top.repaired, *told)))
+    return replace(top, boxes=boxes, repaired=repaired), warnings
 
 
-def _foot(
-    instance: Instance, view: View, image_size: tuple[int, int]
-) -> Float[np.ndarray, "2"] | None:
-    """Return where the front of a thing's foot is on a plane one unit below the camera.
+def _length(box: Box) -> float:
+    """Return a box's longer side."""
+    return float(np.max(box[2:] - box[:2]))
 
-    In top-view axes: right and down. None if it shows nothing, or the ray does not meet the plane.
+
+def _size(box: Box) -> float:
+    """Return the root of a box's area."""
+    return float(np.sqrt(np.prod(np.maximum(box[2:] - box[:2], 1e-9))))
+
+
+def _middle(box: Box) -> Float[np.ndarray, "2"]:
+    return box.reshape(2, 2).mean(0)
+
+
+def _centred(box: Box, on: Box) -> Box:
+    return box + np.tile(_middle(on) - _middle(box), 2)
+
+
+def _put(tries: Sequence[Box | None], below: Box | None) -> Box:
+    """Return the first box that lies over what it should; if none does, the first, moved there."""
+    known = [b for b in tries if b is not None]
+    if below is None:
+        return known[0]
+    return next((b for b in known if _over(b, below)), _centred(known[0], below))
+
+
+def _over(box: Box, below: Box) -> bool:
+    """Tell whether the middle of a box lies over another, or nearly."""
+    middle, slack = _middle(box), _ROOM * (below[2:] - below[:2])
+    return bool((middle >= below[:2] - slack).all() and (middle <= below[2:] + slack).all())
+
+
+def _false(
+    boxes: Mapping[str, Box], placed: Mapping[str, Box], standing: Collection[str], unit: float
+) -> dict[str, str]:
+    """Tell of drawn boxes that are not where geometry has them, or not as large, what is wrong.
+
+    ``unit`` is the table's length in pixels, times how much more than usual may be off. Only what
+    stands on the table is held to its place.
     """
-    if not (instance.crop[..., 3] > 127).any():
-        return None
-    tight = in_reference(instance, tight_box(instance)).reshape(2, 2)
-    camera = Camera.looking_at(np.zeros(3), view, 1.0, *image_size)
-    ray = camera.rays(np.array([[tight[:, 0].mean(), tight[1, 1]]]))[0]
-    if ray[2] > -0.02:
-        return None
-    return ray[:2] / -ray[2] * [1, -1]
+    told = {}
+    for name in placed:
+        if name not in boxes:
+            continue
+        box, there = boxes[name], placed[name]
+        grown = _size(box) / _size(there)
+        if name in standing and _off(box, there) > _limit(there, unit):
+            told[name] = _ELSEWHERE
+        elif abs(np.log(grown)) > np.log(_GROWN) and abs(_size(box) - _size(there)) > _TINY * unit:
+            told[name] = f"the top view draws it {grown:.2g} times as large; geometry resized it"
+    return told
 
 
-def _towards(view: View) -> Float[np.ndarray, "2"]:
-    """Return the direction towards the camera in the top view."""
-    camera = Camera.looking_at(np.zeros(3), view, 1.0, 2, 2)
-    flat = camera.position[:2] * [1, -1]
-    length = float(np.linalg.norm(flat))
-    return flat / length if length > 1e-6 else np.array([0.0, 1.0])
+def _off(box: Box, there: Box) -> float:
+    return float(np.linalg.norm(_middle(box) - _middle(there)))
 
 
-def _near_edge(
-    box: Float[np.ndarray, "4"], towards: Float[np.ndarray, "2"]
-) -> Float[np.ndarray, "2"]:
-    """Return the point of a box's ellipse that is nearest to the camera."""
-    half = (box[2:] - box[:2]) / 2
-    reach = half**2 * towards / max(float(np.linalg.norm(half * towards)), 1e-9)
-    return (box[:2] + box[2:]) / 2 + reach
-
-
-def _moved(
-    box: Float[np.ndarray, "4"], there: Float[np.ndarray, "2"], towards: Float[np.ndarray, "2"]
-) -> Float[np.ndarray, "4"]:
-    return box + np.tile(there - _near_edge(box, towards), 2)
+def _limit(box: Box, length: float) -> float:
+    return _ASTRAY * length + _OWN * _size(box)
 
 
 def _agreed(
-    feet: Mapping[str, np.ndarray], near: Mapping[str, np.ndarray], limits: Mapping[str, float]
-) -> tuple[float, Float[np.ndarray, "2"]] | None:
-    """Return the scale and shift on which most things agree; None if they do not."""
-    names = list(near)
+    ground: Mapping[str, Box], drawn: Mapping[str, Box], ends: _Carried | None, length: float
+) -> _Carried | None:
+    """Return the scale and shift on which most drawn boxes agree; None if they do not."""
+    names = list(drawn)
     if len(names) < _FEWEST:
         return None
-    here = np.array([feet[n] for n in names])
-    there = np.array([near[n] for n in names])
-    limit = np.array([limits[n] for n in names])
-    best: tuple[float, np.ndarray] = (0.0, np.zeros(len(names), bool))
-    for i, j in combinations(range(len(names)), 2):
-        fit = _fitted(here[[i, j]], there[[i, j]])
-        if fit is None:
+    best: tuple[float, list[str]] = (0.0, [])
+    for pair in combinations(names, 2):
+        carried = _fitted([ground[n] for n in pair], [drawn[n] for n in pair])
+        if carried is None:
             continue
-        off = np.linalg.norm(fit[0] * here + fit[1] - there, axis=1) / limit
-        agrees = off < _CLOSE
-        worth = float(agrees.sum() - 0.5 * off[agrees].mean()) if agrees.any() else 0.0
+        off = {
+            n: _off(carried(ground[n]), drawn[n]) / _limit(carried(ground[n]), length)
+            for n in names
+        }
+        agree = [n for n in names if off[n] < _CLOSE]
+        worth = len(agree) - 0.5 * float(np.mean([off[n] for n in agree])) if agree else 0.0
         if worth > best[0]:
-            best = worth, agrees
-    if best[1].sum() < max(_FEWEST - 1, _AGREE * len(names)):
+            best = worth, agree
+    if len(best[1]) < max(_FEWEST - 1, _AGREE * len(names)):
         return None
-    return _fitted(here[best[1]], there[best[1]])
+    carried = _fitted([ground[n] for n in best[1]], [drawn[n] for n in best[1]])
+    return carried if carried and _likely(carried, ends, ground, drawn, length) else None
 
 
-def _fitted(
-    here: Float[np.ndarray, "n 2"], there: Float[np.ndarray, "n 2"]
-) -> tuple[float, Float[np.ndarray, "2"]] | None:
-    """Return the scale and shift that carry points onto others best; None if they turn them."""
-    a, b = here - here.mean(0), there - there.mean(0)
-    spread = float((a * a).sum())
-    scale = float((a * b).sum()) / spread if spread > 1e-12 else 0.0
-    return (scale, there.mean(0) - scale * here.mean(0)) if scale > 0 else None
+def _likely(
+    carried: _Carried,
+    ends: _Carried | None,
+    ground: Mapping[str, Box],
+    drawn: Mapping[str, Box],
+    length: float,
+) -> bool:
+    """Tell whether a scale and a shift are not quite other than what the tabletop's ends tell."""
+    if ends is None:
+        return True
+    middle = np.mean([ground[n] for n in drawn], axis=0)
+    scaled = abs(np.log(carried.scale / ends.scale)) < np.log(_SCALED)
+    return bool(scaled and _off(carried(middle), ends(middle)) < _SHIFTED * length)
 
 
-def _shape(
-    name: str,
+def _fitted(here: Sequence[Box], there: Sequence[Box]) -> _Carried | None:
+    """Return the scale and shift that carry middles onto others best; None if they turn them."""
+    a, b = (np.array([_middle(box) for box in boxes]) for boxes in (here, there))
+    x, y = a - a.mean(0), b - b.mean(0)
+    spread = float((x * x).sum())
+    scale = float((x * y).sum()) / spread if spread > 1e-12 else 0.0
+    return _Carried(scale, b.mean(0) - scale * a.mean(0)) if scale > 0 else None
+
+
+def _by_ends(ends: Float[np.ndarray, "3"] | None, top: TopView) -> _Carried | None:
+    """Return the scale and shift that carry the tabletop's left, right and far end into its box."""
+    if ends is None or ends[1] - ends[0] < 1e-6:
+        return None
+    left, far, right, _ = top.table_box
+    scale = float((right - left) / (ends[1] - ends[0]))
+    return _Carried(scale, np.array([left, far]) - scale * ends[[0, 2]], _LOOSE)
+
+
+def _by_sizes(ground: Mapping[str, Box], guesses: Mapping[str, Box]) -> _Carried | None:
+    """Return the scale and shift that carry things to where, and as large as, they are guessed."""
+    if not ground:
+        return None
+    scale = float(np.median([_size(guesses[n]) / _size(box) for n, box in ground.items()]))
+    shift = np.mean([_middle(guesses[n]) - scale * _middle(box) for n, box in ground.items()], 0)
+    return _Carried(scale, shift, _VAGUE)
+
+
+def _guess(
+    thing: Instance,
+    table: Instance,
+    top: TopView,
+    boxes: Mapping[str, Box],
     models: Mapping[str, Model],
     rotations: Mapping[str, Rotation],
-    boxes: Mapping[str, Float[np.ndarray, "4"]],
-) -> Float[np.ndarray, "4"]:
-    """Return a box at the origin for a thing that has none, by the others' pixels per metre."""
+) -> Box:
+    """Return a box for what geometry cannot place: on the table as the two lie in the picture.
 
-    def extent(other: str) -> Float[np.ndarray, "2"]:
-        yaw = rotations[other].yaw if other in rotations else 0.0
-        return rotated_extent(np.asarray(models[other].size), yaw)
+    It is as large as its model, by the others' and the table's pixels per metre.
+    """
 
-    pixels = np.median([
-        np.sqrt(np.prod(box[2:] - box[:2]) / np.prod(extent(other)))
-        for other, box in boxes.items() if other in models
-    ])  # fmt: skip
-    half = extent(name) * float(pixels) / 2
-    return np.concatenate([-half, half])
+    def extent(name: str) -> Float[np.ndarray, "2"]:
+        yaw = rotations[name].yaw if name in rotations else 0.0
+        return rotated_extent(np.asarray(models[name].size), yaw)
 
-
-def _over(box: Float[np.ndarray, "4"], below: Float[np.ndarray, "4"]) -> bool:
-    """Tell whether the middle of a box lies over another, or nearly."""
-    middle, slack = box.reshape(2, 2).mean(0), _ROOM * (below[2:] - below[:2])
-    return bool((middle >= below[:2] - slack).all() and (middle <= below[2:] + slack).all())
+    known = {n: box for n, box in {**boxes, TABLE: top.table_box}.items() if n in models}
+    pixels = [_size(np.asarray(box)) / np.sqrt(np.prod(extent(n))) for n, box in known.items()]
+    half = extent(thing.name) * float(np.median(pixels or [1.0])) / 2
+    frame = np.asarray(table.box)
+    share = (_middle(np.asarray(thing.box)) - frame[:2]) / np.maximum(frame[2:] - frame[:2], 1)
+    low, high = np.asarray(top.table_box).reshape(2, 2)
+    middle = low + np.clip(share, 0, 1) * (high - low)
+    return np.concatenate([middle - half, middle + half])

@@ -31,20 +31,22 @@ def complete_boxes(
         return top, ()
     labels = (TABLE, *dict.fromkeys(i.label for i in missing))
     found = segmenter.segment(np.asarray(top.image), labels)
-    table = next((d for d in found if d.label == TABLE), None)
     things = [d for d in found if d.label != TABLE]
-    if table is None or not things:
+    if top.boxes and not things:
+        return top, ()
+    tables = [top.table_box] if top.boxes else [d.box for d in found if d.label == TABLE]
+    if not tables or not things:
         raise SceneError("The top view shows no object on the table; draw it again.")
+    table = np.asarray(tables[0])
     frame = next(np.asarray(i.box) for i in instances if i.name == TABLE)
-    cost = np.array([[_cost(i, frame, d, np.asarray(table.box)) for d in things] for i in missing])
+    cost = np.array([[_cost(i, frame, d, table) for d in things] for i in missing])
     boxes = dict(top.boxes)
     rows, columns = linear_sum_assignment(cost)
     for row, column in zip(rows, columns, strict=True):
         boxes[missing[row].name] = things[column].box
-    table_box = top.table_box if top.boxes else table.box
     extra = len(things) - len(columns)
     told = (f"The top view shows {extra} more than the picture; left out.",) if extra > 0 else ()
-    return replace(top, table_box=table_box, boxes=boxes), told
+    return replace(top, table_box=table, boxes=boxes), told
 
 
 def _cost(

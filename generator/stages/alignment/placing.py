@@ -9,6 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ...backends.protocols import Imager, Reasoner, Segmenter
+from ...errors import require
 from ...geometry import rotated_extent
 from ...render.contact import at_rest
 from ...scene import (
@@ -46,7 +47,8 @@ class AlignmentConfig:
     table_limit: an anchor that would make the table this much larger or smaller than its
         commonsense size is passed over.
     check: hold the top view against the reference picture, and repair by geometry what an image
-        model moved or dropped. The paper takes it as it comes.
+        model moved, or drew far too large or small. The paper takes it as it comes. What is not
+        drawn at all is put in by geometry either way.
     """
 
     tau: float = 0.25
@@ -54,6 +56,10 @@ class AlignmentConfig:
     guess_limit: float = 4.0
     table_limit: float = 2.0
     check: bool = True
+
+    def __post_init__(self) -> None:
+        require(self, "tau", above=0)
+        require(self, "size_limit", "guess_limit", "table_limit", least=1, endless=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,13 +105,13 @@ def align(
     shown = imager.top_view(reference, instances, models, rotations, view)
     stacking = dict(reasoner.stacking_order(reference, instances, view))
     top_view, told = complete_boxes(shown, instances, segmenter)
-    if config.check:
-        height, width = reference.image.shape[:2]
-        top_view, repairs = check_top_view(
-            top_view, instances, models, rotations, stacking, view, (width, height)
-        )
-        told = (*told, *repairs)
-    names = [i.name for i in instances if i.name != TABLE and i.name in top_view.boxes]
+    height, width = reference.image.shape[:2]
+    top_view, repairs = check_top_view(
+        top_view, instances, models, rotations, stacking, view, (width, height),
+        only_missing=not config.check,
+    )  # fmt: skip
+    told = (*told, *repairs)
+    names = [i.name for i in instances if i.name != TABLE]
     yaws = {n: rotations[n].yaw if n in rotations else 0.0 for n in names}
     physical = {n: np.asarray(models[n].size) for n in names}
     boxes = {

@@ -26,7 +26,7 @@ from .objective import (
     make_target,
 )
 from .search import coarse_losses, coarse_search, losses_at, refine, search, selected
-from .symmetry import looks_round, turning_changes
+from .symmetry import looks_order, looks_round, turning_changes
 
 __all__ = [
     "Answer",
@@ -43,6 +43,7 @@ __all__ = [
     "cut_sides",
     "edge_loss",
     "estimate_rotations",
+    "looks_order",
     "looks_round",
     "losses_at",
     "make_objectives",

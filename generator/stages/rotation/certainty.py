@@ -19,19 +19,24 @@ _LEAST = 1e-9  # loss of a render that is the picture itself
 _STEP = float(np.deg2rad(2.0))  # of the second difference
 
 
-def margin(rounds: Rows) -> float:
+def margin(rounds: Rows, order: int = 1) -> float:
     """Return by how much the best other yaw's loss exceeds the found one's, as a share of it.
 
-    ``rounds`` are one object's candidates, the closest look first. Every rival counts by the
-    closest look it was given, against the best of that look. 0 without any.
+    Yaws a whole turn over ``order`` apart are the same answer. ``rounds`` are one object's
+    candidates, the closest look first. Every rival counts by the closest look it was given,
+    against the best of that look. 0 without any.
     """
     answer, least, judged = rounds[0][0].yaw, float("inf"), list[float]()
+
+    def apart(a: float, b: float) -> float:
+        return abs(wrap(order * (a - b))) / order
+
     for found in rounds:
-        near = [f.loss for f in found if abs(wrap(f.yaw - answer)) < OTHER]
+        near = [f.loss for f in found if apart(f.yaw, answer) < OTHER]
         best = min(near, default=min(f.loss for f in found))
         for f in found:
-            known = any(abs(wrap(f.yaw - yaw)) < _SAME for yaw in judged)
-            if abs(wrap(f.yaw - answer)) >= OTHER and not known:
+            known = any(apart(f.yaw, yaw) < _SAME for yaw in judged)
+            if apart(f.yaw, answer) >= OTHER and not known:
                 least = min(least, f.loss / max(best, _LEAST) - 1)
         judged += [f.yaw for f in found]
     return max(least, 0.0) if np.isfinite(least) else 0.0

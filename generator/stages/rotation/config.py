@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 import numpy as np
 
-from ...errors import InputError
+from ...errors import InputError, require
 
 
 @dataclass(frozen=True)
@@ -40,18 +41,18 @@ class RotationConfig:
         patience: stop after that many steps without progress; 0 never stops early.
         suspect, flat: an object whose coarse losses vary by less than ``suspect`` of the lowest
             may look the same from all sides. Then its own renders are compared with each other;
-            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. 0 asks for
-            neither.
+            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. Likewise told
+            is which turns leave the looks of a doubtful object as they are. 0 asks for neither.
         edge_unit: the distance that counts as 1 in Eq. 3, as a share of the crop's side.
         keep_aspect: pad the tight crop to a square; False stretches it, which drops the aspect.
         perspective: see each object along its own ray; False looks at all of them as if they
             stood at the image centre.
         refine_camera: also adjust the camera's elevation per candidate, within ``max_tilt``.
-        max_tilt: largest change of elevation, radians.
+        max_tilt: largest change of elevation, radians; 0 changes none.
         refine_fit: also shift and scale the candidates of an object that something hides in part,
-            by at most ``max_fit`` of the crop's side: its completed outline is a guess. The search
-            also begins with the object reaching past each side of its box where it may be hidden.
-            ``fit_cost`` is the loss that a change of ``max_fit`` adds.
+            by at most ``max_fit`` of the crop's side: its completed outline is a guess. 0 does not.
+            The search also begins with the object reaching past each side of its box where it may
+            be hidden. ``fit_cost`` is the loss that a change of ``max_fit`` adds.
         relight: put the picture's light, a linear function of the surface's normal, on each render
             before Eq. 4 compares the two.
         unsure: weight of pixels where another instance may hide this one.
@@ -98,27 +99,24 @@ class RotationConfig:
     device: str = "cpu"
 
     def __post_init__(self) -> None:
-        if not 0 < self.coarse_step <= np.pi or self.candidates < 1 or self.steps < 0:
+        require(self, "lambda_s", "lambda_e", "lambda_a", "fit_cost", least=0)
+        if not self.lambda_s + self.lambda_e + self.lambda_a > 0:
+            raise InputError("RotationConfig needs one of lambda_s, lambda_e and lambda_a above 0.")
+        require(self, "coarse_step", above=0, most=np.pi)
+        require(self, "separation", least=0, most=np.pi)
+        require(self, "candidates", "rivals", "finalists", "thinning", least=1, whole=True)
+        require(self, "coarse_steps", "rival_steps", "close_steps", "steps", "patience",
+                least=0, whole=True)  # fmt: skip
+        require(self, "coarse_resolution", "resolution", "close_resolution", least=16, whole=True)
+        require(self, "points", "close_points", least=100, whole=True)
+        shares = ("rival", "crowded", "doubt", "tie", "suspect", "flat")
+        require(self, *shares, least=0, endless=True)
+        require(self, "learning_rate", "edge_unit", above=0)
+        require(self, "max_tilt", least=0, most=np.pi / 2)
+        require(self, "max_fit", "unsure", least=0, most=1)
+        if not re.fullmatch(r"cpu|cuda(:\d+)?", str(self.device)):
             raise InputError(
-                "RotationConfig needs coarse_step in (0, pi] radians, at least 1 candidate and "
-                f"no negative steps, got {self}."
-            )
-        sides = (self.coarse_resolution, self.resolution, self.close_resolution)
-        if min(sides) < 16 or min(self.points, self.close_points) < 100:
-            raise InputError(
-                f"RotationConfig needs resolutions >= 16 and points >= 100, got {self}."
-            )
-        steps = (self.coarse_steps, self.rival_steps, self.close_steps)
-        if min(self.rivals, self.finalists, self.thinning) < 1 or min(steps) < 0:
-            raise InputError(
-                "RotationConfig needs at least 1 rival and 1 finalist, thinning >= 1 and no "
-                f"negative steps, got {self}."
-            )
-        shares = (self.rival, self.crowded, self.doubt, self.tie, self.suspect, self.flat)
-        if not min(shares) >= 0 or np.isnan(shares).any():
-            raise InputError(
-                "RotationConfig needs rival, crowded, doubt, tie, suspect and flat >= 0, got "
-                f"{self}."
+                f"RotationConfig needs device 'cpu', 'cuda' or 'cuda:N', got {self.device!r}."
             )
 
     @classmethod

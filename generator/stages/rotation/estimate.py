@@ -109,4 +109,12 @@ def optimise_rotation(
 def _rotation(name: str, answer: Answer) -> Rotation:
     found = answer.looks[0]
     candidates = tuple((f.yaw, f.loss) for f in found)
-    return Rotation(name, *candidates[0], candidates, answer.margin, answer.width, answer.symmetric)
+    return Rotation(
+        name,
+        *candidates[0],
+        candidates,
+        answer.margin,
+        answer.width,
+        answer.symmetric,
+        answer.order,
+    )

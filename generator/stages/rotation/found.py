@@ -28,11 +28,12 @@ Rows = list[list[Found]]
 class Answer:
     """What is found for one object.
 
-    ``looks`` are its candidates at each look, the closest look first; ``margin``, ``width`` and
-    ``symmetric`` are those of ``generator.scene.Rotation``.
+    ``looks`` are its candidates at each look, the closest look first; ``margin``, ``width``,
+    ``symmetric`` and ``order`` are those of ``generator.scene.Rotation``.
     """
 
     looks: Rows
     margin: float = 0.0
     width: float = float(np.pi)
     symmetric: bool = True
+    order: int = 1

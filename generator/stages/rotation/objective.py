@@ -11,6 +11,7 @@ import numpy as np
 from jaxtyping import Bool, Float, Int
 
 from ...backends.protocols import Encoder
+from ...errors import InputError
 from ...geometry import view_rotation
 from ...scene import Instance, Model, View
 from .config import RotationConfig
@@ -93,7 +94,7 @@ class Objective:
         owner = poses.owner
         rotation = soft.object_to_camera(poses.yaw, poses.tilt, self.world_to_camera)
         center = soft.fit_center(
-            self.surface.corners[owner], rotation.detach(), self.middle[owner], self.span[owner]
+            self.surface.corners[owner], rotation, self.middle[owner], self.span[owner]
         )
         return rotation, center
 
@@ -214,17 +215,28 @@ def make_objectives(
     """Prepare Eq. 1 for objects of one image, at the resolutions of the settings.
 
     ``image_size`` is (width, height) of the reference image; ``hidden`` as in ``make_target``.
+
+    Raises:
+        InputError: torch has no such device as the settings name; a crop or a mesh is empty.
     """
     import torch
 
     from ...render.crop import in_reference, tight_box
     from ...render.soft import sample_surface, stack
 
+    device, count = torch.device(config.device), torch.cuda.device_count()
+    if device.type == "cuda" and (device.index or 0) >= count:
+        raise InputError(
+            f"RotationConfig.device is {config.device!r}, but torch finds {count} such GPUs here. "
+            "Use 'cpu', or a torch made for CUDA."
+        )
+
     focal = image_size[1] / 2 / np.tan(view.fov / 2)
     boxes = np.array([in_reference(i, tight_box(i)) for i in instances])
     middle = ((boxes[:, :2] + boxes[:, 2:]) / 2 - np.array(image_size) / 2) / focal
     span = (boxes[:, 2:] - boxes[:, :2]) / focal
     masks = hidden or [None] * len(instances)
+    loose = config.refine_fit and config.max_fit > 0
 
     def sampled(points: int) -> Surface:
         return stack([sample_surface(m.mesh, m.size, points, seed) for m in models])
@@ -246,7 +258,7 @@ def make_objectives(
             tensor(view_rotation(view)),
             tensor(middle if config.perspective else 0 * middle),
             tensor(span),
-            torch.tensor([config.refine_fit and i.occluded for i in instances]).to(config.device),
+            torch.tensor([loose and i.occluded for i in instances]).to(config.device),
         )
 
     surface = sampled(config.points)

@@ -17,7 +17,7 @@ from .config import RotationConfig
 from .found import Answer, Found, Place, Rows
 from .objective import Candidates, Levels, Objective
 from .sides import reaching_past
-from .symmetry import looks_round
+from .symmetry import looks_order, looks_round
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -33,7 +33,7 @@ def search(levels: Levels) -> list[Answer]:
     An object that looks the same from all sides has one candidate, yaw 0.
     """
     config, coarse, fine = levels.coarse.config, levels.coarse, levels.fine
-    starts, crowded, still = _starts(levels)
+    starts, crowded, still, whole = _starts(levels)
     rounds = [starts]
     if config.coarse_steps:
         apart = [[] if crowd else found for found, crowd in zip(starts, crowded, strict=True)]
@@ -54,17 +54,30 @@ def search(levels: Levels) -> list[Answer]:
     answers = []
     for k, flat in enumerate(still):
         looks = [found[k] for found in reversed(rounds)]
-        answers.append(Answer([[flat]]) if flat else Answer(looks, margin(looks), exact[k], False))
+        answer = Answer([[flat]]) if flat else _answer(levels, k, looks, exact[k], whole[k])
+        answers.append(answer)
     return answers
 
 
-def _starts(levels: Levels) -> tuple[Rows, list[bool], list[Found | None]]:
+def _answer(levels: Levels, number: int, looks: Rows, width: float, whole: list[Found]) -> Answer:
+    """Return an object's answer; where another side fits about as well, look if it is the same.
+
+    ``whole`` is the coarse search: all candidates may be of sides that are the same.
+    """
+    config, sure, order = levels.coarse.config, margin(looks), 1
+    if config.flat and sure < config.doubt:
+        order = looks_order(levels.close(), number, looks[0][0].yaw, config.flat)
+        sure = margin(looks, order) or margin([looks[0][:1], whole], order)
+    return Answer(looks, sure, width, False, order)
+
+
+def _starts(levels: Levels) -> tuple[Rows, list[bool], list[Found | None], Rows]:
     """Search the whole turn.
 
     Returns:
         every object's best candidates, none if it looks the same from all sides; whether they are
-        crowded: so alike that they were chosen at full resolution; and the one candidate of an
-        object that looks the same from all sides, None of others.
+        crowded: so alike that they were chosen at full resolution; the one candidate of an
+        object that looks the same from all sides, None of others; and all that was looked at.
     """
     config = levels.coarse.config
     yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
@@ -83,7 +96,11 @@ def _starts(levels: Levels) -> tuple[Rows, list[bool], list[Found | None]]:
         found = [Found(float(yaws[n]), float(row[n]), 0.0, places[k][n]) for n in best]
         starts.append([] if flat[k] else found)
     still = [Found(0.0, float(row[0])) if f else None for f, row in zip(flat, losses, strict=True)]
-    return starts, crowded, still
+    whole = [
+        [Found(float(yaw), float(loss)) for yaw, loss in zip(yaws, row, strict=True)]
+        for row in losses
+    ]
+    return starts, crowded, still, whole
 
 
 def coarse_search(
@@ -195,6 +212,7 @@ def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
     ]
     optimiser = torch.optim.Adam(groups)
     rates = [group["lr"] for group in optimiser.param_groups]
+    costs = config.fit_cost / config.max_fit**2 if config.max_fit else 0.0
     best = torch.full((len(owners), 6), torch.inf, device=device)
     waited = 0
     for step in range(steps + 1):
@@ -208,7 +226,7 @@ def refine(objective: Objective, starts: Rows, steps: int) -> Rows:
         if step == steps or (config.patience and waited >= config.patience):
             break
         optimiser.zero_grad()
-        (loss.sum() + config.fit_cost * change.square().sum() / config.max_fit**2).backward()
+        (loss.sum() + costs * change.square().sum()).backward()
         optimiser.step()
         if config.decay:
             fall = 0.5 * (1 + np.cos(np.pi * (step + 1) / steps))
@@ -234,8 +252,8 @@ def _rivals(found: list[Found], most: int, share: float, config: RotationConfig)
 
 
 def _bounded(raw: Tensor, most: float) -> Tensor:
-    return most * (raw / most).tanh()
+    return most * (raw / most).tanh() if most else 0 * raw
 
 
 def _unbounded(value: Tensor, most: float) -> Tensor:
-    return most * (value / most).clamp(-0.999, 0.999).atanh()
+    return most * (value / most).clamp(-0.999, 0.999).atanh() if most else 0 * value

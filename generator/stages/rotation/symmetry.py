@@ -1,4 +1,4 @@
-"""Which objects look the same from all sides: told by their own renders, not by the picture."""
+"""Which sides of an object look the same: told by its own renders, not by the picture."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from jaxtyping import Bool
+from jaxtyping import Bool, Float
 
 from .losses import contour_distance
 from .objective import Candidates, Objective, Target
@@ -28,17 +28,36 @@ def looks_round(
     return np.array(changes) < flat
 
 
-def turning_changes(objective: Objective, number: int) -> float:
-    """Return how much more than chance turning one object changes its own render, by Eq. 1.
+def looks_order(objective: Objective, number: int, yaw: float, flat: float) -> int:
+    """Return into how many equal turns, 4 at most, a whole one falls that change an object's looks.
 
-    Half of its points draw it at yaw 0; the other half, at yaws around the turn, are held against
+    Turned from ``yaw`` (radians) by any of them, its own render changes by less than ``flat``.
+    """
+    shares = np.array([0, 1 / 4, 1 / 3, 1 / 2, 2 / 3, 3 / 4])
+    same = _changes(objective, number, yaw + 2 * np.pi * shares) < flat
+    multiples = {4: (1, 3, 5), 3: (2, 4), 2: (3,)}
+    return next((n for n, rows in multiples.items() if same[list(rows)].all()), 1)
+
+
+def turning_changes(objective: Objective, number: int) -> float:
+    """Return how much more than chance turning one object changes its own render, by Eq. 1."""
+    yaws = np.arange(_TURNS) * (2 * np.pi / _TURNS)
+    return float(_changes(objective, number, yaws).max())
+
+
+def _changes(
+    objective: Objective, number: int, yaws: Float[np.ndarray, "n"]
+) -> Float[np.ndarray, "n"]:
+    """Return how much more than chance an object's render differs from that at the first yaw.
+
+    Half of its points draw it at the first yaw; the other half, at all of them, are held against
     that. The loss of the two halves at one yaw is what their scatter alone makes.
     """
     import torch
 
     device = objective.middle.device
-    yaw = torch.arange(_TURNS, device=device) * (2 * np.pi / _TURNS)
-    owner = torch.full((_TURNS,), number, device=device)
+    yaw = torch.as_tensor(yaws, dtype=torch.float32, device=device)
+    owner = torch.full((len(yaws),), number, device=device)
     poses = Candidates(owner, yaw, torch.zeros_like(yaw))
     still = Candidates(owner[:1], yaw[:1], poses.tilt[:1])
     one, other = (
@@ -59,4 +78,4 @@ def turning_changes(objective: Objective, number: int) -> float:
             torch.zeros_like(objective.target.cut[:1]),
         )
         losses = other.compare(other.render(poses), target, torch.zeros_like(owner))
-    return float((losses - losses[0]).max())
+    return (losses - losses[0]).cpu().numpy()

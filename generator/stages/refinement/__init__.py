@@ -1,0 +1,12 @@
+"""Joint refinement, beyond the paper: all objects and the camera against all masks at once.
+
+DRO turns one object at a time and TSA places them from another picture. Here yaw, place and size
+of every object are moved together, by gradient, until what the reference picture's camera sees of
+the scene agrees with the instances' outlines. Objects keep standing on what they stand on, and
+apart from one another.
+"""
+
+from .config import RefinementConfig
+from .joint import Refinement, outline_misfit, refine_scene
+
+__all__ = ["Refinement", "RefinementConfig", "outline_misfit", "refine_scene"]
