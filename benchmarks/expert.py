@@ -17,7 +17,7 @@ import gymnasium as gym
 import numpy as np
 
 from generator.errors import SceneError
-from tabletopgen_env.expert.expert import PickPlaceExpert
+from tabletopgen_env.expert.run import TaskExpert
 
 HERE = Path(__file__).parent
 
@@ -26,7 +26,7 @@ def episode(env: gym.Env, seed: int, hold: int = 10) -> tuple[bool, int, str, st
     """Run one episode; return success (held for ``hold`` steps), steps, scene and instruction."""
     _, info = env.reset(seed=seed)
     scene, instruction = info["scene"], info["instruction"]
-    expert = PickPlaceExpert(env)
+    expert = TaskExpert(env)
     try:
         expert.reset()
     except SceneError:

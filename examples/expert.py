@@ -14,13 +14,13 @@ import numpy as np
 from PIL import Image
 
 from generator.render.sheet import grid
-from tabletopgen_env.expert.expert import PickPlaceExpert
+from tabletopgen_env.expert.run import TaskExpert
 
 
 def play(env: gym.Env, seed: int, **options: Any) -> tuple[bool, str, list[Any]]:
     """Run one episode of the expert; return success, the instruction and pictures of it."""
     _, info = env.reset(seed=seed, options=options or None)
-    expert = PickPlaceExpert(env)
+    expert = TaskExpert(env)
     expert.reset()
     frames, done, held = [env.render()], False, 0
     while not done and held < 10:

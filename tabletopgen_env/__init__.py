@@ -9,8 +9,22 @@ from __future__ import annotations
 
 import gymnasium
 
-gymnasium.register(
-    id="TabletopGen/PickPlace-v0",
-    entry_point="tabletopgen_env.env:make_env",
-    max_episode_steps=200,
-)
+_STEPS = {
+    "Reach": 60,
+    "Lift": 100,
+    "Push": 120,
+    "PickPlace": 200,
+    "Stack": 200,
+    "Swap": 500,
+    "Sequence": 500,
+    "Tidy": 700,
+}
+"""The time limit of each task, in steps of 50 ms."""
+
+for _task, _steps in _STEPS.items():
+    gymnasium.register(
+        id=f"TabletopGen/{_task}-v0",
+        entry_point="tabletopgen_env.env:make_env",
+        kwargs={"task": _task},
+        max_episode_steps=_steps,
+    )

@@ -37,6 +37,9 @@ WIDEST_FLARE = 0.5
 """Most that a wall may lean outwards to be taken by its rim, metres a metre: a hand that points
 straight down slips off walls that lean more."""
 
+LEVEL = 0.003
+"""By how much a flat top may be uneven, metres."""
+
 _GRID = 48
 _UPRIGHT = np.cos(np.deg2rad(20.0))
 
@@ -139,6 +142,39 @@ def opening(obj: Object) -> Opening | None:
     )
     flare = float((wide - narrow) / (above - below)) if above > below + 1e-3 else 0.0
     return Opening(center, spans / 2, floor, rim, wall, floor - float(low[2]), flare)
+
+
+@dataclass(frozen=True, eq=False)
+class Plateau:
+    """The flat top of an object, body frame: the largest disc in it, metres."""
+
+    center: Float[np.ndarray, "3"]
+    radius: float
+
+
+def plateau(obj: Object) -> Plateau | None:
+    """Return the flat top on which things can stand as the object rests, or None if it has none.
+
+    The collision parts are scanned from above on a grid: flat is what lies within ``LEVEL`` of the
+    highest surface; the disc is the largest whose cells all are.
+    """
+    from scipy import ndimage
+
+    turn = quaternion_matrix(obj.pose.quaternion)
+    parts = tuple(ConvexPart(part.vertices @ turn.T) for part in obj.parts)
+    points = np.concatenate([part.vertices for part in parts])
+    low, high = points.min(0), points.max(0)
+    cell = float((high - low)[:2].max()) / _GRID
+    axes = [np.arange(low[k] + cell / 2, high[k], cell) for k in (0, 1)]
+    x, y = np.meshgrid(*axes, indexing="ij")
+    top = top_surface(parts, np.column_stack([x.ravel(), y.ravel()])).reshape(x.shape)
+    flat = np.pad(top >= top.max() - LEVEL, 1)
+    depth = np.asarray(ndimage.distance_transform_edt(flat))[1:-1, 1:-1]
+    row, column = np.unravel_index(int(depth.argmax()), depth.shape)
+    radius = (float(depth[row, column]) - 0.5) * cell
+    if radius <= 0:
+        return None
+    return Plateau(np.array([x[row, column], y[row, column], float(top.max())]) @ turn, radius)
 
 
 def _hollow(

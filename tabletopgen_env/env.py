@@ -21,7 +21,10 @@ from .observations import (
 from .rendering import RENDERERS, Drawer, RendererChoice, drawer
 from .robot.panda import Panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
-from .tasks.pick_place import GOAL_WEIGHTS, WEIGHTS, Episode, PickPlace
+from .tasks import task_named
+from .tasks.goals import SPOT, Goal
+from .tasks.pick_place import PickPlace
+from .tasks.task import GOAL_WEIGHTS, Episode, Task
 from .window import Window
 from .world import World, WorldCache
 
@@ -39,7 +42,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     Args:
         scenes: where tables come from; see ``scenes.resolve``.
-        task: the task; None for ``PickPlace()``.
+        task: what to do; None for ``PickPlace()``. See ``tasks``.
         observation: "state", "pixels" or "pixels+state"; see ``observations``. ("goal" is
             ``GoalTabletopEnv``; ``make_env`` chooses.)
         action: "ee_delta" or "joint_delta"; see ``actions``.
@@ -53,11 +56,13 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         cache: how many compiled worlds are kept.
 
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
-    and "goal" (a container's name, "spot", or a point (x, y) of the table in the world frame).
+    and "goal" (an object's name, "spot", or a point in the world frame; see the task's page).
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
-    "instruction", "scene", "target" and "goal". An episode never terminates by itself, since
-    the dense reward stays highest where the task stays done; the time limit truncates it.
+    "instruction", "scene", "target" and "goal" (of the active goal: the object that carries it, or
+    "spot") and "goals" (the active goal's index and how many there are). An episode never
+    terminates by itself, since the dense reward stays highest where the task stays done; the time
+    limit truncates it.
     """
 
     metadata: ClassVar[dict[str, Any]] = {
@@ -69,7 +74,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self,
         scenes: SceneChoice = STARTER,
         *,
-        task: PickPlace | None = None,
+        task: Task | None = None,
         observation: ObservationMode = "state",
         action: ActionMode = "ee_delta",
         reward: RewardMode = "dense",
@@ -93,7 +98,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
         self.source = resolve(scenes)
         self.task = task or PickPlace()
-        self.observation_space = observation_space(observation, image_size)
+        self.observation_space = observation_space(observation, image_size, self.task.most)
         self.controller = controller(action)
         self.action_space = self.controller.space
         self.reward = reward
@@ -107,6 +112,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._window = Window()
         self._world: World | None = None
         self._episode: Episode | None = None
+        self._active = 0
         self._order: list[str] = []
 
     # ---------------------------------------------------------------------------------- gymnasium
@@ -127,12 +133,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             if key not in known:
                 raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
         self._world, self._episode = self._draw(options)
-        self._order = slot_order(self._world, self._episode.target, self._episode.container)
-        self._world.show_marker(self._episode.spot, self.task.marker_radius)
+        self._active = -1
         self.controller.reset(self._world)
-        desired = self.task.desired(self.world, self.episode)
-        achieved = self.task.achieved(self.world, self.episode, desired)
-        terms = self._terms(achieved, desired)
+        achieved, desired, terms = self._look()
         if self.render_mode == "human":
             self.render()
         return self._observe(achieved, desired), self._info(terms)
@@ -144,11 +147,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             InputError: an action of wrong shape or with NaN, or no ``reset`` before.
         """
         world = self.world
-        self.controller.apply(world, checked(action, self.controller.space))
+        wanted = checked(action, self.controller.space)
+        if self.task.closed:
+            wanted[-1] = -1.0
+        self.controller.apply(world, wanted)
         world.step(SUBSTEPS)
-        desired = self.task.desired(world, self.episode)
-        achieved = self.task.achieved(world, self.episode, desired)
-        terms = self._terms(achieved, desired)
+        achieved, desired, terms = self._look()
         if self.render_mode == "human":
             self.render()
         reward = self._reward(terms)
@@ -191,6 +195,26 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise InputError("Call reset() before asking for the episode.")
         return self._episode
 
+    @property
+    def goal(self) -> Goal:
+        """The goal that the state shows: the first of the episode's that is not met."""
+        return self.episode.goals[self._active]
+
+    def _look(self) -> tuple[np.ndarray, np.ndarray, dict[str, float]]:
+        """Return the goal vectors, achieved and desired, and the reward's terms as things are.
+
+        The active goal and its marker follow.
+        """
+        world, episode = self.world, self.episode
+        desired = self.task.desired(world, episode)
+        achieved = self.task.achieved(world, episode, desired)
+        active = self.task.active(achieved, desired)
+        if active != self._active:
+            self._active = active
+            self._order = slot_order(world, self.goal)
+            world.show_marker(self.goal.spot, self.task.marker_radius)
+        return achieved, desired, self.task.terms(world, episode, achieved, desired)
+
     def _draw(self, options: dict[str, Any]) -> tuple[World, Episode]:
         """Draw scenes until one offers something to do."""
         source = resolve(options["scene"]) if "scene" in options else self.source
@@ -215,25 +239,22 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
         return self._worlds.get(ref, drop)
 
-    def _terms(self, achieved: np.ndarray, desired: np.ndarray) -> dict[str, float]:
-        return self.task.terms(self.world, self.episode, achieved, desired)
-
     def _reward(self, terms: dict[str, float]) -> float:
         if self.reward == "sparse":
             return terms["success"] - 1.0
-        return float(sum(weight * terms[name] for name, weight in WEIGHTS.items()))
+        return float(sum(weight * terms[name] for name, weight in self.task.weights.items()))
 
     def _observe(self, achieved: np.ndarray, desired: np.ndarray) -> Any:
-        world, into = self.world, self.episode.container is not None
+        world = self.world
         if self._observation == "goal":
-            state = flat_state(world, self._order, desired, into, bare=True)
+            state = flat_state(world, self._order, self.goal, bare=True)
             return {"observation": state, "achieved_goal": achieved, "desired_goal": desired}
         if self._observation == "state":
-            return flat_state(world, self._order, desired, into)
+            return flat_state(world, self._order, self.goal)
         picture = self._drawer("pixels")
         seen: dict[str, np.ndarray] = pictures(lambda camera: picture.rgb(world, camera))
         if self._observation == "pixels+state":
-            seen["state"] = flat_state(world, self._order, desired, into)
+            seen["state"] = flat_state(world, self._order, self.goal)
         return seen
 
     def _info(self, terms: dict[str, float]) -> dict[str, Any]:
@@ -244,8 +265,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "is_success": success,
             "instruction": self.episode.instruction,
             "scene": self.world.scene.name,
-            "target": self.episode.target,
-            "goal": self.episode.goal,
+            "target": self.goal.target,
+            "goal": self.goal.reference or SPOT,
+            "goals": (self._active, len(self.episode.goals)),
         }
 
     def _drawer(self, purpose: str) -> Drawer:
@@ -282,8 +304,25 @@ class GoalTabletopEnv(TabletopEnv):
 
 
 def make_env(
-    scenes: SceneChoice = STARTER, *, observation: ObservationMode = "state", **settings: Any
+    scenes: SceneChoice | None = None,
+    *,
+    task: Task | str = "PickPlace",
+    preset: str | None = None,
+    observation: ObservationMode = "state",
+    **settings: Any,
 ) -> TabletopEnv:
-    """Make the environment that fits ``observation``; the entry point of the registered ids."""
+    """Make the environment that fits ``observation``; the entry point of the registered ids.
+
+    Args:
+        scenes: where tables come from; None for the preset's own, or all that are shipped.
+        task: a task or its name.
+        preset: a name of ``tasks.sequence.PRESETS``, for the task "Sequence".
+        observation: see ``TabletopEnv``.
+        settings: the other arguments of ``TabletopEnv``.
+    """
     kind = GoalTabletopEnv if observation == "goal" else TabletopEnv
-    return kind(scenes, observation=observation, **settings)
+    if isinstance(task, str):
+        task = task_named(task, preset)
+    if scenes is None:
+        scenes = task.scenes
+    return kind(scenes, task=task, observation=observation, **settings)

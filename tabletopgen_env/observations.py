@@ -5,6 +5,9 @@ of the rotation matrix (x axis, then y axis).
 
 The flat state
 --------------
+Target and goal are those of the active goal (see ``tasks.task``). Where the tool itself is the
+target (Reach), its entries 32 to 36 are zero and no slot is special.
+
 ======  =============================================================  ==========  ========
 index   meaning                                                        range       unit
 ======  =============================================================  ==========  ========
@@ -18,9 +21,10 @@ index   meaning                                                        range    
 32-33   left, right finger touches the target                          {0, 1}
 34-36   target minus tool centre point                                 [-3, 3]     m
 37-39   table top: height, half length and half width of its outline   [-3, 3]     m
-40-267  twelve object slots of 19 entries, see below; slot 0 is the target, slot 1 the goal
-        container if there is one, the others by their distance from the target at the start
-268     the goal is a container                                        {0, 1}
+40-267  twelve object slots of 19 entries, see below; slot 0 is the target, slot 1 the object
+        that carries the goal region if one does, the others by their distance from the target
+        when its goal became active
+268     an object carries the goal region                              {0, 1}
 269-271 centre of the goal region                                      [-3, 3]     m
 272-275 its semi-axes x', y', its yaw, its semi-axis z                 [-4, 4]     m, rad
 276-278 centre of the goal region minus target                         [-3, 3]     m
@@ -53,12 +57,15 @@ from generator.errors import InputError, choices
 
 from .composition import FRONT_CAMERA, WRIST_CAMERA
 from .robot.panda import HOME_CTRL
+from .tasks.task import center
 from .world import World
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from jaxtyping import UInt8
+
+    from .tasks.goals import Goal
 
 ObservationMode = Literal["state", "goal", "pixels", "pixels+state"]
 MODES: tuple[ObservationMode, ...] = ("state", "goal", "pixels", "pixels+state")
@@ -87,8 +94,10 @@ def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
     return spaces.Box(-high, high, dtype=np.float32)
 
 
-def observation_space(mode: str, image_size: int) -> spaces.Space[Any]:
+def observation_space(mode: str, image_size: int, goals: int = 1) -> spaces.Space[Any]:
     """Return the space of an observation mode, with pictures of ``image_size`` squared.
+
+    ``goals`` is how many goals a goal vector has room for.
 
     Raises:
         InputError: no such mode, or a picture smaller than 8 or larger than 2048 pixels.
@@ -101,8 +110,8 @@ def observation_space(mode: str, image_size: int) -> spaces.Space[Any]:
         return spaces.Dict(
             {
                 "observation": _box(_BARE_BOUNDS),
-                "achieved_goal": _box(GOAL_VECTOR_BOUNDS),
-                "desired_goal": _box(GOAL_VECTOR_BOUNDS),
+                "achieved_goal": _box(np.tile(GOAL_VECTOR_BOUNDS, goals)),
+                "desired_goal": _box(np.tile(GOAL_VECTOR_BOUNDS, goals)),
             }
         )
     if not 8 <= image_size <= 2048:
@@ -114,23 +123,23 @@ def observation_space(mode: str, image_size: int) -> spaces.Space[Any]:
     return spaces.Dict(entries)
 
 
-def slot_order(world: World, target: str, container: str | None) -> list[str]:
-    """Return the objects in slot order: target, goal container, then the nearest, at most 12."""
-    center = world.position(target)
-    first = [target] if container is None else [target, container]
+def slot_order(world: World, goal: Goal) -> list[str]:
+    """Return the objects in slot order: target, the goal's object, then the nearest, at most 12."""
+    first = [name for name in (goal.target, goal.reference) if name is not None]
+    middle = goal.region(world).center if goal.target is None else world.position(goal.target)
     rest = [name for name in world.names if name not in first]
-    rest.sort(key=lambda name: (float(np.linalg.norm(world.position(name) - center)), name))
+    rest.sort(key=lambda name: (float(np.linalg.norm(world.position(name) - middle)), name))
     return (first + rest)[:SLOTS]
 
 
-def robot_state(world: World, target: str) -> Float[np.ndarray, "40"]:
+def robot_state(world: World, goal: Goal) -> Float[np.ndarray, "40"]:
     """Return entries 0-39 of the flat state."""
     data = world.data
     joints = data.qpos[world.arm_qpos]
     tcp = world.to_base(data.site_xpos[world.tcp])
     hand = world.base_rotation.T @ data.site_xmat[world.tcp].reshape(3, 3)
     command = data.ctrl[world.actuators]
-    left, right, _ = world.touched(target)
+    left, right, _ = (False,) * 3 if goal.target is None else world.touched(goal.target)
     half = np.ptp(world.scene.table.outline, axis=0) / 2
     top = world.scene.table.height - world.base_position[2]
     return np.concatenate(
@@ -142,7 +151,7 @@ def robot_state(world: World, target: str) -> Float[np.ndarray, "40"]:
             hand[:, :2].T.ravel(),
             command[:7] - joints,
             [2 * command[7] / HOME_CTRL[7] - 1, left, right],
-            world.to_base(world.position(target)) - tcp,
+            world.to_base(center(world, goal)) - tcp,
             [top, half.max(), half.min()],
         ]
     )
@@ -167,21 +176,24 @@ def object_slots(world: World, order: list[str]) -> Float[np.ndarray, "slots 19"
 
 
 def flat_state(
-    world: World, order: list[str], desired: Float[np.ndarray, "8"], into: bool, bare: bool = False
+    world: World, order: list[str], goal: Goal, bare: bool = False
 ) -> Float[np.ndarray, "n"]:
     """Return the flat state; ``bare`` leaves the goal's entries out.
 
     Args:
         world: the world.
         order: the objects in slot order, the target first.
-        desired: the task's goal vector.
-        into: whether the goal is a container.
+        goal: the active goal.
         bare: return entries 0-267 alone.
     """
-    slots = object_slots(world, order)
-    parts = [robot_state(world, order[0]), slots.ravel()]
+    parts = [robot_state(world, goal), object_slots(world, order).ravel()]
     if not bare:
-        parts.append(np.array([float(into), *desired[:7], *(desired[:3] - slots[0, :3])]))
+        region = goal.region(world)
+        middle, at = world.to_base(np.array([region.center, center(world, goal)]))
+        yaw = region.yaw - world.mount.yaw
+        carried = float(goal.reference is not None)
+        parts.append(np.array([carried, *middle, *region.semi[:2], yaw, region.semi[2]]))
+        parts.append(middle - at)
     bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
     return np.clip(np.concatenate(parts), -bounds, bounds).astype(np.float32)
 

@@ -23,7 +23,15 @@ from generator.geometry import rotation_z
 from generator.mjcf import compiled
 from generator.scene import Scene
 
-from .affordance import Opening, collision_points, footprint, opening, why_not_graspable
+from .affordance import (
+    Opening,
+    Plateau,
+    collision_points,
+    footprint,
+    opening,
+    plateau,
+    why_not_graspable,
+)
 from .composition import MARKER, PREFIX, compose
 from .robot.mount import Mount
 from .robot.panda import (
@@ -146,6 +154,11 @@ class World:
     def openings(self) -> Mapping[str, Opening | None]:
         """The hollow of each object, None where it has none."""
         return {o.name: opening(o) for o in self.scene.objects}
+
+    @cached_property
+    def plateaus(self) -> Mapping[str, Plateau | None]:
+        """The flat top of each object, None where it has none."""
+        return {o.name: plateau(o) for o in self.scene.objects}
 
     @cached_property
     def ungraspable(self) -> Mapping[str, str | None]:

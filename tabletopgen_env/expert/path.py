@@ -18,7 +18,7 @@ CLEAR = 0.035
 
 
 def clear_height(
-    world: World, held: str, start: Float[np.ndarray, "3"], end: Float[np.ndarray, "3"]
+    world: World, held: str | None, start: Float[np.ndarray, "3"], end: Float[np.ndarray, "3"]
 ) -> float:
     """Return the height (world, m) at which nothing is met on the way from ``start`` to ``end``.
 

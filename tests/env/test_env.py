@@ -61,7 +61,7 @@ def test_info_names_the_task_and_the_reward_terms() -> None:
     _, reward, _, _, info = env.step(env.action_space.sample())
     assert info["instruction"] == "put the cube into the bowl"
     assert (info["scene"], info["target"], info["goal"]) == ("toy", "cube_1", "bowl_1")
-    assert set(info["reward_terms"]) == {"reach", "grasp", "lift", "place", "success"}
+    assert set(info["reward_terms"]) == {"reach", "grasp", "lift", "place", "met", "success"}
     assert info["success"] is info["is_success"] is False
     assert 0 < reward < 1
 
@@ -71,7 +71,7 @@ def test_reset_options_choose_scene_target_and_spot() -> None:
     other = toy_scene((toy_object("pen_1", (0.02, 0.02, 0.05), (0.0, 0.0)),), name="other")
     _, info = env.reset(seed=0, options={"scene": other, "goal": (0.1, -0.15)})
     assert (info["scene"], info["target"], info["goal"]) == ("other", "pen_1", "spot")
-    assert np.allclose(env.episode.spot, [0.1, -0.15, 0.74])
+    assert np.allclose(env.goal.spot, [0.1, -0.15, 0.74])
 
 
 def test_a_given_container_draws_a_target_that_fits_it() -> None:
@@ -86,7 +86,7 @@ def test_a_given_container_draws_a_target_that_fits_it() -> None:
     [
         ({"colour": "red"}, "Unknown reset option 'colour'"),
         ({"target": "cann_1"}, "No object 'cann_1'.*Did you mean 'can_1'"),
-        ({"goal": "bole_1"}, "no object 'bole_1'.*bottle_1, bowl_1"),
+        ({"goal": "bole_1"}, "No object 'bole_1'.*bottle_1, bowl_1"),
         ({"target": "can_1", "goal": "cube_1"}, "no container"),
         ({"goal": (3.0, 0.0)}, "not on the table"),
         ({"goal": (np.nan, 0.0)}, "two finite numbers"),

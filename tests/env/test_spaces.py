@@ -62,7 +62,7 @@ def test_observations_stay_inside_the_space_when_things_fly_off() -> None:
     env = make_env(toy_scene(), observation="goal")
     env.reset(seed=0)
     world = env.world
-    world.teleport(env.episode.target, np.array([30.0, 0.0, 5.0]))
+    world.teleport(env.goal.target, np.array([30.0, 0.0, 5.0]))
     world.data.qvel[:] = 200.0
     observation = env.step(np.zeros(5, np.float32))[0]
     assert env.observation_space.contains(observation)

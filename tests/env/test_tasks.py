@@ -14,7 +14,9 @@ from generator.scene import PlannedObject, PlannedTable, ScenePlan
 from tabletopgen_env.actions import SUBSTEPS
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.language import refer
-from tabletopgen_env.tasks.pick_place import WEIGHTS, PickPlace
+from tabletopgen_env.tasks import NAMES, task_named
+from tabletopgen_env.tasks.goals import SPOT
+from tabletopgen_env.tasks.pick_place import PickPlace
 
 STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
 
@@ -76,9 +78,8 @@ def test_being_held_on_the_spot_is_no_success() -> None:
     env.world.teleport("cube_1", np.array([0.1, -0.15, 0.7627]))
     assert wait(env)[1]["success"]
     hand = env.world.data.site_xpos[env.world.tcp].copy()
-    env.task.region = lambda world, episode: replace(  # the spot, moved up to the hand
-        PickPlace.region(env.task, world, episode), center=hand
-    )
+    lifted = replace(env.goal, spot=hand - [0.0, 0.0, env.goal.rest])  # the spot, up at the hand
+    env._episode = replace(env.episode, goals=(lifted,))
     closed = np.array([0.0, 0, 0, 0, -1])
     for _ in range(15):
         env.world.teleport("cube_1", hand, yaw_quaternion(env.world.mount.yaw))
@@ -87,7 +88,7 @@ def test_being_held_on_the_spot_is_no_success() -> None:
         _, reward, _, _, info = env.step(closed)
     assert env.world.touched("cube_1") == (True, True, True)
     assert info["reward_terms"]["place"] == 1.0
-    assert not info["success"] and reward == pytest.approx(1 - WEIGHTS["success"])
+    assert not info["success"] and reward == pytest.approx(1 - PickPlace.weights["success"])
 
 
 def test_resting_in_the_bowl_is_success() -> None:
@@ -132,12 +133,13 @@ def test_reward_rises_along_the_way() -> None:
         achieved = env.task.achieved(world, env.episode, desired)
         terms = env.task.terms(world, env.episode, achieved, desired)
         assert all(0 <= v <= 1 for v in terms.values())
-        rewards.append(sum(WEIGHTS[k] * v for k, v in terms.items() if k not in ("reach", "grasp")))
+        rewards.append(sum(PickPlace.weights[k] * terms[k] for k in ("lift", "place", "success")))
     assert rewards == sorted(rewards) and rewards[-1] == pytest.approx(0.75)
 
 
-def test_weights_sum_to_one() -> None:
-    assert sum(WEIGHTS.values()) == pytest.approx(1.0)
+@pytest.mark.parametrize("name", NAMES)
+def test_weights_sum_to_one(name) -> None:
+    assert sum(task_named(name).weights.values()) == pytest.approx(1.0)
 
 
 def test_targets_and_spots_are_drawn_from_what_can_be_done() -> None:
@@ -145,14 +147,14 @@ def test_targets_and_spots_are_drawn_from_what_can_be_done() -> None:
     targets, goals = set(), set()
     for seed in range(40):
         env.reset(seed=seed)
-        episode, world = env.episode, env.world
-        targets.add(episode.target)
-        goals.add(episode.goal)
-        if episode.spot is not None:
-            assert world.mount.reaches(episode.spot[None])[0]
+        goal, world = env.goal, env.world
+        targets.add(goal.target)
+        goals.add(goal.reference or SPOT)
+        if goal.spot is not None:
+            assert world.mount.reaches(goal.spot[None])[0]
             for other in world.scene.objects:
-                if other.name != episode.target:
-                    gap = np.linalg.norm(other.pose.position[:2] - episode.spot[:2])
+                if other.name != goal.target:
+                    gap = np.linalg.norm(other.pose.position[:2] - goal.spot[:2])
                     assert gap > other.scale[:2].min() / 2 + 0.03
     assert targets == {"cube_1", "can_1", "mug_1", "bowl_1", "bottle_1"}  # not the heavy box
     assert {"spot", "bowl_1"} <= goals <= {"spot", "bowl_1", "mug_1"}

@@ -8,12 +8,12 @@ from toy import toy_object, toy_scene
 
 from generator.errors import InputError, SceneError
 from tabletopgen_env.env import make_env
-from tabletopgen_env.expert.expert import PickPlaceExpert
+from tabletopgen_env.expert.run import TaskExpert
 
 
-def episode(env: Any, seed: int, **options: Any) -> tuple[bool, list[np.ndarray], PickPlaceExpert]:
+def episode(env: Any, seed: int, **options: Any) -> tuple[bool, list[np.ndarray], TaskExpert]:
     env.reset(seed=seed, options=options)
-    expert = PickPlaceExpert(env)
+    expert = TaskExpert(env)
     expert.reset()
     actions: list[np.ndarray] = []
     for _ in range(200):
@@ -57,7 +57,7 @@ def test_same_seed_same_actions(env: Any) -> None:
 
 def test_it_goes_after_an_object_that_is_moved_away(env: Any) -> None:
     env.reset(seed=1, options={"target": "cube_1", "goal": "bowl_1"})
-    expert = PickPlaceExpert(env)
+    expert = TaskExpert(env)
     expert.reset()
     for step in range(200):
         if step == 15:
@@ -71,7 +71,7 @@ def test_it_goes_after_an_object_that_is_moved_away(env: Any) -> None:
 
 def test_it_picks_up_again_what_it_lost(env: Any) -> None:
     env.reset(seed=1, options={"target": "cube_1", "goal": "bowl_1"})
-    expert = PickPlaceExpert(env)
+    expert = TaskExpert(env)
     expert.reset()
     lost = False
     for _ in range(200):
@@ -91,6 +91,6 @@ def test_it_says_when_nothing_can_be_done() -> None:
     env = make_env(toy_scene((block, toy_object("cube", (0.04, 0.04, 0.04), (0.2, 0.0)))))
     env.reset(seed=0, options={"target": "block", "goal": (-0.2, 0.0)})
     with pytest.raises(SceneError, match="no grasp of 'block'"):
-        PickPlaceExpert(env).reset()
+        TaskExpert(env).reset()
     with pytest.raises(InputError, match="ee_delta"):
-        PickPlaceExpert(make_env(toy_scene(), action="joint_delta"))
+        TaskExpert(make_env(toy_scene(), action="joint_delta"))

@@ -1,14 +1,11 @@
-"""A scripted expert for PickPlace: it plans from what it sees now and acts like any policy.
-
-The expert drives the environment through its own normalised actions, by a proportional law on the
-tool's present pose, so its demonstrations hold nothing a learner cannot see: no hidden timer moves
-the arm, each phase ends when its aim is met.
+"""Picking up and putting down, planned from what is seen now; a phase ends when its aim is met.
 
 =========  =====================================================================================
 approach   rise over what is in the way, go above the grasp, turn the hand
 descend    straight down with the fingers opened as far as there is room
 close      until the fingers stand still
 lift       straight up; if the object stays behind, plan another grasp
+hold       stay up there, if nothing else is asked for
 carry      over what is in the way, to above the goal
 lower      until the object stands, or hangs as deep in the container as the fingers allow
 release    open
@@ -26,30 +23,30 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from jaxtyping import Float
 
-from generator.errors import InputError, SceneError
-from generator.geometry import wrap
+from generator.errors import SceneError
+from generator.geometry import rotation_z, wrap
 
-from ..actions import EE_STEP, EE_TURN
 from ..robot import franka
 from ..robot.kinematics import HOME, LOWER, UPPER, solve_ik
+from ..tasks.goals import RAISED, Goal, Into, OnTop, Raised, Region
+from .driver import NEAR, Expert, up
 from .grasps import TIP, Grasp, plan_grasps
-from .path import clear_height
 
 if TYPE_CHECKING:
-    from ..env import TabletopEnv
+    from ..world import World
 
 Phase = Literal[
-    "approach", "descend", "close", "lift", "carry", "lower", "release", "retreat", "stuck"
+    "approach", "descend", "close", "lift", "hold", "carry", "lower", "release", "retreat", "stuck"
 ]
 
-_GAIN, _TURN_GAIN = 0.3, 0.4
 _HOVER = 0.06
 _LIFT = 0.06
-_NEAR, _FINE, _TURNED = 0.02, 0.005, 0.05
+_FINE, _TURNED = 0.005, 0.05
 _SLIP = 0.03
 _MOVED = 0.015
+_RISE = 0.15  # metres by which the hand retreats
 _PATIENCE: dict[Phase, int] = {
-    "approach": 55, "descend": 30, "close": 14, "lift": 30, "carry": 80, "lower": 45,
+    "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80, "lower": 45,
     "release": 8, "retreat": 60, "stuck": 60,
 }  # fmt: skip
 
@@ -63,36 +60,39 @@ class Plan:
     seen: Float[np.ndarray, "3"]
 
 
-class PickPlaceExpert:
-    """Solves ``TabletopGen/PickPlace-v0`` in the action mode "ee_delta".
+class Picker(Expert):
+    """Takes the target of a goal and puts it where that asks for, or holds it up.
 
-    Args:
-        env: the environment, wrapped or not.
-
-    Call ``reset()`` after the environment's, then ``act()`` before each step. ``phase`` says what
-    it is doing, ``attempts`` how many grasps it has begun.
-
-    Raises:
-        InputError: the environment has another action mode.
-        SceneError: at ``reset``, if no grasp of the target can be reached.
+    ``phase`` says what it is doing, ``attempts`` how many grasps it has begun.
     """
 
-    def __init__(self, env: Any) -> None:
-        self._env: TabletopEnv = env.unwrapped
-        if self._env.action_space.shape != (5,):
-            raise InputError("The expert acts in 'ee_delta'; make the environment with that mode.")
+    def __init__(self, env: Any, goal: Goal) -> None:
+        super().__init__(env)
+        assert goal.target is not None
+        self._goal = goal
+        self._target: str = goal.target
         self.phase: Phase = "approach"
         self.attempts = 0
 
     def reset(self) -> None:
-        """Plan for the episode that has just begun."""
+        """Plan for the goal as things are now.
+
+        Raises:
+            SceneError: no grasp of the target can be reached.
+        """
         self.attempts = 0
         self._failed: tuple[Grasp, ...] = ()
         if not self._begin():
             raise SceneError(
-                f"The expert finds no grasp of {self._env.episode.target!r} in scene "
+                f"The expert finds no grasp of {self._target!r} in scene "
                 f"{self._env.world.scene.name!r} that the arm can reach; choose another target."
             )
+
+    @property
+    def finished(self) -> bool:
+        """Whether the hand is empty and out of the way."""
+        risen = self.phase == "retreat" and self._tool[2] > self._placed[2] + _RISE / 2
+        return risen or self.phase == "stuck"
 
     # ------------------------------------------------------------------------------------ acting
 
@@ -105,21 +105,22 @@ class PickPlaceExpert:
             "descend": self._descend,
             "close": self._close,
             "lift": self._lift,
+            "hold": self._hold,
             "carry": self._carry,
             "lower": self._lower,
             "release": self._release,
             "retreat": self._retreat,
             "stuck": self._stuck,
         }
-        return phases[self.phase](late).astype(np.float32)
+        return phases[self.phase](late)
 
     def _approach(self, late: bool) -> Float[np.ndarray, "5"]:
         if late or self._has_moved():
             return self._retry(failed=late)
         grasp = self._plan.grasp
-        above = grasp.point + _up(_HOVER)
+        above = grasp.point + up(_HOVER)
         near = np.linalg.norm((self._tool - above)[:2]) < _FINE
-        if near and abs(self._turn_left()) < _TURNED and self._tool[2] < above[2] + _NEAR:
+        if near and abs(self._turn_left()) < _TURNED and self._tool[2] < above[2] + NEAR:
             return self._enter("descend")
         return self._travel(above, grasp.opening, depth=TIP)
 
@@ -142,26 +143,32 @@ class PickPlaceExpert:
         return self._go(self._plan.grasp.point, 0.0)
 
     def _lift(self, late: bool) -> Float[np.ndarray, "5"]:
-        target = self._plan.grasp.point + _up(_LIFT)
+        raised = isinstance(self._goal, Raised)
+        target = self._plan.grasp.point + up(sum(RAISED) / 2 if raised else _LIFT)
         if self._has_slipped():
             return self._retry()
-        if self._tool[2] > target[2] - _NEAR or late:
-            return self._enter("carry")
+        if self._tool[2] > target[2] - NEAR or late:
+            return self._enter("hold" if raised else "carry")
         return self._go(target, 0.0, slow=0.7)
+
+    def _hold(self, late: bool) -> Float[np.ndarray, "5"]:
+        if self._has_slipped():
+            return self._retry()
+        return self._act(np.zeros(3), 0.0, 0.0)
 
     def _carry(self, late: bool) -> Float[np.ndarray, "5"]:
         if self._has_slipped():
             return self._retry()
-        goal = self._goal() + _up(0.04)
+        goal = self._drop() + up(0.04)
         away = float(np.linalg.norm((self._tool - goal)[:2]))
-        if late or (away < 0.008 and self._tool[2] < goal[2] + _NEAR):
+        if late or (away < 0.008 and self._tool[2] < goal[2] + NEAR):
             return self._enter("lower")
         return self._travel(goal, 0.0, depth=self._hanging())
 
     def _lower(self, late: bool) -> Float[np.ndarray, "5"]:
         if self._has_slipped():
             return self._retry()
-        goal = self._goal()
+        goal = self._drop()
         if late or self._tool[2] < goal[2] + 0.004:
             return self._enter("release")
         return self._go(goal, 0.0, slow=0.4)
@@ -174,14 +181,14 @@ class PickPlaceExpert:
     def _retreat(self, late: bool) -> Float[np.ndarray, "5"]:
         if late or (self._steps > 25 and self._missed()):
             return self._retry()
-        rise = self._placed[2] + 0.15 - self._tool[2]
+        rise = self._placed[2] + _RISE - self._tool[2]
         return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, self._plan.grasp.opening)
 
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self, failed: bool = False) -> bool:
         """Choose the best grasp that the arm can reach and approach it, or be stuck."""
-        world, name = self._env.world, self._env.episode.target
+        world, name = self._env.world, self._target
         if failed:
             self._failed = (*self._failed, self._plan.grasp)
         self.attempts += 1
@@ -204,7 +211,7 @@ class PickPlaceExpert:
             down = np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])
             stretch = 0.0
             for height in (0.0, _HOVER):
-                found = solve_ik(world.to_base(grasp.point + _up(height)), down, iterations=40)
+                found = solve_ik(world.to_base(grasp.point + up(height)), down, iterations=40)
                 inside = np.minimum(found.joints - LOWER, UPPER - found.joints).min()
                 if not found.solved or inside < 0.05:
                     break
@@ -224,23 +231,24 @@ class PickPlaceExpert:
         self._begin(failed)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
-    def _goal(self) -> Float[np.ndarray, "3"]:
+    def _drop(self) -> Float[np.ndarray, "3"]:
         """Return where the tool has to be for the object to be let go, world frame."""
-        world, episode = self._env.world, self._env.episode
+        world, goal = self._env.world, self._goal
         offset = self._object - self._tool
-        region = self._env.task.region(world, episode)
-        bottom = self._object[2] - world.lowest(episode.target)
-        if episode.spot is not None:
-            resting = np.array([*region.center[:2], episode.spot[2] + bottom + 0.004])
-            return resting - offset
-        hollow, container = episode.opening, episode.container
-        assert hollow is not None and container is not None
-        base = world.position(container)[2]
-        resting = np.array([*region.center[:2], base + hollow.floor + bottom + 0.006])
-        goal = resting - offset
-        if not self._fingers_fit(2 * float(hollow.semi.min())):
-            goal[2] = max(goal[2], base + hollow.rim + TIP + 0.004)
-        return goal
+        bottom = self._object[2] - world.lowest(self._target)
+        region = goal.region(world)
+        if isinstance(goal, Into):
+            hollow, base = goal.opening, world.position(goal.reference)[2]
+            aim = free_point(world, goal, region)
+            tool = np.array([*aim, base + hollow.floor + bottom + 0.006]) - offset
+            if not self._fingers_fit(2 * float(hollow.semi.min())):
+                tool[2] = max(tool[2], base + hollow.rim + TIP + 0.004)
+            return tool
+        if isinstance(goal, OnTop):
+            aim = free_point(world, goal, region)
+            return np.array([*aim, region.center[2] - goal.rest + bottom + 0.004]) - offset
+        assert goal.spot is not None
+        return np.array([*region.center[:2], goal.spot[2] + bottom + 0.004]) - offset
 
     def _fingers_fit(self, across: float) -> bool:
         """Return whether the opened fingers go into a hollow ``across`` metres wide."""
@@ -250,28 +258,16 @@ class PickPlaceExpert:
     # ----------------------------------------------------------------------------------- sensing
 
     @property
-    def _tool(self) -> Float[np.ndarray, "3"]:
-        world = self._env.world
-        return world.data.site_xpos[world.tcp].copy()
-
-    @property
     def _object(self) -> Float[np.ndarray, "3"]:
-        return self._env.world.position(self._env.episode.target)
-
-    @property
-    def _gap(self) -> float:
-        world = self._env.world
-        return float(world.data.qpos[world.finger_qpos].sum())
+        return self._env.world.position(self._target)
 
     def _turn_left(self) -> float:
         """Return the yaw still to turn, radians."""
-        world = self._env.world
-        axis = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)[:, 0]
-        return wrap(self._plan.yaw - float(np.arctan2(axis[1], axis[0])))
+        return self._turn_to(self._plan.yaw)
 
     def _hanging(self) -> float:
         """Return how far the held object, or the fingertips, reach below the tool."""
-        below = self._tool[2] - self._env.world.lowest(self._env.episode.target)
+        below = self._tool[2] - self._env.world.lowest(self._target)
         return max(float(below), TIP)
 
     def _has_moved(self) -> bool:
@@ -283,10 +279,9 @@ class PickPlaceExpert:
 
     def _missed(self) -> bool:
         """Return whether the released object lies outside the goal."""
-        world, episode, task = self._env.world, self._env.episode, self._env.task
-        desired = task.desired(world, episode)
-        across, up = task.distance(task.achieved(world, episode, desired), desired)
-        return bool(across > 0 or up > 0)
+        region = self._goal.region(self._env.world)
+        aside = abs(self._object[2] - region.center[2]) > region.semi[2]
+        return aside or not _within(region, self._object[:2])
 
     # ------------------------------------------------------------------------------------ moving
 
@@ -296,37 +291,47 @@ class PickPlaceExpert:
         self._steps = 0
         self._last_gap = self._gap
         self._placed = self._tool
-        closed = phase in ("close", "lift", "carry", "lower")
+        closed = phase in ("close", "lift", "hold", "carry", "lower")
         return self._act(np.zeros(3), 0.0, 0.0 if closed else self._plan.grasp.opening)
 
     def _travel(
         self, point: Float[np.ndarray, "3"], opening: float, depth: float
     ) -> Float[np.ndarray, "5"]:
         """Go to ``point`` over whatever is in the way of something ``depth`` below the tool."""
-        world, tool = self._env.world, self._tool
-        high = clear_height(world, self._env.episode.target, tool, point) + depth
-        high = max(high, point[2])
-        if np.linalg.norm((point - tool)[:2]) < _NEAR:
-            return self._go(point, opening)
-        if tool[2] < high - 0.02:
-            return self._go(np.array([*tool[:2], high + 0.02]), opening)
-        return self._go(np.array([*point[:2], high]), opening)
+        return self._go(self._over(point, depth, self._target), opening)
 
     def _go(
         self, point: Float[np.ndarray, "3"], opening: float, slow: float = 1.0
     ) -> Float[np.ndarray, "5"]:
         return self._act(point - self._tool, self._turn_left(), opening, slow)
 
-    def _act(
-        self, move: Float[np.ndarray, "3"], turn: float, opening: float, slow: float = 1.0
-    ) -> Float[np.ndarray, "5"]:
-        """Return the action that moves (world frame, m), turns (rad) and opens (m)."""
-        step = self._env.world.base_rotation.T @ move * (_GAIN / EE_STEP)
-        step /= max(1.0, float(np.abs(step).max()) / slow)
-        spin = np.clip(turn * _TURN_GAIN / EE_TURN, -1.0, 1.0)
-        wide = 2 * opening / (2 * franka.FINGER_STROKE) - 1 if opening > 0 else -1.0
-        return np.array([*step, spin, np.clip(wide, -1.0, 1.0)])
+
+def free_point(world: World, goal: Into | OnTop, region: Region) -> Float[np.ndarray, "2"]:
+    """Return where in a region (x, y, world) there is most room for the target.
+
+    The middle, unless something is there already.
+    """
+    outline = world.footprints[goal.target] - world.footprints[goal.target].mean(0)
+    radius = float(np.linalg.norm(outline, axis=1).max())
+    turn = rotation_z(region.yaw)[:2, :2]
+    low = region.center[2] - region.semi[2] - 0.02
+    others = [
+        world.position(name)
+        for name in world.names
+        if name not in (goal.target, goal.reference) and world.position(name)[2] > low
+    ]
+    inside = [p[:2] for p in others if _within(region, p[:2])]
+    if not inside:
+        return region.center[:2].copy()
+    into = isinstance(goal, Into)  # there the walls keep it within
+    reach = np.maximum(region.semi[:2] - (radius if into else 0.01), 0.0)
+    angles = np.arange(16) * np.pi / 8
+    ring = np.column_stack([np.cos(angles), np.sin(angles)])
+    points = region.center[:2] + np.concatenate([r * ring * reach for r in (0.5, 1.0)]) @ turn.T
+    room = np.linalg.norm(points[:, None] - np.array(inside), axis=2).min(1)
+    return points[int(room.argmax())]
 
 
-def _up(height: float) -> Float[np.ndarray, "3"]:
-    return np.array([0.0, 0.0, height])
+def _within(region: Region, point: Float[np.ndarray, "2"]) -> bool:
+    local = rotation_z(region.yaw)[:2, :2].T @ (point - region.center[:2])
+    return bool(np.linalg.norm(local / region.semi[:2]) <= 1.0)

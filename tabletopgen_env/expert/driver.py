@@ -1,0 +1,104 @@
+"""What the scripted experts share: feeling where the hand is, and moving it like any policy.
+
+They drive the environment through its own normalised actions, by a proportional law on the tool's
+present pose, so that demonstrations hold nothing a learner cannot see.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.errors import InputError
+from generator.geometry import wrap
+
+from ..actions import EE_STEP, EE_TURN
+from ..robot import franka
+from .path import clear_height
+
+if TYPE_CHECKING:
+    from ..env import TabletopEnv
+
+NEAR = 0.02
+"""How near a place counts as there while travelling, metres."""
+
+_GAIN, _TURN_GAIN = 0.3, 0.4
+
+
+class Expert(ABC):
+    """Solves one kind of goal in the action mode "ee_delta".
+
+    Call ``reset()`` after the environment's, then ``act()`` before each step. ``phase`` says what
+    it is doing.
+
+    Raises:
+        InputError: the environment has another action mode.
+    """
+
+    phase: str = ""
+
+    def __init__(self, env: Any) -> None:
+        self._env: TabletopEnv = env.unwrapped
+        if self._env.action_space.shape != (5,):
+            raise InputError("The expert acts in 'ee_delta'; make the environment with that mode.")
+
+    @abstractmethod
+    def reset(self) -> None:
+        """Plan for the goal that is active now.
+
+        Raises:
+            SceneError: it cannot be done.
+        """
+
+    @abstractmethod
+    def act(self) -> Float[np.ndarray, "5"]:
+        """Return the next action, ``float32`` in [-1, 1]."""
+
+    @property
+    def _tool(self) -> Float[np.ndarray, "3"]:
+        world = self._env.world
+        return world.data.site_xpos[world.tcp].copy()
+
+    @property
+    def _gap(self) -> float:
+        world = self._env.world
+        return float(world.data.qpos[world.finger_qpos].sum())
+
+    def _turn_to(self, yaw: float) -> float:
+        """Return how far the hand has to turn to ``yaw`` (base frame), radians."""
+        world = self._env.world
+        axis = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)[:, 0]
+        return wrap(yaw - float(np.arctan2(axis[1], axis[0])))
+
+    def _over(
+        self, point: Float[np.ndarray, "3"], depth: float, but: str | None
+    ) -> Float[np.ndarray, "3"]:
+        """Return where to go now on the way to ``point``, over whatever is between.
+
+        ``depth`` is how far below the tool something reaches; ``but`` is not in the way.
+        """
+        tool = self._tool
+        high = max(clear_height(self._env.world, but, tool, point) + depth, float(point[2]))
+        if np.linalg.norm((point - tool)[:2]) < NEAR:
+            return point
+        if tool[2] < high - 0.02:
+            return np.array([*tool[:2], high + 0.02])
+        return np.array([*point[:2], high])
+
+    def _act(
+        self, move: Float[np.ndarray, "3"], turn: float, opening: float, slow: float = 1.0
+    ) -> Float[np.ndarray, "5"]:
+        """Return the action that moves (world frame, m), turns (rad) and opens (m)."""
+        step = self._env.world.base_rotation.T @ move * (_GAIN / EE_STEP)
+        step /= max(1.0, float(np.abs(step).max()) / slow)
+        spin = np.clip(turn * _TURN_GAIN / EE_TURN, -1.0, 1.0)
+        wide = opening / franka.FINGER_STROKE - 1 if opening > 0 else -1.0
+        return np.array([*step, spin, np.clip(wide, -1.0, 1.0)], np.float32)
+
+
+def up(height: float) -> Float[np.ndarray, "3"]:
+    """Return the vector that points up by ``height``, metres."""
+    return np.array([0.0, 0.0, height])

@@ -1,0 +1,61 @@
+"""The expert of any task: one goal after the other, each by the expert of its kind."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.errors import SceneError
+
+from ..tasks.goals import Goal, Pushed, Reached
+from .driver import Expert
+from .pick import Picker
+from .push import Pusher
+from .reach import Reacher
+
+
+class TaskExpert(Expert):
+    """Solves every ``TabletopGen`` environment in the action mode "ee_delta".
+
+    Args:
+        env: the environment, wrapped or not.
+
+    It turns to the goal that the environment shows as active whenever its hand is free.
+    """
+
+    def reset(self) -> None:
+        """Plan for the episode that has just begun; see ``Expert.reset``."""
+        self._turn_to_goal()
+        self._now.reset()
+
+    @property
+    def phase(self) -> str:
+        """What it is doing."""
+        return self._now.phase
+
+    @property
+    def attempts(self) -> int:
+        """How many grasps, or strokes, of the present goal it has begun."""
+        return self._now.attempts
+
+    def act(self) -> Float[np.ndarray, "5"]:
+        """Return the next action, ``float32`` in [-1, 1]."""
+        if self._env.goal is not self._goal and self._now.finished:
+            self._turn_to_goal()
+            with suppress(SceneError):  # what cannot be reached now is tried again
+                self._now.reset()
+        return self._now.act()
+
+    def _turn_to_goal(self) -> None:
+        self._goal: Goal = self._env.goal
+        self._now = specialist(self._env, self._goal)
+
+
+def specialist(env: Any, goal: Goal) -> Picker | Pusher | Reacher:
+    """Return the expert of a goal's kind."""
+    if isinstance(goal, Reached):
+        return Reacher(env, goal)
+    return Pusher(env, goal) if isinstance(goal, Pushed) else Picker(env, goal)

@@ -1,0 +1,45 @@
+"""Lift: take one object and hold it up.
+
+``reset`` option: ``target`` an object's name. Goal: `Raised`.
+"""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from generator.errors import InputError
+from generator.scene import Object
+
+from ..language import refer
+from .goals import Raised
+from .sampling import drawn, liftable
+from .task import Episode, Task, episode
+
+if TYPE_CHECKING:
+    from ..world import World
+
+
+class Lift(Task):
+    """Hold one object up; see the module's page."""
+
+    weights = MappingProxyType({"reach": 0.20, "grasp": 0.20, "lift": 0.30, "success": 0.30})
+
+    def sample(
+        self,
+        world: World,
+        rng: np.random.Generator,
+        target: str | None = None,
+        goal: str | tuple[float, ...] | None = None,
+    ) -> Episode:
+        """Draw a target, or take the one given; see ``Task.sample``."""
+        if goal is not None:
+            raise InputError("Lift has no goal to choose; leave the option 'goal' out.")
+
+        def make(obj: Object) -> Episode:
+            goals = (Raised(obj.name, world.position(obj.name)),)
+            return episode(world, goals, f"lift {refer(world.scene, obj)}")
+
+        return drawn(world, rng, target, liftable(world), make, "")

@@ -1,0 +1,111 @@
+"""Push: slide one object along the table to a marked spot, with the fingers closed.
+
+The gripper stays closed whatever the action says. Pushed is what stands on the table alone, does
+not topple easily and need not fit into the hand. ``reset`` options: ``target`` an object's name;
+``goal`` a point (x, y) of the table in the world frame. Goal: `Pushed`.
+"""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.errors import InputError
+from generator.geometry import inside_margin
+from generator.scene import Object
+
+from ..affordance import grasp_width, resting_height
+from ..language import refer
+from .goals import SPOT, Pushed
+from .sampling import Reasons, blocked, drawn, given_point, on_table, rest_height
+from .task import Episode, Task, episode
+
+if TYPE_CHECKING:
+    from ..world import World
+
+WAY = (0.08, 0.25)
+"""Shortest and longest way to push, metres."""
+
+HEAVIEST = 1.5
+"""Heaviest object to push, kg."""
+
+SLENDER = 1.2
+"""Tallest thing to push, in its own smallest widths: what is more slender topples."""
+
+_CLEAR = 0.06  # room for the hand behind the object, metres
+_TRIES = 200
+
+
+class Push(Task):
+    """Slide one object to a spot; see the module's page."""
+
+    weights = MappingProxyType({"reach": 0.20, "place": 0.50, "success": 0.30})
+    closed = True
+
+    def sample(
+        self,
+        world: World,
+        rng: np.random.Generator,
+        target: str | None = None,
+        goal: str | tuple[float, ...] | None = None,
+    ) -> Episode:
+        """Draw a target and a spot, or take those given; see ``Task.sample``."""
+        if isinstance(goal, str) and goal != SPOT:
+            raise InputError(f"The goal of Push is a point (x, y) of the table, got {goal!r}.")
+
+        def make(obj: Object) -> Episode | None:
+            named = goal is not None and not isinstance(goal, str)
+            xy = given_point(world, goal) if named else _end(world, obj, rng)  # type: ignore[arg-type]
+            if xy is None:
+                return None
+            spot = np.array([*xy, world.scene.table.height])
+            up = world.rotation(obj.name)[2]
+            pushed = Pushed(obj.name, spot, rest_height(world, obj.name), up)
+            text = f"push {refer(world.scene, obj)} to the marked {SPOT}"
+            return episode(world, (pushed,), text)
+
+        lacks = "no free way to push it along"
+        return drawn(world, rng, target, slidable(world), make, lacks, held=False)
+
+
+def slidable(world: World) -> Reasons:
+    """Return why each object cannot be pushed, None where it can."""
+    return {o.name: _fixed(world, o) for o in world.scene.objects}
+
+
+def _fixed(world: World, obj: Object) -> str | None:
+    if not on_table(obj):
+        return f"it stands on {obj.placement.on}"
+    if obj.mass > HEAVIEST:
+        return f"{obj.mass:.3g} kg is heavier than {HEAVIEST} kg"
+    if resting_height(obj) > SLENDER * grasp_width(obj):
+        return "it would topple"
+    if resting_height(obj) < 0.01:
+        return "too flat for the fingers"
+    return blocked(world, obj)
+
+
+def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
+    """Draw where to push an object: along a way free of others, with room for the hand behind."""
+    begin = obj.pose.position[:2]
+    outline = world.footprints[obj.name]
+    radius = float(np.linalg.norm(outline - begin, axis=1).max())
+    table = world.scene.table
+    for _ in range(_TRIES):
+        angle, way = rng.uniform(0, 2 * np.pi), rng.uniform(*WAY)
+        ahead = np.array([np.cos(angle), np.sin(angle)])
+        steps = np.linspace(-radius - _CLEAR, way, 12)
+        line = begin + steps[:, None] * ahead
+        hand = np.column_stack([line[[0, -1]], np.full(2, table.height + 0.02)])
+        if not world.mount.reaches(hand).all():
+            continue
+        if (inside_margin(line[1:], table.outline) < min(radius, 0.1)).any():
+            continue
+        others = (world.footprints[o] for o in world.names if o != obj.name)
+        room = np.where(steps < 0, 0.05, radius + 0.01)
+        if all((inside_margin(line, other) <= -room).all() for other in others):
+            return line[-1]
+    return None

@@ -1,0 +1,71 @@
+"""Reach: bring the tool centre point to a marked point in the air above the table.
+
+``reset`` option: ``goal`` a point (x, y, z) in the world frame. Goal: `Reached`.
+"""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.errors import InputError, SceneError
+
+from ..expert.path import clear_height
+from .goals import Reached
+from .task import Episode, Task, episode
+
+if TYPE_CHECKING:
+    from ..world import World
+
+HEIGHTS = (0.05, 0.30)
+"""Lowest and highest goal above what stands below it, metres."""
+
+_TRIES = 400
+
+
+class Reach(Task):
+    """Bring the hand to a point; see the module's page."""
+
+    weights = MappingProxyType({"place": 0.5, "success": 0.5})
+    marker_radius = 0.02
+
+    def sample(
+        self,
+        world: World,
+        rng: np.random.Generator,
+        target: str | None = None,
+        goal: str | tuple[float, ...] | None = None,
+    ) -> Episode:
+        """Draw a point, or take the one given; see ``Task.sample``."""
+        if target is not None:
+            raise InputError("Reach has no target; leave the option 'target' out.")
+        point = free_point(world, rng) if goal is None else _given(goal)
+        return episode(world, (Reached(point),), "move the hand to the marked point")
+
+
+def _given(goal: str | tuple[float, ...]) -> Float[np.ndarray, "3"]:
+    try:
+        point = np.asarray(goal, float)
+    except (TypeError, ValueError):
+        point = np.empty(0)
+    if point.shape != (3,) or not np.isfinite(point).all():
+        raise InputError(f"The goal of Reach is a point (x, y, z), world frame, got {goal!r}.")
+    return point
+
+
+def free_point(world: World, rng: np.random.Generator) -> Float[np.ndarray, "3"]:
+    """Draw a point over the table, clear of what stands there, within reach."""
+    outline = world.scene.table.outline
+    for _ in range(_TRIES):
+        xy = rng.uniform(outline.min(0), outline.max(0))
+        rise = rng.uniform(*HEIGHTS)
+        here = np.array([*xy, world.scene.table.height])
+        point = np.array([*xy, clear_height(world, None, here, here) + rise])
+        if world.mount.reaches(point[None])[0]:
+            return point
+    raise SceneError(
+        f"Scene {world.scene.name!r} has no free point within the robot's reach. Use other scenes."
+    )

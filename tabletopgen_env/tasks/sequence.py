@@ -1,0 +1,189 @@
+"""Sequence: several things in the order a sentence lists them, on one table.
+
+Without a preset two or three steps are drawn: things put into containers, on others' flat tops or
+on marked spots, each thing once. A preset asks for named things:
+
+================  ==============================================================================
+``kitchen``       the cucumber into the bowl, then the carrot and the salt shaker onto the cutting
+                  board
+``coffee_table``  the cup and the apple change places
+================  ==============================================================================
+
+Both are the paper's (Sec. 11); their tables are the starter bundles of ``PRESETS``. Success is that
+all steps hold at once, whatever their order. ``reset`` takes no options but "scene". Goals: `Into`,
+`OnTop`, `OnSpot`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from generator.errors import InputError, SceneError, choices
+from generator.scene import Object
+
+from ..language import refer
+from .goals import SPOT, Goal
+from .sampling import containers, into, liftable, nothing, on_spot, spot_of
+from .stack import on_top, put_on, supports
+from .swap import Swap
+from .task import Episode, Task, episode
+
+if TYPE_CHECKING:
+    from ..world import World
+
+
+_APART = 0.2  # metres between two marked spots
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of a preset: a thing, and what it comes into or onto, by their labels."""
+
+    target: str
+    relation: Literal["into", "onto"]
+    place: str
+
+
+@dataclass(frozen=True)
+class Preset:
+    """A sentence, its steps, and the bundles (a glob) on whose tables it makes sense."""
+
+    instruction: str
+    scenes: str
+    steps: tuple[Step, ...] = ()
+    swap: tuple[str, str] | None = None
+
+
+PRESETS: Mapping[str, Preset] = MappingProxyType(
+    {
+        "kitchen": Preset(
+            "put the cucumber into the bowl, then the carrot and the salt shaker onto the cutting "
+            "board",
+            "kitchen-task-*",
+            (
+                Step("cucumber", "into", "bowl"),
+                Step("carrot", "onto", "cutting board"),
+                Step("salt shaker", "onto", "cutting board"),
+            ),
+        ),
+        "coffee_table": Preset(
+            "swap the cup and the apple", "coffee-table-task-*", swap=("cup", "apple")
+        ),
+    }
+)
+"""The tasks with names of their own."""
+
+
+class Sequence(Task):
+    """Do several things, one after the other; see the module's page.
+
+    Args:
+        preset: a name of ``PRESETS``; None draws steps.
+
+    Raises:
+        InputError: no such preset.
+    """
+
+    weights = Swap.weights
+    most = 3
+
+    def __init__(self, preset: str | None = None) -> None:
+        if preset is not None and preset not in PRESETS:
+            raise InputError(f"Sequence has no preset {preset!r}." + choices(str(preset), PRESETS))
+        self.preset = None if preset is None else PRESETS[preset]
+        self.scenes = Task.scenes if self.preset is None else self.preset.scenes
+        self.aside = Swap.aside if self.preset and self.preset.swap else Task.aside
+
+    def sample(
+        self,
+        world: World,
+        rng: np.random.Generator,
+        target: str | None = None,
+        goal: str | tuple[float, ...] | None = None,
+    ) -> Episode:
+        """Draw steps, or find the preset's things; see ``Task.sample``."""
+        if target is not None or goal is not None:
+            raise InputError(
+                "A sequence is drawn or named by a preset; it takes no target or goal."
+            )
+        if self.preset is None:
+            return _drawn(world, rng, int(rng.integers(2, self.most + 1)))
+        if self.preset.swap:
+            first, second = (_labelled(world, label) for label in self.preset.swap)
+            return Swap().sample(world, rng, first.name, second.name)
+        goals = tuple(_goal(world, step) for step in self.preset.steps)
+        return episode(world, goals, self.preset.instruction)
+
+
+def _labelled(world: World, label: str) -> Object:
+    """Return the object that a preset means."""
+    category = label.replace(" ", "_")
+    for obj in world.scene.objects:
+        if label == obj.label or category == obj.model.category:
+            return obj
+    there = ", ".join(sorted({o.label for o in world.scene.objects}))
+    raise SceneError(
+        f"Scene {world.scene.name!r} has no {label}, which this task needs; it has {there}."
+    )
+
+
+def _goal(world: World, step: Step) -> Goal:
+    obj, place = _labelled(world, step.target), _labelled(world, step.place)
+    return into(world, obj, place) if step.relation == "into" else on_top(world, obj, place)
+
+
+def _drawn(world: World, rng: np.random.Generator, count: int) -> Episode:
+    """Draw ``count`` steps with things of their own that stay clear of one another."""
+    reasons = liftable(world)
+    names = [name for name, why in reasons.items() if why is None]
+    goals: list[Goal] = []
+    texts: list[str] = []
+    busy: set[str] = set()
+    for k in rng.permutation(len(names)):
+        obj = world.scene.object(names[k])
+        if obj.name in busy or not world.has_grasp(obj.name):
+            reasons[obj.name] = "its neighbours leave no room for the hand"
+            continue
+        step = _step(world, obj, rng, busy, goals)
+        if step is None:
+            reasons[obj.name] = "no place for it"
+            continue
+        goal, text = step
+        goals.append(goal)
+        texts.append(text)
+        busy |= {obj.name} | ({goal.reference} if goal.reference else set())
+        if len(goals) == count:
+            return episode(world, tuple(goals), ", then ".join(texts))
+    if len(goals) >= 2:
+        return episode(world, tuple(goals), ", then ".join(texts))
+    raise nothing(world, reasons)
+
+
+def _step(
+    world: World, obj: Object, rng: np.random.Generator, busy: set[str], before: list[Goal]
+) -> tuple[Goal, str] | None:
+    """Return a drawn goal of ``obj`` and its words, or None.
+
+    ``busy`` things are left alone, and the spots of the goals ``before`` this one.
+    """
+    hollow = [c for c in containers(world, obj) if c.name not in busy]
+    flat = [s for s in supports(world, obj) if s.name not in busy]
+    named = refer(world.scene, obj)
+    ways: list[tuple[Goal, str]] = []
+    if hollow:
+        place = hollow[int(rng.integers(len(hollow)))]
+        ways.append((into(world, obj, place), f"put {named} into {refer(world.scene, place)}"))
+    if flat:
+        place = flat[int(rng.integers(len(flat)))]
+        ways.append((on_top(world, obj, place), put_on(world, obj, place)))
+    spot = None if ways else spot_of(world, obj, SPOT, rng)
+    if spot is not None and all(
+        g.spot is None or np.linalg.norm(g.spot - spot) >= _APART for g in before
+    ):
+        ways.append((on_spot(world, obj, spot), f"move {named} to the marked {SPOT}"))
+    return ways[int(rng.integers(len(ways)))] if ways else None

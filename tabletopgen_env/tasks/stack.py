@@ -1,0 +1,97 @@
+"""Stack: put one object on the flat top of another.
+
+``reset`` options: ``target`` the object to put; ``goal`` the object to put it on. Goal: `OnTop`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from generator.errors import InputError
+from generator.geometry import quaternion_matrix
+from generator.scene import Object
+
+from ..affordance import grasp_width, resting_height
+from ..language import refer
+from ..robot.mount import reachable
+from .goals import OnTop
+from .sampling import drawn, known, liftable, named, on_table, rest_height
+from .task import Episode, Task, episode
+
+if TYPE_CHECKING:
+    from ..world import World
+
+LEAST_TOP = 0.022
+"""Least radius of a flat top to put things on, metres."""
+
+TALLEST = 0.25
+"""Tallest support, metres: the arm has to come over it."""
+
+
+class Stack(Task):
+    """Put one object on another; see the module's page."""
+
+    weights = MappingProxyType(
+        {"reach": 0.10, "grasp": 0.15, "lift": 0.15, "place": 0.30, "success": 0.30}
+    )
+
+    def sample(
+        self,
+        world: World,
+        rng: np.random.Generator,
+        target: str | None = None,
+        goal: str | tuple[float, ...] | None = None,
+    ) -> Episode:
+        """Draw a target and a support, or take those given; see ``Task.sample``."""
+        if goal is not None and named(goal) is None:
+            raise InputError(f"The goal of Stack is an object's name, got {goal!r}.")
+        wanted = None if goal is None else known(world, str(goal), "to put things on")
+
+        def make(obj: Object) -> Episode | None:
+            found = list(supports(world, obj, wanted))
+            if not found:
+                return None
+            base = found[int(rng.integers(len(found)))]
+            return episode(world, (on_top(world, obj, base),), put_on(world, obj, base))
+
+        lacks = "no flat top in reach that carries it"
+        return drawn(world, rng, target, liftable(world), make, lacks)
+
+
+def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[Object]:
+    """Yield what can carry an object: flat tops in reach on which nothing stands."""
+    loaded = {o.placement.on for o in world.scene.objects}
+    for other in world.scene.objects:
+        if other.name in {obj.name, obj.placement.on} or other.name in loaded:
+            continue
+        if wanted not in (None, other.name) or not on_table(other):
+            continue
+        top = world.plateaus[other.name]
+        if top is None or top.radius < max(LEAST_TOP, 0.3 * grasp_width(obj)):
+            continue
+        if resting_height(other) > TALLEST or other.mass < 0.3 * obj.mass:
+            continue
+        if reachable(world.mount, other.pose.position):
+            yield other
+
+
+def on_top(world: World, obj: Object, base: Object) -> OnTop:
+    """Return the goal of ``obj`` standing on ``base``.
+
+    Raises:
+        InputError: it has no flat top, or is the object itself.
+    """
+    top = world.plateaus[base.name]
+    if top is None or base.name == obj.name:
+        raise InputError(f"{base.name!r} has no flat top to put {obj.name!r} on.")
+    up = quaternion_matrix(base.pose.quaternion)[2]
+    return OnTop(obj.name, base.name, top, rest_height(world, obj.name), up)
+
+
+def put_on(world: World, obj: Object, base: Object) -> str:
+    """Return the instruction in words."""
+    return f"put {refer(world.scene, obj)} on {refer(world.scene, base)}"

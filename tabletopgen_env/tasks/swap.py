@@ -1,0 +1,88 @@
+"""Swap: let two objects change places; the paper's cup and apple (Sec. 11).
+
+There are three goals, shown in order: the second object aside on a marked free spot, the first
+where the second stood, the second where the first stood. The first of them counts as met once the
+first object stands where the second stood; what is asked for in the end are the other two.
+``reset`` options: ``target`` and ``goal``, the names of the two objects. Goals: `OnSpot`.
+"""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from generator.errors import InputError
+from generator.geometry import inside_margin
+from generator.scene import Object
+
+from ..language import refer
+from ..workspace import FREE_MARGIN
+from .goals import OnSpot
+from .sampling import drawn, known, liftable, named, on_spot, on_table, spot_of
+from .task import Episode, Task, episode
+
+if TYPE_CHECKING:
+    from ..world import World
+
+
+class Swap(Task):
+    """Let two objects change places; see the module's page."""
+
+    weights = MappingProxyType(
+        {"reach": 0.05, "grasp": 0.10, "lift": 0.10, "place": 0.25, "met": 0.25, "success": 0.25}
+    )
+    most = 3
+    aside = MappingProxyType({0: 1})
+
+    def sample(
+        self,
+        world: World,
+        rng: np.random.Generator,
+        target: str | None = None,
+        goal: str | tuple[float, ...] | None = None,
+    ) -> Episode:
+        """Draw two objects, or take those given; see ``Task.sample``."""
+        if goal is not None and named(goal) is None:
+            raise InputError(f"The goal of Swap is the other object's name, got {goal!r}.")
+        wanted = None if goal is None else known(world, str(goal), "to swap with")
+        reasons = liftable(world)
+        for obj in world.scene.objects:
+            if not on_table(obj):
+                reasons[obj.name] = reasons[obj.name] or f"it stands on {obj.placement.on}"
+        fit = [name for name, why in reasons.items() if why is None]
+
+        def make(obj: Object) -> Episode | None:
+            names = fit if wanted is None else [wanted]
+            for k in rng.permutation(len(names)):
+                other = world.scene.object(names[k])
+                if other.name == obj.name or not world.has_grasp(other.name):
+                    continue
+                spot = spot_of(world, other, None, rng)
+                if spot is not None and _fits(world, obj, other) and _fits(world, other, obj):
+                    return swap(world, obj, other, on_spot(world, other, spot))
+            return None
+
+        lacks = "nothing else that could change places with it"
+        return drawn(world, rng, target, reasons, make, lacks)
+
+
+def swap(world: World, obj: Object, other: Object, aside: OnSpot) -> Episode:
+    """Return the episode in which two objects change places by way of ``aside``."""
+    height = world.scene.table.height
+    here, there = (np.array([*o.pose.position[:2], height]) for o in (obj, other))
+    goals = (aside, on_spot(world, obj, there), on_spot(world, other, here))
+    text = f"swap {refer(world.scene, obj)} and {refer(world.scene, other)}"
+    return episode(world, goals, text)
+
+
+def _fits(world: World, obj: Object, place: Object) -> bool:
+    """Return whether ``obj`` has room where ``place`` stands, once that is gone."""
+    outline = world.footprints[obj.name] - obj.pose.position[:2]
+    radius = float(np.linalg.norm(outline, axis=1).max())
+    center = place.pose.position[:2]
+    if inside_margin(center, world.scene.table.outline)[0] < 0.7 * radius:
+        return False
+    others = (world.footprints[o] for o in world.names if o not in (obj.name, place.name))
+    return all(inside_margin(center, f)[0] <= -(radius + FREE_MARGIN) for f in others)

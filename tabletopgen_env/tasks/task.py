@@ -1,0 +1,228 @@
+"""What every task shares: goals in order, goal vectors, named reward terms, exact success.
+
+An episode is a tuple of goals. The *active* goal is the first that is not met; the state shows its
+target and region. A task has *succeeded* while all its goals are met at once.
+
+The reward's terms are all in [0, 1] and 1 on success:
+
+=========  ========================================================================================
+reach      tool centre point near the active target's centre: 1 / (1 + distance / 0.1 m)
+grasp      half for each finger that touches the active target
+lift       the active target's height above where it stood over what the way still to go asks for
+           (at most 8 cm)
+place      target near its region, the mean over the goals: 1 / (1 + distance / 0.15 m)
+met        the share of the goals that are met
+success    all goals are met
+=========  ========================================================================================
+
+Of reach, grasp and lift a goal that is met counts 1 and one still to come 0; they count in full
+too while the active target is in its region and only has to be let go. A dense reward is a task's
+weighted sum of them; the weights sum to 1 and the sum is 1 if and only if the task has succeeded.
+Sparse reward: 0 on success, -1 otherwise. With goal-dict observations the reward must follow from
+goal vectors alone: sparse as above, dense 0.5 place + 0.5 met.
+
+A goal vector has eight entries a goal: its region's centre x, y, z in the base frame (m), the
+semi-axes x', y' (m), yaw (rad), semi-axis z (m), and 1 for the state asked for. Of an achieved goal
+the first three are the target's centre and the last says whether it is in that state; the others
+are copied, so that what was achieved can stand in for what was desired (hindsight). A task for
+which the number of goals varies pads with zeros.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import TYPE_CHECKING, ClassVar
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from .goals import SPOT_RADIUS, Goal
+
+if TYPE_CHECKING:
+    from ..world import World
+
+GOAL_WEIGHTS: Mapping[str, float] = MappingProxyType({"place": 0.5, "met": 0.5})
+"""Weights when only the achieved and the desired goal are known."""
+
+ENTRIES = 8
+"""Entries of one goal in a goal vector."""
+
+LIFT = 0.08
+"""Height to carry things at, metres."""
+
+_FAR = 3.0  # metres; positions in goal vectors are clipped to it
+_HAND = ("reach", "grasp", "lift")
+
+
+@dataclass(frozen=True, eq=False)
+class Episode:
+    """What one episode asks for.
+
+    goals: in the order in which they are shown; starts: heights of their targets' centres at the
+    start, world frame; instruction: the same in words.
+    """
+
+    goals: tuple[Goal, ...]
+    starts: tuple[float, ...]
+    instruction: str
+
+
+def episode(world: World, goals: tuple[Goal, ...], instruction: str) -> Episode:
+    """Return the episode of ``goals``, which begins now."""
+    starts = tuple(0.0 if g.target is None else float(world.position(g.target)[2]) for g in goals)
+    return Episode(goals, starts, instruction)
+
+
+class Task(ABC):
+    """One kind of thing to do at any table.
+
+    Class attributes: ``weights`` of the dense reward by term; ``most`` goals of an episode;
+    ``aside``: goals, by index, that count as met once another, by index, is met; ``closed``:
+    whether the gripper stays closed; ``marker_radius`` of the disc that marks a spot, metres;
+    ``scenes`` where its tables come from unless others are given.
+    """
+
+    weights: ClassVar[Mapping[str, float]]
+    most: ClassVar[int] = 1
+    aside: Mapping[int, int] = MappingProxyType({})
+    closed: ClassVar[bool] = False
+    scenes: str = "starter"
+    marker_radius: ClassVar[float] = SPOT_RADIUS
+
+    @abstractmethod
+    def sample(
+        self,
+        world: World,
+        rng: np.random.Generator,
+        target: str | None = None,
+        goal: str | tuple[float, ...] | None = None,
+    ) -> Episode:
+        """Draw an episode, or take what is given.
+
+        Args:
+            world: the world, at its start.
+            rng: draws.
+            target: an object's name.
+            goal: what the task takes as a goal; see its page.
+
+        Raises:
+            SceneError: the scene offers nothing to do; says why for each object.
+            InputError: what was asked for does not exist.
+        """
+
+    # -------------------------------------------------------------------------------- goal vectors
+
+    def desired(self, world: World, episode: Episode) -> Float[np.ndarray, "g"]:
+        """Return the desired goal vector, ``float32``, 8 entries for each of ``most`` goals."""
+        vector = np.zeros((self.most, ENTRIES))
+        for row, goal in zip(vector, episode.goals, strict=False):
+            region = goal.region(world)
+            row[:3] = np.clip(world.to_base(region.center), -_FAR, _FAR)
+            row[3:] = [*region.semi[:2], region.yaw - world.mount.yaw, region.semi[2], 1.0]
+        return vector.ravel().astype(np.float32)
+
+    def achieved(
+        self, world: World, episode: Episode, desired: Float[np.ndarray, "g"]
+    ) -> Float[np.ndarray, "g"]:
+        """Return what is achieved in the same form."""
+        vector = desired.reshape(self.most, ENTRIES).copy()
+        for row, goal in zip(vector, episode.goals, strict=False):
+            row[:3] = np.clip(world.to_base(center(world, goal)), -_FAR, _FAR)
+            row[7] = goal.settled(world)
+        return vector.ravel()
+
+    def met(
+        self, achieved: Float[np.ndarray, "*n g"], desired: Float[np.ndarray, "*n g"]
+    ) -> Bool[np.ndarray, "*n most"]:
+        """Return which goals are met; padding is."""
+        a, d = (np.asarray(v).reshape(*np.shape(v)[:-1], -1, ENTRIES) for v in (achieved, desired))
+        across, up = distance(a, d)
+        met = (across <= 0) & (up <= 0) & (a[..., 7] >= d[..., 7]) | (d[..., 3] <= 0)
+        for first, second in self.aside.items():
+            met[..., first] |= met[..., second]
+        return met
+
+    def active(self, achieved: Float[np.ndarray, "g"], desired: Float[np.ndarray, "g"]) -> int:
+        """Return the index of the first goal that is not met; of the last one, if all are."""
+        used = int((desired.reshape(-1, ENTRIES)[:, 3] > 0).sum())
+        return min(int(np.argmin(np.append(self.met(achieved, desired), False))), used - 1)
+
+    # -------------------------------------------------------------------------------------- reward
+
+    def goal_terms(
+        self, achieved: Float[np.ndarray, "*n g"], desired: Float[np.ndarray, "*n g"]
+    ) -> dict[str, Float[np.ndarray, "*n"]]:
+        """Return the terms that follow from the goal vectors: place, met, success; vectorised."""
+        a, d = (np.asarray(v).reshape(*np.shape(v)[:-1], -1, ENTRIES) for v in (achieved, desired))
+        across, up = distance(a, d)
+        used, met = d[..., 3] > 0, self.met(achieved, desired)
+        place = 1 / (1 + np.sqrt(across * across + up * up) / 0.15)
+        for first, second in self.aside.items():
+            place[..., first] = np.where(met[..., second], 1.0, place[..., first])
+        count = used.sum(-1)
+        return {
+            "place": (place * used).sum(-1) / count,
+            "met": (met & used).sum(-1) / count,
+            "success": np.asarray(met.all(-1), dtype=np.float64),
+        }
+
+    def terms(
+        self,
+        world: World,
+        episode: Episode,
+        achieved: Float[np.ndarray, "g"],
+        desired: Float[np.ndarray, "g"],
+    ) -> dict[str, float]:
+        """Return every reward term by name, each in [0, 1]."""
+        shared = {name: float(value) for name, value in self.goal_terms(achieved, desired).items()}
+        if shared["success"]:
+            return dict.fromkeys((*_HAND, *shared), 1.0)
+        k = self.active(achieved, desired)
+        met = self.met(achieved, desired)[: len(episode.goals)]
+        a, d = (v.reshape(-1, ENTRIES)[k] for v in (achieved, desired))
+        hand = self._hand(world, episode, k, a, d)
+        return {n: float(met.sum() + v) / len(met) for n, v in hand.items()} | shared
+
+    def _hand(
+        self,
+        world: World,
+        episode: Episode,
+        k: int,
+        achieved: Float[np.ndarray, "8"],
+        desired: Float[np.ndarray, "8"],
+    ) -> dict[str, float]:
+        """Return reach, grasp and lift of goal ``k``, the active one."""
+        goal = episode.goals[k]
+        across, up = distance(achieved, desired)
+        if goal.target is None or (goal.released and across <= 0 and up <= 0):
+            return dict.fromkeys(_HAND, 1.0)
+        at = world.position(goal.target)
+        left, right, _ = world.touched(goal.target)
+        away = float(np.linalg.norm(world.data.site_xpos[world.tcp] - at))
+        asked = LIFT * min(float(across) / LIFT, 1.0) if goal.released else LIFT
+        lift = float(np.clip((at[2] - episode.starts[k]) / asked, 0, 1)) if asked > 0 else 1.0
+        return {"reach": 1 / (1 + away / 0.1), "grasp": (left + right) / 2, "lift": lift}
+
+
+def center(world: World, goal: Goal) -> Float[np.ndarray, "3"]:
+    """Return where what a goal is about is: an object's centre or the tool centre point."""
+    if goal.target is None:
+        return world.data.site_xpos[world.tcp].copy()
+    return world.position(goal.target)
+
+
+def distance(
+    achieved: Float[np.ndarray, "*n 8"], desired: Float[np.ndarray, "*n 8"]
+) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n"]]:
+    """Return how far outside a goal's region a target is, horizontally and vertically, metres."""
+    a, d = np.asarray(achieved, np.float64), np.asarray(desired, np.float64)
+    x, y, z = np.moveaxis((a - d)[..., :3], -1, 0)
+    c, s = np.cos(d[..., 5]), np.sin(d[..., 5])
+    wide, deep = (np.where(d[..., k] > 0, d[..., k], 1.0) for k in (3, 4))
+    u, v = (c * x + s * y) / wide, (c * y - s * x) / deep
+    ratio = np.sqrt(u * u + v * v)
+    outside = np.sqrt(x * x + y * y) * (1 - 1 / np.maximum(ratio, 1.0))
+    return outside, np.maximum(np.abs(z) - d[..., 6], 0.0)

@@ -1,0 +1,86 @@
+"""Tidy: put the small things on the table into one tray, box or bowl.
+
+Up to four things that fit together, the nearest to it first. ``reset`` option: ``goal`` the
+container's name. Goals: `Into`.
+"""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from generator.errors import InputError
+from generator.scene import Object
+
+from ..language import refer
+from .goals import Into
+from .sampling import containers, into, known, liftable, named, nothing
+from .task import Episode, Task, episode
+
+if TYPE_CHECKING:
+    from ..world import World
+
+FULL = 0.45
+"""Share of a container's floor that things may cover together."""
+
+
+class Tidy(Task):
+    """Put all small things into one container; see the module's page."""
+
+    weights = MappingProxyType(
+        {"reach": 0.05, "grasp": 0.10, "lift": 0.10, "place": 0.25, "met": 0.25, "success": 0.25}
+    )
+    most = 4
+
+    def sample(
+        self,
+        world: World,
+        rng: np.random.Generator,
+        target: str | None = None,
+        goal: str | tuple[float, ...] | None = None,
+    ) -> Episode:
+        """Draw a container, or take the one given; see ``Task.sample``."""
+        if target is not None:
+            raise InputError("Tidy takes all things that fit; leave the option 'target' out.")
+        if goal is not None and named(goal) is None:
+            raise InputError(f"The goal of Tidy is a container's name, got {goal!r}.")
+        wanted = None if goal is None else known(world, str(goal), "to put things into")
+        reasons = liftable(world)
+        small = [o for o in world.scene.objects if reasons[o.name] is None]
+        loads: dict[str, list[Object]] = {}
+        for obj in small:
+            for container in containers(world, obj):
+                if wanted in (None, container.name):
+                    loads.setdefault(container.name, []).append(obj)
+        for obj in small:
+            reasons[obj.name] = "nothing that it would go into together with another"
+        names = sorted(loads)
+        for k in rng.permutation(len(names)):
+            container = world.scene.object(names[k])
+            taken = _together(world, container, loads[container.name])
+            if len(taken) >= 2:
+                goals: tuple[Into, ...] = tuple(into(world, o, container) for o in taken)
+                listed = [refer(world.scene, o) for o in taken]
+                text = f"put {', '.join(listed[:-1])} and {listed[-1]} into "
+                return episode(world, goals, text + refer(world.scene, container))
+        raise nothing(world, reasons)
+
+
+def _together(world: World, container: Object, things: list[Object]) -> list[Object]:
+    """Return which things go into a container together, the nearest to it first."""
+    from scipy.spatial import ConvexHull
+
+    hollow = world.openings[container.name]
+    assert hollow is not None
+    room = FULL * np.pi * float(hollow.semi.prod())
+    center = container.pose.position
+    taken: list[Object] = []
+    for obj in sorted(things, key=lambda o: float(np.linalg.norm(o.pose.position - center))):
+        room -= float(ConvexHull(world.footprints[obj.name]).volume)  # of a polygon its area
+        if room < 0 or len(taken) == Tidy.most:
+            break
+        if world.has_grasp(obj.name):
+            taken.append(obj)
+    return taken
