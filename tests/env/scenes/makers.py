@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import subprocess
 import time
+from pathlib import Path
 
 import numpy as np
 from toy import toy_object, toy_scene
@@ -25,6 +27,15 @@ def slow(what: str | ScenePlan, seed: int) -> Scene:
     """Make a scene that takes longer than any test."""
     time.sleep(600)
     return toy(what, seed)
+
+
+def nested(what: str | ScenePlan, seed: int) -> Scene:
+    """Start a process of its own, note its id in the file ``what``, and take long."""
+    inner = subprocess.Popen(["sleep", "600"])
+    part = Path(f"{what}.part")
+    part.write_text(str(inner.pid))
+    part.rename(str(what))
+    return slow(what, seed)
 
 
 def failing(what: str | ScenePlan, seed: int) -> Scene:

@@ -357,6 +357,19 @@ def test_closing_ends_everything_and_may_be_done_twice(pool, tmp_path) -> None:
     assert set(source.pids).isdisjoint(pids)
 
 
+def test_what_a_process_has_started_ends_with_it_and_ctrl_c_reaches_neither(pool, tmp_path) -> None:
+    note = tmp_path / "pid"
+    fresh = FreshScenes(str(note), making="makers:nested")
+    source = RefreshingScenes(fresh, initial=initial())
+    source.draw(np.random.default_rng(0))
+    until(note.is_file)
+    inner, (outer,) = int(note.read_text()), source.pids
+    assert os.getsid(inner) == os.getsid(outer) == outer
+    source.close()
+    until(lambda: not alive(inner))
+    note.unlink()
+
+
 def test_a_forgotten_pool_ends_by_itself(pool, tmp_path) -> None:
     source = RefreshingScenes(FreshScenes("x", making="makers:slow"), initial=initial())
     source.draw(np.random.default_rng(0))
@@ -411,7 +424,8 @@ source = RefreshingScenes(
 )
 rng = np.random.default_rng(0)
 source.draw(rng)
-print(*source.pids, source._pool.crew.folder, flush=True)
+folder = source._pool.crew.folder
+print(*source.pids, folder, flush=True)
 {end}
 """
 
@@ -438,8 +452,8 @@ def run(tmp_path: Path, end: str, making: str = "slow") -> tuple[subprocess.Pope
         ("raise SystemExit(3)", 3),
         ("os._exit(4)", 4),  # no handler runs
         ("os.kill(os.getpid(), 9)", -9),
-        ("if os.fork() == 0: sys.exit()\nos.wait(); time.sleep(0.2); source.draw(rng); "
-         "print(*source.pids)", 0),  # a forked child's exit leaves the parent's alone
+        ("if os.fork() == 0: sys.exit()\nos.wait(); source.draw(rng); "
+         "print(folder.is_dir(), *source.pids)", 0),  # nor does a fork end it
     ],
 )  # fmt: skip
 def test_nothing_outlives_the_process_however_it_ends(tmp_path, end, code) -> None:
@@ -449,7 +463,7 @@ def test_nothing_outlives_the_process_however_it_ends(tmp_path, end, code) -> No
     assert process.returncode == code
     until(lambda: not any(map(alive, pids)) and not folder.exists())
     if "fork" in end:
-        assert [int(pid) for pid in rest.split()] == pids
+        assert rest.split() == ["True", *map(str, pids)]
 
 
 def _child(source: RefreshingScenes, before: tuple[int, ...], told: Any) -> None:
