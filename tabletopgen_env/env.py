@@ -21,6 +21,7 @@ from .observations import (
 from .rendering import RENDERERS, Drawer, RendererChoice, drawer
 from .robot.panda import Panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
+from .scenes.source import close, record
 from .tasks import task_named
 from .tasks.goals import SPOT, Goal
 from .tasks.pick_place import PickPlace
@@ -97,6 +98,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         if renderer not in RENDERERS:
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
         self.source = resolve(scenes)
+        self._closes_source = self.source is not scenes  # else others may draw from it, too
         self.task = task or PickPlace()
         self.observation_space = observation_space(observation, image_size, self.task.most)
         self.controller = controller(action)
@@ -113,6 +115,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._world: World | None = None
         self._episode: Episode | None = None
         self._active = 0
+        self._from_source = False
+        self._succeeded: bool | None = None  # None before the first step of an episode
         self._order: list[str] = []
 
     # ---------------------------------------------------------------------------------- gymnasium
@@ -132,7 +136,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         for key in options:
             if key not in known:
                 raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
+        self._tell_source()
         self._world, self._episode = self._draw(options)
+        self._from_source = "scene" not in options
         self._active = -1
         self.controller.reset(self._world)
         achieved, desired, terms = self._look()
@@ -156,6 +162,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         if self.render_mode == "human":
             self.render()
         reward = self._reward(terms)
+        self._succeeded = bool(terms["success"])
         return self._observe(achieved, desired), reward, False, False, self._info(terms)
 
     def render(self) -> Any:
@@ -169,7 +176,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return draw(self.world, FRONT_CAMERA)
 
     def close(self) -> None:
-        """Free renderers and windows. May be called twice."""
+        """Free renderers and windows, and what ``scenes`` has running. May be called twice.
+
+        A ``SceneSource`` that was passed in is left to who made it.
+        """
+        if self._closes_source:
+            close(self.source)
         for held in self._drawers.values():
             held.close()
         self._drawers.clear()
@@ -214,6 +226,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             self._order = slot_order(world, self.goal)
             world.show_marker(self.goal.spot, self.task.marker_radius)
         return achieved, desired, self.task.terms(world, episode, achieved, desired)
+
+    def _tell_source(self) -> None:
+        """Tell the source how the episode that is over has ended, if it drew its scene."""
+        if self._from_source and self._succeeded is not None:
+            record(self.source, self._succeeded)
+        self._succeeded = None
 
     def _draw(self, options: dict[str, Any]) -> tuple[World, Episode]:
         """Draw scenes until one offers something to do."""

@@ -102,6 +102,33 @@ def test_the_folder_is_named_by_the_digest_of_scene_json(path: Path) -> None:
     assert path.name == f"toy-{digest[:12]}"
 
 
+def test_a_scene_and_its_bundle_have_one_digest_whatever_they_are_called(
+    scene: Scene, path: Path
+) -> None:
+    renamed = scene.replace(name="other", report=None, provenance=Provenance("manual", 8))
+    assert bundle.load_digest(path) == bundle.digest(scene) == bundle.digest(renamed)
+    assert len(bundle.digest(scene)) == 12
+    fewer = scene.replace(objects=scene.objects[1:])
+    assert bundle.digest(fewer) != bundle.digest(scene)
+
+
+def test_kinds_are_read_without_meshes(scene: Scene, path: Path) -> None:
+    for mesh in (path / "meshes").iterdir():
+        mesh.unlink()
+    kinds = bundle.load_kinds(path)
+    assert kinds == [(o.model.category, o.model.label) for o in scene.objects]
+    assert bundle.load_digest(path) == bundle.digest(scene)
+
+
+@pytest.mark.parametrize("read", [bundle.load_kinds, bundle.load_digest])
+def test_digest_and_kinds_of_no_or_a_damaged_bundle(path: Path, read) -> None:
+    with pytest.raises(BundleError, match="no bundle at"):
+        read(path.parent / "nothing")
+    forged = rewrite(path, lambda payload: payload.pop("objects"))
+    with pytest.raises(BundleError, match="objects"):
+        read(forged)
+
+
 def test_any_difference_gives_another_bundle(scene: Scene, path: Path, tmp_path: Path) -> None:
     assert bundle.save(scene, tmp_path / "store").name != path.name
     renamed = bundle.save(scene.replace(name="other"), tmp_path / "store")

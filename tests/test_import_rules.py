@@ -87,6 +87,10 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.provenance",
         ),
     ),
+    (
+        "generator.distribution",
+        (*VALUES, "generator.backends.embedded", "generator.catalogue"),
+    ),
     ("generator.supplement", (*VALUES, "generator.layout")),
     (
         "generator.training",
@@ -112,6 +116,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.mjcf",
             "generator.render",
             "generator.compose",
+            "generator.distribution",
             "generator.pipeline",
             "assets_cache",
             "tabletopgen_env",

@@ -9,4 +9,7 @@ from .folder import load_segments as load_segments
 from .folder import read_inside as read_inside
 from .folder import save as save
 from .folder import verify as verify
+from .identity import digest as digest
+from .identity import load_digest as load_digest
+from .identity import load_kinds as load_kinds
 from .segments import Segments as Segments

@@ -92,7 +92,7 @@ def load(path: str | Path) -> Scene:
         BundleError: there is no bundle, it is damaged or unsafe, or from another schema.
     """
     folder = Path(path)
-    payload = _read_truth(folder)
+    payload = read_truth(folder)
     listed = payload["files"]
     contents = {name: _read_listed(folder, name, entry) for name, entry in listed.items()}
     if "scene.xml" not in contents:
@@ -121,7 +121,7 @@ def load_segments(path: str | Path) -> Segments | None:
         BundleError: there is no bundle, or this part of it is damaged.
     """
     folder = Path(path)
-    payload = _read_truth(folder)
+    payload = read_truth(folder)
     if "instances" not in payload:
         return None
     if SEGMENTS_PATH not in payload["files"]:
@@ -137,7 +137,7 @@ def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | No
         BundleError: there is no bundle, or the picture is damaged.
     """
     folder = Path(path)
-    listed = _read_truth(folder)["files"]
+    listed = read_truth(folder)["files"]
     name = f"{stem}.png"
     if name not in listed:
         return None
@@ -153,7 +153,7 @@ def verify(path: str | Path) -> list[str]:
     try:
         load(folder)
         load_segments(folder)
-        listed = {*_read_truth(folder)["files"], "scene.json"}
+        listed = {*read_truth(folder)["files"], "scene.json"}
     except BundleError as error:
         return [str(error)]
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
@@ -230,7 +230,7 @@ def _publish(folder: Path, name: str, files: Mapping[str, bytes]) -> Path:
 # ----------------------------------------------------------------------------------------- reading
 
 
-def _read_truth(folder: Path) -> dict[str, Any]:
+def read_truth(folder: Path) -> dict[str, Any]:
     """Return the checked content of ``scene.json``."""
     try:
         there = folder.is_dir()

@@ -10,14 +10,15 @@ import numpy as np
 
 from ...catalogue import CATEGORIES
 from ...errors import InputError
-from ...scene import PlannedObject, Relation, RelationKind, ScenePlan
+from ...scene import PlannedObject, Relation, ScenePlan
 from . import lexicon, relations
 from .drafts import Draft, Reading
+from .filling import fill
 from .furniture import plan_table
 from .grammar import chunks
 from .laying import place_settings, setting_of
 from .statements import Reader
-from .themes import DEFAULT_TABLES, THEMES, Theme
+from .themes import DEFAULT_TABLES, THEMES
 from .vocabulary import (
     COLORS,
     DEFINITE,
@@ -79,8 +80,9 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     if setting:
         objects = [*objects, *place_settings(people, setting, objects, reading.excluded)]
     elif name and (not objects or (theme and reading.vague and len(objects) < 6)):
-        target = 7 if not objects else min(7, len(objects) + 3)
-        objects = _fill(objects, THEMES[name], target, reading.excluded, rng)
+        most = min(7, len(objects) + 3) if objects else 7
+        fewest = most if objects else max(THEMES[name].core, most - 2)
+        objects = fill(objects, THEMES[name], (fewest, most), reading.excluded, rng)
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
     objects, doubts = relations.checked(objects)
     style = drawn or next((word for word in words if word in STYLES), "plain")
@@ -176,50 +178,6 @@ def _default_theme(reading: Reading, *, empty: bool) -> str | None:
     heads = [noun.words[-1] for noun in reading.table if noun.kind == "table"]
     heads = [head for head in heads if empty or head not in ("table", "tabletop")]
     return next((DEFAULT_TABLES[head] for head in heads if head in DEFAULT_TABLES), None)
-
-
-def _fill(
-    objects: list[PlannedObject],
-    theme: Theme,
-    target: int,
-    excluded: set[str],
-    rng: np.random.Generator,
-) -> list[PlannedObject]:
-    """Add a theme's things and their functional relations until there are ``target`` objects."""
-    things = [_thing(entry) for entry in theme.things]
-    core = [] if objects else things[: theme.core]
-    others = [t for t in things if t not in core]
-    order = [others[i] for i in rng.permutation(len(others))]
-    count = target if objects else int(rng.integers(max(theme.core, target - 2), target + 1))
-    present = Counter(o.category for o in objects)
-    out = list(objects)
-    for key, kind, to in [*core, *order]:
-        if len(out) >= count:
-            break
-        if key is None or key in excluded or present[key]:
-            continue
-        goal = to if to == "table" else next((o.name for o in out if o.category == to), None)
-        if kind in ("on", "in") and goal is None:
-            continue
-        relation = (Relation(kind, goal),) if kind and goal else ()
-        out.append(PlannedObject(f"{key}_1", key.replace("_", " "), key, {}, relation))
-        present[key] += 1
-    return out
-
-
-def _thing(entry: str) -> tuple[str | None, RelationKind | None, str | None]:
-    """Read "mug right_of laptop" into category keys; None for what the catalogue lacks."""
-    words = entry.split()
-    at = next((i for i, w in enumerate(words) if w in relations.KINDS), len(words))
-    key = lexicon.category_of(tuple(words[:at]))
-    if at == len(words):
-        return key, None, None
-    to = words[at + 1 :]
-    return (
-        key,
-        relations.kind(words[at]),
-        ("table" if to == ["table"] else lexicon.category_of(tuple(to))),
-    )
 
 
 # ------------------------------------------------------------------------------------- objects

@@ -1,0 +1,59 @@
+"""What a scene is, told by ``scene.json`` alone: its digest and the kinds of its objects."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from ..errors import BundleError
+from ..scene import Scene
+from .encoding import dumps, encode_scene
+from .folder import read_truth
+
+_CONTENT = ("table", "objects", "models")
+
+
+def digest(scene: Scene) -> str:
+    """Return 12 hexadecimal digits that tell scenes apart by their table and objects alone.
+
+    Name, provenance, report and pictures do not count, so this is not the digest in the name of a
+    bundle, which names all of its bytes. A scene and its bundle have the same (``load_digest``).
+    """
+    return _digest(encode_scene(scene)[0])
+
+
+def load_digest(path: str | Path) -> str:
+    """Read what ``digest`` says of the scene of a bundle, without its meshes.
+
+    Raises:
+        BundleError: there is no bundle, or its ``scene.json`` is damaged.
+    """
+    payload = read_truth(Path(path))
+    missing = [key for key in _CONTENT if key not in payload]
+    if missing:
+        raise BundleError(f"{path}: scene.json has no {missing[0]!r}. Make the bundle again.")
+    return _digest(payload)
+
+
+def load_kinds(path: str | Path) -> list[tuple[str, str]]:
+    """Read the category and the label of each object of a bundle, without its meshes.
+
+    Raises:
+        BundleError: there is no bundle, or its ``scene.json`` is damaged.
+    """
+    payload = read_truth(Path(path))
+    try:
+        models = [payload["models"][entry["model"]] for entry in payload["objects"]]
+        return [(str(model["category"]), str(model["label"])) for model in models]
+    except (TypeError, KeyError) as error:
+        raise BundleError(
+            f"{path}: scene.json does not list its objects ({type(error).__name__}: {error}). "
+            "Make the bundle again."
+        ) from error
+
+
+def _digest(payload: Mapping[str, Any]) -> str:
+    content = dumps({key: payload[key] for key in _CONTENT})
+    return hashlib.sha256(content).hexdigest()[:12]

@@ -1,0 +1,33 @@
+"""Where an environment's tables come from: scenes that are there, made anew, or ever renewed.
+
+A source draws *references*: a key, by which a compiled world is reused, and a function that loads
+the scene when it is not there yet. Drawing uses the generator it is given and nothing else, so
+that a seeded environment sees the same tables again; only what is renewed by the clock does not.
+
+====================  =============================================================================
+``FixedScenes``       bundles and scenes in memory, all equally likely
+``FreshScenes``       a new one for each draw: of texts, or of a ``SceneDistribution``
+``RefreshingScenes``  a pool that processes keep renewing in the background
+``CurriculumScenes``  those of another source, harder as the policy succeeds
+``split``             the scenes of any source to train on, or those held out
+====================  =============================================================================
+"""
+
+from generator.distribution import SceneDistribution as SceneDistribution
+
+from .choosing import SceneChoice as SceneChoice
+from .choosing import resolve as resolve
+from .choosing import split as split
+from .curriculum import CurriculumScenes as CurriculumScenes
+from .difficulty import difficulty as difficulty
+from .difficulty import difficulty_terms as difficulty_terms
+from .finding import FRESH as FRESH
+from .finding import REFRESHING as REFRESHING
+from .finding import STARTER as STARTER
+from .fixed import FixedScenes as FixedScenes
+from .fresh import FreshScenes as FreshScenes
+from .recipe import Recipe as Recipe
+from .refreshing import RefreshingScenes as RefreshingScenes
+from .source import SceneRef as SceneRef
+from .source import SceneSource as SceneSource
+from .splitting import Rule as Rule

@@ -1,0 +1,89 @@
+"""What users may pass as ``scenes``, and the sources it means."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from generator.errors import InputError
+
+from .finding import FRESH, REFRESHING, STARTER, FixedChoice, fixed_scenes
+from .fresh import FreshScenes
+from .refreshing import RefreshingScenes
+from .source import SceneSource
+from .splitting import SHARE, By, Rule, Side, admitting
+
+SceneChoice = FixedChoice | SceneSource
+"""What may be passed as ``scenes``."""
+
+
+def resolve(scenes: SceneChoice) -> SceneSource:
+    """Make a scene source of what a user may pass as ``scenes``.
+
+    Args:
+        scenes: one of
+
+            - "starter": every bundle shipped with the package; "starter:train" and
+              "starter:held_out" split them by digest, a fifth held out;
+            - a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
+            - "fresh": made anew for each draw, of every theme; "fresh:PROMPT": of a text;
+            - "refreshing": a pool that begins with the starters and is renewed in the background
+              while training goes on, of every theme; "refreshing:PROMPT": of a text from the
+              start, which takes about a second a scene at the first reset;
+            - a ``Scene``, or a sequence of scenes, names, paths and globs;
+            - a ``SceneSource``, which is returned as it is.
+
+    Raises:
+        BundleError: no bundle fits; the message says what there is.
+        InputError: ``scenes`` is of another kind, an empty list, or a text that cannot be planned.
+    """
+    if isinstance(scenes, SceneSource):
+        return scenes
+    if isinstance(scenes, str) and scenes.partition(":")[0] in (FRESH, REFRESHING):
+        return _made(scenes)
+    return fixed_scenes(scenes)
+
+
+def split(
+    scenes: SceneChoice,
+    side: Side,
+    *,
+    by: By = "digest",
+    share: float = SHARE,
+    categories: Iterable[str] = (),
+) -> SceneSource:
+    """Return the source of only the scenes to train on, or only those held out.
+
+    Which side a scene is on depends on the scene alone: the sides never meet, in whatever process,
+    list or order they are asked for. See ``splitting``.
+
+    Args:
+        scenes: anything ``resolve`` takes. Of a refreshing pool the first scenes and all later
+            ones are split.
+        side: "train" or "held_out".
+        by: "digest" for a share of all scenes, "category" for what is on the table.
+        share: by digest, the share of all scenes that is held out.
+        categories: by category, the held-out ones ("mug", "wine glass"): a scene with any object
+            of any of them is held out.
+
+    Raises:
+        InputError: settings that do not go together, no such category, or fixed scenes of which
+            none is on that side. Where scenes are made on demand, a draw that finds none raises
+            ``SceneError``.
+    """
+    given = (categories,) if isinstance(categories, str) else tuple(categories)
+    return admitting(resolve(scenes), Rule(side, by, share, given))
+
+
+def _made(text: str) -> SceneSource:
+    """Return the source that a form of ``FRESH`` or ``REFRESHING`` means."""
+    head, colon, prompt = text.partition(":")
+    if colon and not prompt.strip():
+        raise InputError(
+            f"scenes={text!r} lacks a prompt. Pass for example '{head}:an office desk', or just "
+            f"{head!r}."
+        )
+    fresh = FreshScenes(prompt.strip()) if colon else FreshScenes()
+    fresh.check()
+    if head == FRESH:
+        return fresh
+    return RefreshingScenes(fresh, initial=None if colon else STARTER)

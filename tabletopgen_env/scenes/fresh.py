@@ -1,0 +1,109 @@
+"""Ever new scenes, made when they are asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from generator.distribution import SceneDistribution
+from generator.errors import InputError, SceneError
+
+from .recipe import COMPOSE, GENERATE, MOST_SEEDS, Recipe, maker
+from .source import SceneRef
+from .splitting import Rule
+
+DRAWS = 1000
+"""How many texts, or plans, and seeds are drawn for one of the right side of a split."""
+
+
+@dataclass(frozen=True)
+class FreshScenes:
+    """Makes a new table for every draw: a seed for a text drawn uniformly, or a drawn plan.
+
+    Attributes:
+        prompts: a text, a list of texts, or a distribution of tables.
+        variants: bounds the seeds, for each text or for the distribution, so that compiled worlds
+            are met again; at most 2^30.
+        making: "compose", "generate" or "module:function"; see ``Recipe``.
+        rules: what side of a split to keep to; see ``admitting``.
+
+    Raises:
+        InputError: no text, an empty one, or settings out of their range.
+    """
+
+    prompts: str | Sequence[str] | SceneDistribution = field(default_factory=SceneDistribution)
+    variants: int = 1_000_000
+    making: str = COMPOSE
+    rules: tuple[Rule, ...] = ()
+
+    def __post_init__(self) -> None:
+        given = self.prompts
+        if not isinstance(given, SceneDistribution):
+            texts = (given,) if isinstance(given, str) else tuple(given)
+            if not texts or not all(isinstance(t, str) and t.strip() for t in texts):
+                raise InputError(
+                    "FreshScenes needs at least one prompt, not empty, or a SceneDistribution, "
+                    f"got {given!r}. An example: FreshScenes('an office desk')."
+                )
+            object.__setattr__(self, "prompts", texts)
+        if not 1 <= self.variants <= MOST_SEEDS:
+            raise InputError(f"FreshScenes.variants is from 1 to 2^30, got {self.variants}.")
+        if self.making not in (COMPOSE, GENERATE):
+            maker(self.making)
+        object.__setattr__(self, "rules", tuple(self.rules))
+
+    def check(self) -> None:
+        """Plan each text once, since what cannot be planned can never be made.
+
+        Raises:
+            InputError: a text cannot be planned.
+        """
+        if not isinstance(self.prompts, SceneDistribution):
+            for text in self.prompts:
+                recipe = Recipe(text, 0, self.making)
+                if recipe.planned:
+                    recipe.plan()
+
+    def recipe(self, rng: np.random.Generator) -> Recipe:
+        """Draw what decides one scene, on the right side of every split.
+
+        Raises:
+            SceneError: none of ``DRAWS`` drawn ones is.
+        """
+        for _ in range(DRAWS):
+            recipe = self._any_recipe(rng)
+            if recipe.admitted():
+                return recipe
+        sides = " and ".join(str(rule) for rule in self.rules)
+        raise SceneError(
+            f"None of {DRAWS} drawn scenes is for {sides}. Choose another share or other "
+            f"categories, other prompts, or more variants than {self.variants}."
+        )
+
+    def _any_recipe(self, rng: np.random.Generator) -> Recipe:
+        what = self.prompts
+        if not isinstance(what, SceneDistribution):
+            what = what[int(rng.integers(len(what)))]
+        return Recipe(what, int(rng.integers(self.variants)), self.making, self.rules)
+
+    def draw(self, rng: np.random.Generator) -> SceneRef:
+        """Draw what decides a scene; the scene is made when it is loaded.
+
+        Raises:
+            InputError: a text cannot be planned.
+            SceneError: no drawn scene is on the right side of a split.
+        """
+        recipe = self.recipe(rng)
+        return SceneRef(recipe.key, recipe.make)
+
+    def admitting(self, rule: Rule) -> FreshScenes:
+        """Return the source of only those scenes that a rule admits.
+
+        Raises:
+            InputError: there is no such category.
+        """
+        if self.making in (COMPOSE, GENERATE):
+            rule.check_categories()
+        return replace(self, rules=(*self.rules, rule))
