@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import gymnasium as gym
 import numpy as np
 
 from generator.errors import InputError, SceneError, choices
 
-from .actions import SUBSTEPS, ActionMode, checked, controller
+from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
 from .observations import (
     ObservationMode,
@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 RewardMode = Literal["dense", "sparse"]
 
+RENDER_MODES = ("rgb_array", "depth_array", "human")
+
 DRAWS = 25
 """How many scenes a reset draws before it gives up finding one with something to do."""
 
@@ -42,7 +44,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         task: the task; None for ``PickPlace()``.
         observation: "state", "pixels" or "pixels+state"; see ``observations``. ("goal" is
             ``GoalTabletopEnv``; ``make_env`` chooses.)
-        action: "ee_delta" or "joint_delta"; see ``actions``.
+        action: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
+            "joint_target"; see ``actions``.
+        gripper: "continuous" or "binary"; what the last entry of an action means.
+        control_hz: actions per second; divides 500.
         reward: "dense" (named terms, in [0, 1], 1 exactly on success) or "sparse" (0 on success,
             -1 otherwise).
         render_mode: None, "rgb_array", "depth_array" or "human".
@@ -60,11 +65,6 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     the dense reward stays highest where the task stays done; the time limit truncates it.
     """
 
-    metadata: ClassVar[dict[str, Any]] = {
-        "render_modes": ["rgb_array", "depth_array", "human"],
-        "render_fps": 20,
-    }
-
     def __init__(
         self,
         scenes: SceneChoice = STARTER,
@@ -72,6 +72,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         task: PickPlace | None = None,
         observation: ObservationMode = "state",
         action: ActionMode = "ee_delta",
+        gripper: GripperMode = "continuous",
+        control_hz: int = CONTROL_HZ,
         reward: RewardMode = "dense",
         render_mode: str | None = None,
         image_size: int = 128,
@@ -84,18 +86,19 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise InputError(
                 f"Unknown reward {reward!r}." + choices(str(reward), ["dense", "sparse"])
             )
-        modes = self.metadata["render_modes"]
-        if render_mode is not None and render_mode not in modes:
+        if render_mode is not None and render_mode not in RENDER_MODES:
             raise InputError(
-                f"Unknown render mode {render_mode!r}." + choices(str(render_mode), modes)
+                f"Unknown render mode {render_mode!r}." + choices(str(render_mode), RENDER_MODES)
             )
         if renderer not in RENDERERS:
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
         self.source = resolve(scenes)
         self.task = task or PickPlace()
         self.observation_space = observation_space(observation, image_size)
-        self.controller = controller(action)
+        self.action_mode: ActionMode = action
+        self.controller = controller(action, gripper, control_hz)
         self.action_space = self.controller.space
+        self.metadata = {"render_modes": list(RENDER_MODES), "render_fps": control_hz}
         self.reward = reward
         self.render_mode = render_mode
         self._observation: ObservationMode = observation
@@ -138,14 +141,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         return self._observe(achieved, desired), self._info(terms)
 
     def step(self, action: ArrayLike) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Act for 50 ms.
+        """Act for 50 ms, or what ``control_hz`` makes of it.
 
         Raises:
             InputError: an action of wrong shape or with NaN, or no ``reset`` before.
         """
         world = self.world
         self.controller.apply(world, checked(action, self.controller.space))
-        world.step(SUBSTEPS)
+        world.step(self.controller.servos.substeps)
         desired = self.task.desired(world, self.episode)
         achieved = self.task.achieved(world, self.episode, desired)
         terms = self._terms(achieved, desired)

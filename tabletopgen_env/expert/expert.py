@@ -29,7 +29,7 @@ from jaxtyping import Float
 from generator.errors import InputError, SceneError
 from generator.geometry import wrap
 
-from ..actions import EE_STEP, EE_TURN
+from ..actions import EE_STEP, EE_TURN, Servos
 from ..robot import franka
 from ..robot.kinematics import HOME, LOWER, UPPER, solve_ik
 from .grasps import TIP, Grasp, plan_grasps
@@ -73,14 +73,17 @@ class PickPlaceExpert:
     it is doing, ``attempts`` how many grasps it has begun.
 
     Raises:
-        InputError: the environment has another action mode.
+        InputError: the environment has another action mode, rate or gripper.
         SceneError: at ``reset``, if no grasp of the target can be reached.
     """
 
     def __init__(self, env: Any) -> None:
         self._env: TabletopEnv = env.unwrapped
-        if self._env.action_space.shape != (5,):
-            raise InputError("The expert acts in 'ee_delta'; make the environment with that mode.")
+        if self._env.action_mode != "ee_delta" or self._env.controller.servos != Servos():
+            raise InputError(
+                "The expert acts in 'ee_delta' at 20 Hz with a continuous gripper; make the "
+                "environment with these."
+            )
         self.phase: Phase = "approach"
         self.attempts = 0
 
