@@ -11,21 +11,19 @@ from generator.errors import InputError, SceneError, choices
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
-from .observations import (
-    ObservationMode,
-    flat_state,
-    observation_space,
-    pictures,
-    slot_order,
-)
-from .rendering import RENDERERS, Drawer, RendererChoice, drawer
+from .observations import ObservationMode, flat_state, observation_space, slot_order
+from .point_cloud import point_cloud
+from .rendering import RENDERERS, Drawer, Kind, RendererChoice, drawer
 from .robot.panda import Panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .tasks.pick_place import GOAL_WEIGHTS, WEIGHTS, Episode, PickPlace
+from .views import CameraName, ObservationConfig, pictures
 from .window import Window
 from .world import World, WorldCache
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import ArrayLike
 
 RewardMode = Literal["dense", "sparse"]
@@ -42,8 +40,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     Args:
         scenes: where tables come from; see ``scenes.resolve``.
         task: the task; None for ``PickPlace()``.
-        observation: "state", "pixels" or "pixels+state"; see ``observations``. ("goal" is
-            ``GoalTabletopEnv``; ``make_env`` chooses.)
+        observation: "state", "pixels", "pixels+state", "point_cloud" or "point_cloud+state"; see
+            ``observations``. ("goal" is ``GoalTabletopEnv``; ``make_env`` chooses.)
+        cameras: what pictures and point clouds are taken with: some of "front", "wrist", "top".
+        kinds: what pixel observations hold of each: some of "rgb", "depth", "segmentation".
+        image_size: their height and width in pixels, or one number for both.
+        points: points of a point cloud.
         action: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
             "joint_target"; see ``actions``.
         gripper: "continuous" or "binary"; what the last entry of an action means.
@@ -51,7 +53,6 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         reward: "dense" (named terms, in [0, 1], 1 exactly on success) or "sparse" (0 on success,
             -1 otherwise).
         render_mode: None, "rgb_array", "depth_array" or "human".
-        image_size: height and width of the pixel observations.
         render_size: (height, width) of what ``render`` returns.
         renderer: "auto", "gl" or "software"; see ``rendering``.
         robot: the robot; None for ``Panda()``.
@@ -71,12 +72,15 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         *,
         task: PickPlace | None = None,
         observation: ObservationMode = "state",
+        cameras: Sequence[CameraName] = ("front", "wrist"),
+        kinds: Sequence[Kind] = ("rgb",),
+        image_size: int | tuple[int, int] = 128,
+        points: int = 1024,
         action: ActionMode = "ee_delta",
         gripper: GripperMode = "continuous",
         control_hz: int = CONTROL_HZ,
         reward: RewardMode = "dense",
         render_mode: str | None = None,
-        image_size: int = 128,
         render_size: tuple[int, int] = (480, 640),
         renderer: RendererChoice = "auto",
         robot: Panda | None = None,
@@ -94,7 +98,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
         self.source = resolve(scenes)
         self.task = task or PickPlace()
-        self.observation_space = observation_space(observation, image_size)
+        self._views = ObservationConfig(cameras, kinds, image_size, points)
+        self.observation_space = observation_space(observation, self._views)
         self.action_mode: ActionMode = action
         self.controller = controller(action, gripper, control_hz)
         self.action_space = self.controller.space
@@ -102,12 +107,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self.reward = reward
         self.render_mode = render_mode
         self._observation: ObservationMode = observation
-        self._image_size = image_size
         self._render_size = render_size
         self._renderer = renderer
         self._worlds = WorldCache(robot or Panda(), cache)
         self._drawers: dict[str, Drawer] = {}
-        self._window = Window()
+        self._window = Window(1 / control_hz)
         self._world: World | None = None
         self._episode: Episode | None = None
         self._order: list[str] = []
@@ -233,9 +237,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             return {"observation": state, "achieved_goal": achieved, "desired_goal": desired}
         if self._observation == "state":
             return flat_state(world, self._order, desired, into)
-        picture = self._drawer("pixels")
-        seen: dict[str, np.ndarray] = pictures(lambda camera: picture.rgb(world, camera))
-        if self._observation == "pixels+state":
+        look = pictures if self._observation.startswith("pixels") else point_cloud
+        seen = look(self._views, world, self._drawer("pixels"), self._order)
+        if self._observation.endswith("+state"):
             seen["state"] = flat_state(world, self._order, desired, into)
         return seen
 
@@ -255,7 +259,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """Return the drawer for "pixels" or "render", made on first use."""
         if purpose not in self._drawers:
             pixels = purpose == "pixels"
-            size = (self._image_size, self._image_size) if pixels else self._render_size
+            size = self._views.size if pixels else self._render_size
             profile = "fast" if pixels else "full"
             self._drawers[purpose] = drawer(self._renderer, *size, profile)
         return self._drawers[purpose]

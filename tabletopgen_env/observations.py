@@ -33,17 +33,21 @@ not shown.
 
 The modes
 ---------
-``state``         the flat state (279 entries).
-``goal``          a dict for hindsight replay: ``observation`` is the flat state without the goal
-                  (entries 0-267), ``achieved_goal`` and ``desired_goal`` are the task's goal
-                  vectors.
-``pixels``        a dict of ``uint8`` pictures: ``front`` and ``wrist``.
-``pixels+state``  the same with ``state``.
+=====================  ========================================================================
+``state``              the flat state (279 entries)
+``goal``               a dict for hindsight replay: ``observation`` is the flat state without the
+                       goal (entries 0-267), ``achieved_goal`` and ``desired_goal`` are the task's
+                       goal vectors
+``pixels``             a dict of pictures, see ``views``
+``pixels+state``       the same with ``state``
+``point_cloud``        a dict of points, see ``point_cloud``
+``point_cloud+state``  the same with ``state``
+=====================  ========================================================================
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 from gymnasium import spaces
@@ -51,23 +55,15 @@ from jaxtyping import Float
 
 from generator.errors import InputError, choices
 
-from .composition import FRONT_CAMERA, WRIST_CAMERA
+from .point_cloud import point_cloud_spaces
 from .robot.panda import HOME_CTRL
+from .views import SLOTS, ObservationConfig
 from .world import World
 
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from jaxtyping import UInt8
-
-ObservationMode = Literal["state", "goal", "pixels", "pixels+state"]
-MODES: tuple[ObservationMode, ...] = ("state", "goal", "pixels", "pixels+state")
-
-SLOTS = 12
-"""Objects that the state has room for."""
-
-CAMERAS = {"front": FRONT_CAMERA, "wrist": WRIST_CAMERA}
-"""Cameras of the pixel modes, by their key in the observation."""
+ObservationMode = Literal[
+    "state", "goal", "pixels", "pixels+state", "point_cloud", "point_cloud+state"
+]
+MODES: tuple[ObservationMode, ...] = get_args(ObservationMode)
 
 ROBOT_BOUNDS = np.array(
     [4.0] * 7 + [10.0] * 7 + [0.1] + [3.0] * 3 + [1.0] * 6 + [4.0] * 7 + [1.0] * 3 + [3.0] * 6
@@ -87,11 +83,11 @@ def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
     return spaces.Box(-high, high, dtype=np.float32)
 
 
-def observation_space(mode: str, image_size: int) -> spaces.Space[Any]:
-    """Return the space of an observation mode, with pictures of ``image_size`` squared.
+def observation_space(mode: str, config: ObservationConfig) -> spaces.Space[Any]:
+    """Return the space of an observation mode.
 
     Raises:
-        InputError: no such mode, or a picture smaller than 8 or larger than 2048 pixels.
+        InputError: no such mode.
     """
     if mode not in MODES:
         raise InputError(f"Unknown observation mode {mode!r}." + choices(str(mode), MODES))
@@ -105,11 +101,9 @@ def observation_space(mode: str, image_size: int) -> spaces.Space[Any]:
                 "desired_goal": _box(GOAL_VECTOR_BOUNDS),
             }
         )
-    if not 8 <= image_size <= 2048:
-        raise InputError(f"image_size must be between 8 and 2048 pixels, got {image_size}.")
-    picture = spaces.Box(0, 255, (image_size, image_size, 3), np.uint8)
-    entries: dict[str, spaces.Space[Any]] = dict.fromkeys(CAMERAS, picture)
-    if mode == "pixels+state":
+    pixels = mode.startswith("pixels")
+    entries = config.picture_spaces() if pixels else point_cloud_spaces(config.points)
+    if mode.endswith("+state"):
         entries["state"] = _box(_FULL_BOUNDS)
     return spaces.Dict(entries)
 
@@ -184,10 +178,3 @@ def flat_state(
         parts.append(np.array([float(into), *desired[:7], *(desired[:3] - slots[0, :3])]))
     bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
     return np.clip(np.concatenate(parts), -bounds, bounds).astype(np.float32)
-
-
-def pictures(
-    draw: Callable[[str], UInt8[np.ndarray, "h w 3"]],
-) -> dict[str, UInt8[np.ndarray, "h w 3"]]:
-    """Return the pictures of the pixel modes; ``draw`` renders one camera."""
-    return {key: draw(camera) for key, camera in CAMERAS.items()}

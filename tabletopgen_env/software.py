@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
 import numpy as np
-from jaxtyping import Float, Int, UInt8
+from jaxtyping import Float, Int, Shaped, UInt8
 
 from generator.geometry import Camera
 
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
     from generator.render.raster import Item, Rendered
 
-    from .rendering import Profile
+    from .rendering import Kind, Profile
     from .world import World
 
 _ROUND = 24  # sides of a drawn cylinder
@@ -45,13 +46,26 @@ class SoftwareDrawer:
         self._size, self._full = (height, width), profile == "full"
         self._shapes: WeakKeyDictionary[World, list[Shape]] = WeakKeyDictionary()
 
+    def draw(
+        self, world: World, camera: str, kinds: Collection[Kind]
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+        """Return the pictures of some kinds, drawn together."""
+        samples = 2 if self._full and "rgb" in kinds else 1
+        made = self._render(world, camera, samples)
+        drawn: dict[Kind, Shaped[np.ndarray, "h w *c"]] = {
+            "rgb": made.image,
+            "depth": made.depth,
+            "segmentation": made.ids,
+        }
+        return {kind: drawn[kind] for kind in kinds}
+
     def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
         """Return what ``camera`` sees."""
-        return self._render(world, camera, 2 if self._full else 1).image
+        return self.draw(world, camera, ("rgb",))["rgb"]
 
     def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
         """Return the distance along the optical axis in metres (inf where nothing is)."""
-        return self._render(world, camera, 1).depth
+        return self.draw(world, camera, ("depth",))["depth"]
 
     def forget(self, world: World) -> None:
         """Free the triangles of ``world``."""

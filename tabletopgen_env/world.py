@@ -53,6 +53,7 @@ class World:
         arm_qpos, arm_dof: addresses of the seven arm joints in qpos and qvel.
         finger_qpos: addresses of the two finger slides in qpos.
         actuators: ids of the seven servos and the gripper.
+        robot_bodies: MuJoCo body ids of the robot's links, hand and fingers.
         tcp: id of the tool centre point's site.
     """
 
@@ -81,6 +82,7 @@ class World:
         self._marker_geom = int(model.geom(MARKER).id)
         self._marker_mocap = int(model.body(MARKER).mocapid[0])
         self._gripper_side = _gripper_sides(model)
+        self.robot_bodies: Int[np.ndarray, "r"] = np.flatnonzero(self._gripper_side)
         self._points = [collision_points(o) for o in scene.objects]
         self.half_extent = np.array([o.scale / 2 for o in scene.objects]).reshape(-1, 3)
         self.base_rotation = rotation_z(self.mount.yaw)
