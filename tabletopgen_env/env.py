@@ -13,6 +13,7 @@ from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
 from .observations import ObservationMode, flat_state, observation_space, slot_order
 from .point_cloud import point_cloud
+from .randomization import Randomization, Randomizer
 from .rendering import RENDERERS, Drawer, Kind, RendererChoice, drawer
 from .robot.panda import Panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
@@ -55,6 +56,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         render_mode: None, "rgb_array", "depth_array" or "human".
         render_size: (height, width) of what ``render`` returns.
         renderer: "auto", "gl" or "software"; see ``rendering``.
+        randomization: what differs from episode to episode: a ``Randomization``, "light",
+            "strong", or None for nothing; see ``randomization``.
         robot: the robot; None for ``Panda()``.
         cache: how many compiled worlds are kept.
 
@@ -62,7 +65,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     and "goal" (a container's name, "spot", or a point (x, y) of the table in the world frame).
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
-    "instruction", "scene", "target" and "goal". An episode never terminates by itself, since
+    "instruction", "scene", "target" and "goal"; that of ``reset`` also holds "randomization", what
+    was drawn. An episode never terminates by itself, since
     the dense reward stays highest where the task stays done; the time limit truncates it.
     """
 
@@ -83,6 +87,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         render_mode: str | None = None,
         render_size: tuple[int, int] = (480, 640),
         renderer: RendererChoice = "auto",
+        randomization: Randomization | str | None = None,
         robot: Panda | None = None,
         cache: int = 16,
     ) -> None:
@@ -98,6 +103,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
         self.source = resolve(scenes)
         self.task = task or PickPlace()
+        self._randomizer = Randomizer(randomization)
         self._views = ObservationConfig(cameras, kinds, image_size, points)
         self.observation_space = observation_space(observation, self._views)
         self.action_mode: ActionMode = action
@@ -142,7 +148,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         terms = self._terms(achieved, desired)
         if self.render_mode == "human":
             self.render()
-        return self._observe(achieved, desired), self._info(terms)
+        info = {**self._info(terms), "randomization": self._randomizer.drawn}
+        return self._observe(achieved, desired), info
 
     def step(self, action: ArrayLike) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Act for 50 ms, or what ``control_hz`` makes of it.
@@ -151,7 +158,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             InputError: an action of wrong shape or with NaN, or no ``reset`` before.
         """
         world = self.world
-        self.controller.apply(world, checked(action, self.controller.space))
+        command = self._randomizer.delayed(checked(action, self.controller.space))
+        if command is not None:
+            self.controller.apply(world, command)
         world.step(self.controller.servos.substeps)
         desired = self.task.desired(world, self.episode)
         achieved = self.task.achieved(world, self.episode, desired)
@@ -202,14 +211,17 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """Draw scenes until one offers something to do."""
         source = resolve(options["scene"]) if "scene" in options else self.source
         tried: set[str] = set()
+        self._randomizer.restart(self.np_random)
         for _ in range(DRAWS):
             ref = source.draw(self.np_random)
             world = self._world_of(ref)
-            world.reset()
+            self._randomizer.begin(world)
             try:
                 episode = self.task.sample(
                     world, self.np_random, options.get("target"), options.get("goal")
                 )
+                needed = [n for n in (episode.target, episode.container) if n is not None]
+                self._randomizer.finish(world, needed)
                 return world, episode
             except SceneError as error:
                 tried.add(str(error))
@@ -232,15 +244,16 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     def _observe(self, achieved: np.ndarray, desired: np.ndarray) -> Any:
         world, into = self.world, self.episode.container is not None
+        noise = self._randomizer.noise()
         if self._observation == "goal":
-            state = flat_state(world, self._order, desired, into, bare=True)
+            state = flat_state(world, self._order, desired, into, bare=True, noise=noise)
             return {"observation": state, "achieved_goal": achieved, "desired_goal": desired}
         if self._observation == "state":
-            return flat_state(world, self._order, desired, into)
+            return flat_state(world, self._order, desired, into, noise=noise)
         look = pictures if self._observation.startswith("pixels") else point_cloud
         seen = look(self._views, world, self._drawer("pixels"), self._order)
         if self._observation.endswith("+state"):
-            seen["state"] = flat_state(world, self._order, desired, into)
+            seen["state"] = flat_state(world, self._order, desired, into, noise=noise)
         return seen
 
     def _info(self, terms: dict[str, float]) -> dict[str, Any]:

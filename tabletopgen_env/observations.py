@@ -47,15 +47,18 @@ The modes
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any, Literal, get_args
 
 import numpy as np
 from gymnasium import spaces
 from jaxtyping import Float
+from scipy.spatial.transform import Rotation
 
 from generator.errors import InputError, choices
 
 from .point_cloud import point_cloud_spaces
+from .robot.kinematics import forward
 from .robot.panda import HOME_CTRL
 from .views import SLOTS, ObservationConfig
 from .world import World
@@ -112,17 +115,36 @@ def slot_order(world: World, target: str, container: str | None) -> list[str]:
     """Return the objects in slot order: target, goal container, then the nearest, at most 12."""
     center = world.position(target)
     first = [target] if container is None else [target, container]
-    rest = [name for name in world.names if name not in first]
+    rest = [name for name in world.names if name not in first and name not in world.absent]
     rest.sort(key=lambda name: (float(np.linalg.norm(world.position(name) - center)), name))
     return (first + rest)[:SLOTS]
 
 
-def robot_state(world: World, target: str) -> Float[np.ndarray, "40"]:
+@dataclass(frozen=True, eq=False)
+class Noise:
+    """What is added to one reading of the state.
+
+    ``joints`` (rad) are added to the arm's, and the tool's pose follows; ``positions`` (m, base
+    frame) and ``turns`` (rotation vectors, base frame) are added to the objects by slot. Goals
+    have none.
+    """
+
+    joints: Float[np.ndarray, "7"]
+    positions: Float[np.ndarray, "slots 3"]
+    turns: Float[np.ndarray, "slots 3"]
+
+
+def robot_state(world: World, target: str, noise: Noise | None = None) -> Float[np.ndarray, "40"]:
     """Return entries 0-39 of the flat state."""
     data = world.data
     joints = data.qpos[world.arm_qpos]
     tcp = world.to_base(data.site_xpos[world.tcp])
     hand = world.base_rotation.T @ data.site_xmat[world.tcp].reshape(3, 3)
+    at = world.to_base(world.position(target))
+    if noise is not None:
+        (point, turned), (there, misread) = forward(joints), forward(joints + noise.joints)
+        tcp, hand = tcp + there - point, misread @ turned.T @ hand
+        joints, at = joints + noise.joints, at + noise.positions[0]
     command = data.ctrl[world.actuators]
     left, right, _ = world.touched(target)
     half = np.ptp(world.scene.table.outline, axis=0) / 2
@@ -136,22 +158,28 @@ def robot_state(world: World, target: str) -> Float[np.ndarray, "40"]:
             hand[:, :2].T.ravel(),
             command[:7] - joints,
             [2 * command[7] / HOME_CTRL[7] - 1, left, right],
-            world.to_base(world.position(target)) - tcp,
+            at - tcp,
             [top, half.max(), half.min()],
         ]
     )
 
 
-def object_slots(world: World, order: list[str]) -> Float[np.ndarray, "slots 19"]:
+def object_slots(
+    world: World, order: list[str], noise: Noise | None = None
+) -> Float[np.ndarray, "slots 19"]:
     """Return the object slots of the flat state for objects in ``order``."""
     rows = [world.index(name) for name in order]
     bodies = world.bodies[rows]
     rotation = world.base_rotation.T @ world.data.xmat[bodies].reshape(-1, 3, 3)
     speed = world.velocities()[rows]
     spin = np.einsum("kij,kj->ki", rotation, speed[:, 3:])
+    position = world.to_base(world.data.xpos[bodies])
+    if noise is not None:
+        position = position + noise.positions[: len(rows)]
+        rotation = Rotation.from_rotvec(noise.turns[: len(rows)]).as_matrix() @ rotation
     slots = np.zeros((SLOTS, 19))
     filled = slots[: len(rows)]
-    filled[:, 0:3] = world.to_base(world.data.xpos[bodies])
+    filled[:, 0:3] = position
     filled[:, 3:9] = rotation[:, :, :2].transpose(0, 2, 1).reshape(-1, 6)
     filled[:, 9:12] = world.half_extent[rows]
     filled[:, 12:15] = speed[:, :3] @ world.base_rotation
@@ -161,7 +189,12 @@ def object_slots(world: World, order: list[str]) -> Float[np.ndarray, "slots 19"
 
 
 def flat_state(
-    world: World, order: list[str], desired: Float[np.ndarray, "8"], into: bool, bare: bool = False
+    world: World,
+    order: list[str],
+    desired: Float[np.ndarray, "8"],
+    into: bool,
+    bare: bool = False,
+    noise: Noise | None = None,
 ) -> Float[np.ndarray, "n"]:
     """Return the flat state; ``bare`` leaves the goal's entries out.
 
@@ -171,9 +204,10 @@ def flat_state(
         desired: the task's goal vector.
         into: whether the goal is a container.
         bare: return entries 0-267 alone.
+        noise: of this reading; None is none.
     """
-    slots = object_slots(world, order)
-    parts = [robot_state(world, order[0]), slots.ravel()]
+    slots = object_slots(world, order, noise)
+    parts = [robot_state(world, order[0], noise), slots.ravel()]
     if not bare:
         parts.append(np.array([float(into), *desired[:7], *(desired[:3] - slots[0, :3])]))
     bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
