@@ -65,9 +65,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     and "goal" (a container's name, "spot", or a point (x, y) of the table in the world frame).
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
-    "instruction", "scene", "target" and "goal"; that of ``reset`` also holds "randomization", what
-    was drawn. An episode never terminates by itself, since
-    the dense reward stays highest where the task stays done; the time limit truncates it.
+    "instruction", "scene", "target" and "goal"; that of ``reset`` also "randomization", what was
+    drawn. An episode never terminates by itself, since the dense reward stays highest where the
+    task stays done; the time limit truncates it.
     """
 
     def __init__(

@@ -19,7 +19,7 @@ least as wide as high.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Literal, get_args
@@ -149,9 +149,10 @@ def geom_labels(world: World, order: Sequence[str]) -> UInt8[np.ndarray, "ngeom+
     return np.append(body[model.geom_bodyid], np.uint8(BACKGROUND))
 
 
-def _some(what: str, wanted: Any, known: Iterable[str]) -> tuple[str, ...]:
+def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
     """Return ``wanted`` as a tuple of known names."""
-    names = (wanted,) if isinstance(wanted, str) else tuple(wanted)
+    several = isinstance(wanted, Iterable) and not isinstance(wanted, str)
+    names: tuple[Any, ...] = tuple(wanted) if several else (wanted,)
     for name in names:
         if name not in known:
             raise InputError(f"Unknown {what} {name!r}." + choices(str(name), known))

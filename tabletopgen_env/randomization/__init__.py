@@ -18,13 +18,14 @@ delay            actions take effect 0 to ``delay`` steps late; until the first 
 noise            of the readings in the state, anew at each step: joints, and with them the tool's
                  pose (``joint_noise``), object places (``position_noise``) and rotations
                  (``rotation_noise``); never of the goal, the reward or goal vectors
-poses            place (``move``) and yaw (``turn``) of what stands on the table, with all that is
-                 on or in it. The new scene is simulated: what overlaps, leaves the table or does
-                 not rest stays where it was
+poses            place (``move``) and yaw (``turn``) of objects, together with all that they carry
+                 or touch. The new scene is simulated: what overlaps, reaches over the edge or does
+                 not rest stays where it was. With this a reset plans a grasp anew, too, and takes
+                 a fifth of a second
 table            the table's height with all that is on it, as against the robot's base and the
                  cameras (``table_height``); see below
 distractors      how many objects that the task does not need stay on the table; the others are
-                 taken away with all that is on or in them, and have no slot
+                 taken away, together with all that they carry or touch, and have no slot
 ===============  ==================================================================================
 
 The world frame is fixed to the table, so a higher table shows as a lower base, pedestal and

@@ -1,8 +1,12 @@
-"""Where things stand, and which of them are there at all."""
+"""Where things stand, and which of them are there at all.
+
+Things that carry or touch one another, a bowl and its fruit, a book and what leans on it, are one
+*bundle*: they are moved and taken away together, so that nothing loses its support.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -10,7 +14,7 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.geometry import inside_margin, rotation_z
-from generator.scene import TABLE, Object, Pose, Scene
+from generator.scene import Object, Pose, Scene
 
 from ..affordance import footprint
 
@@ -30,27 +34,51 @@ DRIFT, TILT = 2e-3, np.deg2rad(2.0)
 _DEPTH = 10.0  # how far below the floor things are parked, metres
 
 
+def bundles(world: World) -> dict[str, str]:
+    """Return for each object the first of its bundle that stands on the table.
+
+    The world is at its start: who touches whom there counts.
+    """
+    first = {name: name for name in world.names}
+    stands = [o.name for o in world.scene.objects if o.placement.on not in first]
+    pairs = [(o.name, o.placement.on) for o in world.scene.objects if o.placement.on in first]
+    for one, other in (*pairs, *_touching(world)):
+        a, b = first[one], first[other]
+        kept = min(a, b, key=lambda name: (name not in stands, world.names.index(name)))
+        first = {name: kept if root in (a, b) else root for name, root in first.items()}
+    return first
+
+
+def _touching(world: World) -> list[tuple[str, str]]:
+    """Return the pairs of objects in contact."""
+    owner = {int(body): name for body, name in zip(world.bodies, world.names, strict=True)}
+    bodies = world.model.geom_bodyid[world.data.contact.geom].tolist()
+    return [(owner[a], owner[b]) for a, b in bodies if a in owner and b in owner]
+
+
 # ------------------------------------------------------------------------------------------ poses
 
 
-def draw_poses(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:
-    """Draw the move (x, y, metres) and the turn (radians) of each object that stands on the table.
+def draw_poses(
+    settings: Randomization, world: World, rng: np.random.Generator
+) -> dict[str, list[float]]:
+    """Draw the move (x, y, metres) and the turn (radians) of each bundle, by its first object.
 
-    What is on or in it goes along.
+    The world is at its start.
     """
     most = np.array([settings.move, settings.move, settings.turn])
     drawn = (most * rng.uniform(-1, 1, (len(world.names), 3))).tolist()
-    roots = set(supports(world.scene).values())
+    roots = set(bundles(world).values())
     return {name: row for name, row in zip(world.names, drawn, strict=True) if name in roots}
 
 
-def apply_poses(world: World, drawn: dict[str, Any]) -> list[str]:
-    """Rearrange the world's scene; return the names of those that had to stay where they were.
+def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
+    """Rearrange the world's scene; return those of ``drawn`` that had to stay where they were.
 
-    The world is left at its start.
+    The world is at its start, and is left there.
     """
-    before, root = world.scene, supports(world.scene)
-    moves: dict[str, Any] = dict(drawn)
+    before, root = world.scene, bundles(world)
+    moves = dict(drawn)
     while moves:
         world.rearrange(moved(before, root, moves))
         bad = _misplaced(world, before, root, set(moves))
@@ -63,28 +91,14 @@ def apply_poses(world: World, drawn: dict[str, Any]) -> list[str]:
     return [name for name in drawn if name not in moves]
 
 
-def supports(scene: Scene) -> dict[str, str]:
-    """Return, for each object, the one on the table that carries it in the end, or itself."""
-    on = {thing.name: thing.placement.on for thing in scene.objects}
-    found = {}
-    for name in on:
-        root = name
-        for _ in on:  # at most as many steps as there are objects
-            if on[root] == TABLE or on[root] not in on:
-                break
-            root = on[root]
-        found[name] = root
-    return found
-
-
-def moved(scene: Scene, root: Mapping[str, str], moves: Mapping[str, Any]) -> Scene:
-    """Return the scene with things moved (x, y) and turned about those that carry them."""
+def moved(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]]) -> Scene:
+    """Return the scene with bundles moved (x, y) and turned about their first object."""
     objects = []
     for thing in scene.objects:
-        carrier = root[thing.name]
-        if carrier in moves:
-            x, y, turn = moves[carrier]
-            centre = scene.object(carrier).pose.position
+        first = root[thing.name]
+        if first in moves:
+            x, y, turn = moves[first]
+            centre = scene.object(first).pose.position
             thing = _moved(thing, centre, np.array([x, y, 0.0]), turn)
         objects.append(thing)
     return scene.replace(objects=tuple(objects))
@@ -106,9 +120,9 @@ def _misplaced(world: World, before: Scene, root: Mapping[str, str], movers: set
     """Return which of the ``movers`` have to stay: over the edge, overlapping, not at rest."""
     import mujoco
 
-    bad = {name for name in movers if _over_the_edge(world.scene, before, name)}
-    if bad:
-        return bad
+    over = [o.name for o in before.objects if _over_the_edge(world.scene, before, o.name)]
+    if over:
+        return {root[name] for name in over}
     world.reset()
     bad = _overlapping(world, root, movers)
     if bad:
@@ -117,8 +131,8 @@ def _misplaced(world: World, before: Scene, root: Mapping[str, str], movers: set
     for _ in range(SETTLING):
         mujoco.mj_step(world.model, world.data)
     mujoco.mj_kinematics(world.model, world.data)
-    bad = {root[name] for name in _restless(world, start)}
-    return bad & movers or (movers if bad else set())  # a neighbour that leaned on one of them
+    restless = {root[name] for name in _restless(world, start)}
+    return restless & movers or (movers if restless else set())
 
 
 def _over_the_edge(scene: Scene, before: Scene, name: str) -> bool:
@@ -129,7 +143,7 @@ def _over_the_edge(scene: Scene, before: Scene, name: str) -> bool:
 
 
 def _overlapping(world: World, root: Mapping[str, str], movers: set[str]) -> set[str]:
-    """Return the movers that touch the robot or reach into what does not go with them."""
+    """Return the movers that touch the robot or reach into another bundle."""
     owner = {int(body): name for body, name in zip(world.bodies, world.names, strict=True)}
     robot, contact = set(world.robot_bodies.tolist()), world.data.contact
     bad: set[str] = set()
@@ -173,33 +187,27 @@ def draw_distractors(
 
 
 def leaving(
-    scene: Scene, keep: Collection[str], most: int, order: Collection[str]
+    root: Mapping[str, str], keep: Collection[str], most: int, order: Iterable[str]
 ) -> tuple[str, ...]:
-    """Return which objects go, so that at most ``most`` stay beside those in ``keep``.
+    """Return which objects go, in ``order``, so that at most ``most`` stay beside those needed.
 
-    What carries something that stays does not go, and what is on or in something that goes does.
+    Needed are those in ``keep`` with their bundles. Others go with their whole bundle.
+
+    Args:
+        root: the bundles.
+        keep: objects that have to stay.
+        most: how many others may.
+        order: the objects, those that are to go first first.
     """
-    on = {thing.name: thing.placement.on for thing in scene.objects}
-    kept = set(keep)
-    for name in keep:
-        while (name := on.get(name, TABLE)) in on and name not in kept:
-            kept.add(name)
+    needed = {root[name] for name in keep}
+    loose = [name for name in root if root[name] not in needed]
     gone: set[str] = set()
     for name in order:
-        if len(on) - len(kept) - len(gone) <= most:
+        if len(loose) - len(gone) <= most:
             break
-        load = _load(on, name)
-        if not load & kept:
-            gone |= load
-    return tuple(name for name in on if name in gone)
-
-
-def _load(on: Mapping[str, str], name: str) -> set[str]:
-    """Return an object and all that is on or in it."""
-    load = {name}
-    while more := {k for k, support in on.items() if support in load and k not in load}:
-        load |= more
-    return load
+        if name in loose:
+            gone |= {other for other in loose if root[other] == root[name]}
+    return tuple(name for name in loose if name in gone)
 
 
 def take_away(world: World, names: Collection[str]) -> None:

@@ -35,13 +35,10 @@ def draw_mass(settings: Randomization, world: World, rng: np.random.Generator) -
 
 
 def apply_mass(world: World, drawn: dict[str, Any]) -> None:
-    """Scale masses and inertias, and what MuJoCo derives from them."""
-    import mujoco
-
+    """Scale masses and inertias; what MuJoCo derives from them is the caller's to renew."""
     factors = np.array([drawn[name] for name in world.names])
     world.model.body_mass[world.bodies] *= factors
     world.model.body_inertia[world.bodies] *= factors[:, None]
-    mujoco.mj_setConst(world.model, world.data)
 
 
 def draw_friction(

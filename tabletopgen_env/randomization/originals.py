@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 _ARRAYS = (
     # looks
     "light_dir", "light_diffuse", "cam_pos", "cam_quat", "cam_fovy", "mat_rgba",
-    # masses, and what mj_setConst makes of them
+    # masses, and what mj_setConst makes of them and of poses
     "body_mass", "body_inertia", "body_subtreemass", "body_invweight0", "dof_invweight0",
-    "dof_M0", "tendon_invweight0", "actuator_acc0",
+    "dof_M0", "dof_length", "tendon_invweight0", "actuator_acc0",
     "cam_poscom0", "cam_pos0", "cam_mat0", "light_poscom0", "light_pos0", "light_dir0",
     # friction, servos
     "geom_friction", "actuator_gainprm", "actuator_biasprm",
     # the base and its pedestal
-    "body_pos", "geom_pos", "geom_size",
+    "body_pos", "geom_pos", "geom_size", "geom_aabb", "geom_rbound", "bvh_aabb",
     # what is taken away
     "geom_contype", "geom_conaffinity", "body_gravcomp",
 )  # fmt: skip

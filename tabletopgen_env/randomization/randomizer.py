@@ -69,6 +69,8 @@ class Randomizer:
 
     def begin(self, world: World) -> None:
         """Undo what the world's last episode changed, draw anew, and put it at its start."""
+        import mujoco
+
         self._drawn, self._late = {}, deque()
         if not self._on:
             world.reset()
@@ -82,6 +84,7 @@ class Randomizer:
             if switch in self._on:
                 self._drawn[switch] = draw(self.settings, world, self._stream(switch))
                 apply(world, self._drawn[switch])
+        mujoco.mj_setConst(world.model, world.data)  # what follows from masses and poses
         if "delay" in self._on:
             self._delay = int(self._stream("delay").integers(self.settings.delay + 1))
             self._drawn["delay"] = {"steps": self._delay}
@@ -91,11 +94,11 @@ class Randomizer:
         world.reset()
 
     def finish(self, world: World, keep: Collection[str]) -> None:
-        """Take objects away that are not in ``keep``, those that the task needs."""
+        """Take objects away, but none of ``keep``, those that the task needs."""
         if "distractors" not in self._on:
             return
         drawn = arranging.draw_distractors(self.settings, world, self._stream("distractors"))
-        gone = arranging.leaving(world.scene, keep, **drawn)
+        gone = arranging.leaving(arranging.bundles(world), keep, **drawn)
         arranging.take_away(world, gone)
         self._drawn["distractors"] = {"most": drawn["most"], "absent": list(gone)}
 
@@ -124,6 +127,7 @@ class Randomizer:
 
     def _pose(self, world: World) -> None:
         """Rearrange the world's objects as far as they then rest."""
+        world.reset()
         drawn = arranging.draw_poses(self.settings, world, self._stream("poses"))
         stayed = arranging.apply_poses(world, drawn)
         moved = {name: move for name, move in drawn.items() if name not in stayed}

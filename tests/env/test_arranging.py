@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 from randomized import STRONG, only, started
-from toy import toy_object, toy_objects, toy_scene
+from toy import toy_object, toy_objects, toy_scene, toy_table
 
-from generator.scene import Object, Pose, Scene
+from generator.scene import ConvexPart, Object, Pose, Scene
 from tabletopgen_env.env import make_env
 from tabletopgen_env.randomization import Randomization
-from tabletopgen_env.randomization.arranging import apply_poses, leaving, supports
+from tabletopgen_env.randomization.arranging import apply_poses, bundles, leaving
 from tabletopgen_env.rendering import drawer
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.world import World
@@ -70,7 +70,6 @@ def test_what_stands_on_something_goes_with_it() -> None:
         for made in (world, before)
     ]
     assert np.allclose(*beside)
-    assert supports(tray_scene())["die_1"] == "tray_1"
 
 
 def test_what_would_overlap_or_leave_the_table_stays() -> None:
@@ -86,27 +85,56 @@ def test_what_would_overlap_or_leave_the_table_stays() -> None:
     assert "can_1" in stayed and stayed & {f"cube_{k}" for k in range(5)}
 
 
-def test_what_something_leans_on_stays() -> None:
-    """A plank leans on a block; were the block moved away, the plank would fall."""
+def leaning_world() -> World:
+    """A plank that leans on a block, at rest, and a cube beside."""
     angle = np.deg2rad(20.0)
     c, s = np.cos(angle), np.sin(angle)
     middle = np.array([-0.06 + 0.1 * s, 0.0, 0.74 + 0.1 * c + 0.005 * s])
-    block = toy_object("block_1", (0.05, 0.05, 0.1), (0.0, 0.0), mass=0.4)
     plank = toy_object("plank_1", (0.01, 0.06, 0.2), (0.0, 0.0), mass=0.05)
-    leaning = np.array([np.cos(angle / 2), 0.0, np.sin(angle / 2), 0.0])
-    world = World(toy_scene((block, replace(plank, pose=Pose(middle, leaning)))), Panda())
+    turned = np.array([np.cos(angle / 2), 0.0, np.sin(angle / 2), 0.0])
+    block = toy_object("block_1", (0.05, 0.05, 0.1), (0.0, 0.0), mass=0.4)
+    cube = toy_object("cube_1", (0.04, 0.04, 0.04), (0.3, 0.1))
+    world = World(toy_scene((replace(plank, pose=Pose(middle, turned)), block, cube)), Panda())
     world.reset()
     world.step(300)
+    poses = world.data.qpos[:21].reshape(3, 7)
     rested = [
-        replace(thing, pose=Pose(qpos[:3], qpos[3:]))
-        for thing, qpos in zip(world.scene.objects, world.data.qpos[:14].reshape(2, 7), strict=True)
+        replace(thing, pose=Pose(pose[:3], pose[3:]))
+        for thing, pose in zip(world.scene.objects, poses, strict=True)
     ]
-    scene = toy_scene(tuple(rested))
-    world.rearrange(scene)
+    world.rearrange(toy_scene(tuple(rested)))
+    world.reset()
     assert 0.9 < world.rotation("plank_1")[2, 2] < 0.97
-    assert apply_poses(world, {"block_1": [0.03, 0.02, 0.0]}) == ["block_1"]
-    assert world.scene is scene
-    assert np.allclose(world.position("block_1"), scene.object("block_1").pose.position)
+    return world
+
+
+def test_what_leans_goes_with_what_it_leans_on() -> None:
+    world = leaning_world()
+    before = {name: world.position(name) for name in world.names}
+    assert bundles(world) == {"plank_1": "plank_1", "block_1": "plank_1", "cube_1": "cube_1"}
+    assert apply_poses(world, {"plank_1": [0.03, 0.02, 0.5]}) == []
+    c, s = np.cos(0.5), np.sin(0.5)
+    wanted = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ (before["block_1"] - before["plank_1"])
+    assert np.allclose(world.position("block_1") - world.position("plank_1"), wanted)
+    assert np.allclose(world.position("cube_1"), before["cube_1"])
+    assert leaving(bundles(world), ["block_1"], 0, world.names) == ("cube_1",)
+
+
+def test_what_would_fall_stays() -> None:
+    """Half of this table top is missing, though its outline says otherwise."""
+    table = toy_table()
+    corners = [[x, y, z] for x in (-0.6, 0.6) for y in (-0.35, 0.0) for z in (0.34, 0.37)]
+    half = replace(table, parts=(ConvexPart(np.array(corners)),))
+    near, far = (
+        toy_object(name, (0.04, 0.04, 0.04), (x, -0.03))
+        for name, x in (("a_1", -0.1), ("b_1", 0.1))
+    )
+    world = World(toy_scene((near, far), half), Panda())
+    world.reset()
+    scene = world.scene
+    assert apply_poses(world, {"a_1": [0.0, 0.06, 0.0], "b_1": [0.02, 0.0, 0.0]}) == ["a_1"]
+    assert world.scene.object("a_1") is scene.object("a_1")
+    assert np.allclose(world.position("b_1"), far.pose.position + np.array([0.02, 0, 0]))
 
 
 # ------------------------------------------------------------------------------------ distractors
@@ -148,11 +176,21 @@ def test_what_is_away_is_in_no_picture() -> None:
         assert not np.isin(env.world.model.geom_bodyid[geoms[geoms >= 0]], bodies).any()
 
 
-def test_supports_of_what_stays_stay_and_loads_of_what_goes_go() -> None:
-    scene = tray_scene()
-    names = ["tray_1", "die_1", "cube_1", "bowl_1"]
-    assert leaving(scene, ["die_1"], 0, names) == ("cube_1", "bowl_1")
-    assert leaving(scene, ["cube_1"], 0, names) == ("tray_1", "die_1", "bowl_1")
-    assert leaving(scene, ["cube_1"], 2, names) == ("tray_1", "die_1")
-    assert leaving(scene, ["cube_1"], 3, names) == ()
-    assert leaving(scene, ["cube_1"], 9, names) == ()
+def test_bundles_stay_or_go_as_a_whole() -> None:
+    world = World(tray_scene(), Panda())
+    world.reset()
+    root, names = bundles(world), list(world.names)
+    assert root == {"tray_1": "tray_1", "die_1": "tray_1", "cube_1": "cube_1", "bowl_1": "bowl_1"}
+    assert leaving(root, ["die_1"], 0, names) == ("cube_1", "bowl_1")
+    assert leaving(root, ["cube_1"], 0, names) == ("tray_1", "die_1", "bowl_1")
+    assert leaving(root, ["cube_1"], 2, names) == ("tray_1", "die_1")
+    assert leaving(root, ["cube_1"], 2, names[::-1]) == ("bowl_1",)
+    assert leaving(root, ["cube_1"], 3, names) == ()
+    assert leaving(root, ["cube_1"], 9, names) == ()
+
+
+def test_a_bundle_is_named_for_what_stands_on_the_table() -> None:
+    world = World(toy_scene(tray_scene().objects[1::-1]), Panda())
+    world.reset()
+    assert world.names == ("die_1", "tray_1")
+    assert bundles(world) == {"die_1": "tray_1", "tray_1": "tray_1"}

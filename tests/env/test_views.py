@@ -142,6 +142,7 @@ def test_depth_says_ten_metres_where_nothing_is() -> None:
         ({"cameras": ("frond",)}, "Unknown camera 'frond'.*Did you mean 'front'.*top, wrist"),
         ({"cameras": ()}, "one camera or more"),
         ({"cameras": ("top", "top")}, "each once"),
+        ({"cameras": None}, "Unknown camera None"),
         ({"kinds": ("flow",)}, "Unknown kind 'flow'.*depth, rgb, segmentation"),
         ({"kinds": ()}, "one kind or more"),
         ({"image_size": (64, 4)}, "between 8 and 2048"),
