@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from generator.geometry import Camera, view_rotation, yaw_quaternion
+from generator.geometry import Camera, rotation_z, view_rotation, yaw_quaternion
 from generator.scene import Scene, View
 
 from .robot.mount import Mount, add_pedestal
@@ -24,8 +24,14 @@ FRONT_CAMERA = "front"
 WRIST_CAMERA = PREFIX + "wrist"
 """Name of the camera on the hand."""
 
+TOP_CAMERA = "overhead"
+"""Name of the camera that looks straight down at the table; the scene itself brings a "top"."""
+
 MARKER = "marker/goal"
 """Name of the body and the geom that mark a free goal spot; no object's name has a slash."""
+
+_TOP_HEIGHT = 2.0  # of the top camera over the table: well above the arm, metres
+_TOP_MARGIN = 1.08  # what it shows, in tables
 
 TIMESTEP = 0.002
 """Simulation step, seconds."""
@@ -53,6 +59,7 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     add_pedestal(spec, mount)
     _add_sky(spec)
     _add_front_camera(spec, scene, mount)
+    _add_top_camera(spec, scene, mount)
     marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
     marker.add_geom(
         name=MARKER,
@@ -100,4 +107,19 @@ def _add_front_camera(spec: mujoco.MjSpec, scene: Scene, mount: Mount) -> None:
         pos=camera.position,
         xyaxes=[*right, *-down],
         fovy=float(np.rad2deg(camera.fov)),
+    )
+
+
+def _add_top_camera(spec: mujoco.MjSpec, scene: Scene, mount: Mount) -> None:
+    """Add the camera over the table, the robot's side below, the whole top in a square picture."""
+    axes = rotation_z(mount.yaw)
+    outline = scene.table.outline @ axes[:2, :2]
+    low, high = outline.min(0), outline.max(0)
+    middle = axes[:2, :2] @ ((low + high) / 2)
+    half = _TOP_MARGIN * float((high - low).max() / 2)
+    spec.worldbody.add_camera(
+        name=TOP_CAMERA,
+        pos=[*middle, scene.table.height + _TOP_HEIGHT],
+        xyaxes=[*-axes[:, 1], *axes[:, 0]],
+        fovy=float(np.rad2deg(2 * np.arctan(half / _TOP_HEIGHT))),
     )

@@ -2,37 +2,38 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import gymnasium as gym
 import numpy as np
 
 from generator.errors import InputError, SceneError, choices
 
-from .actions import SUBSTEPS, ActionMode, checked, controller
+from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
-from .observations import (
-    ObservationMode,
-    flat_state,
-    observation_space,
-    pictures,
-    slot_order,
-)
-from .rendering import RENDERERS, Drawer, RendererChoice, drawer
+from .observations import ObservationMode, flat_state, observation_space, slot_order
+from .point_cloud import point_cloud
+from .randomization import Randomization, Randomizer
+from .rendering import RENDERERS, Drawer, Kind, RendererChoice, drawer
 from .robot.panda import Panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .scenes.source import close, record
 from .tasks import task_named
-from .tasks.goals import SPOT, Goal
+from .tasks.goals import SPOT, Goal, named_by
 from .tasks.pick_place import PickPlace
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
+from .views import CameraName, ObservationConfig, pictures
 from .window import Window
 from .world import World, WorldCache
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import ArrayLike
 
 RewardMode = Literal["dense", "sparse"]
+
+RENDER_MODES = ("rgb_array", "depth_array", "human")
 
 DRAWS = 25
 """How many scenes a reset draws before it gives up finding one with something to do."""
@@ -44,15 +45,23 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     Args:
         scenes: where tables come from; see ``scenes.resolve``.
         task: what to do; None for ``PickPlace()``. See ``tasks``.
-        observation: "state", "pixels" or "pixels+state"; see ``observations``. ("goal" is
-            ``GoalTabletopEnv``; ``make_env`` chooses.)
-        action: "ee_delta" or "joint_delta"; see ``actions``.
+        observation: "state", "pixels", "pixels+state", "point_cloud" or "point_cloud+state"; see
+            ``observations``. ("goal" is ``GoalTabletopEnv``; ``make_env`` chooses.)
+        cameras: what pictures and point clouds are taken with: some of "front", "wrist", "top".
+        kinds: what pixel observations hold of each: some of "rgb", "depth", "segmentation".
+        image_size: their height and width in pixels, or one number for both.
+        points: points of a point cloud.
+        action: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
+            "joint_target"; see ``actions``.
+        gripper: "continuous" or "binary"; what the last entry of an action means.
+        control_hz: actions per second; divides 500.
         reward: "dense" (named terms, in [0, 1], 1 exactly on success) or "sparse" (0 on success,
             -1 otherwise).
         render_mode: None, "rgb_array", "depth_array" or "human".
-        image_size: height and width of the pixel observations.
         render_size: (height, width) of what ``render`` returns.
         renderer: "auto", "gl" or "software"; see ``rendering``.
+        randomization: what differs from episode to episode: a ``Randomization``, "light",
+            "strong", or None for nothing; see ``randomization``.
         robot: the robot; None for ``Panda()``.
         cache: how many compiled worlds are kept.
 
@@ -61,15 +70,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
     "instruction", "scene", "target" and "goal" (of the active goal: the object that carries it, or
-    "spot") and "goals" (the active goal's index and how many there are). An episode never
-    terminates by itself, since the dense reward stays highest where the task stays done; the time
-    limit truncates it.
+    "spot") and "goals" (the active goal's index and how many there are); that of ``reset`` also
+    "randomization", what was drawn. An episode never terminates by itself, since the dense reward
+    stays highest where the task stays done; the time limit truncates it.
     """
-
-    metadata: ClassVar[dict[str, Any]] = {
-        "render_modes": ["rgb_array", "depth_array", "human"],
-        "render_fps": 20,
-    }
 
     def __init__(
         self,
@@ -77,12 +81,18 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         *,
         task: Task | None = None,
         observation: ObservationMode = "state",
+        cameras: Sequence[CameraName] = ("front", "wrist"),
+        kinds: Sequence[Kind] = ("rgb",),
+        image_size: int | tuple[int, int] = 128,
+        points: int = 1024,
         action: ActionMode = "ee_delta",
+        gripper: GripperMode = "continuous",
+        control_hz: int = CONTROL_HZ,
         reward: RewardMode = "dense",
         render_mode: str | None = None,
-        image_size: int = 128,
         render_size: tuple[int, int] = (480, 640),
         renderer: RendererChoice = "auto",
+        randomization: Randomization | str | None = None,
         robot: Panda | None = None,
         cache: int = 16,
     ) -> None:
@@ -90,28 +100,30 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise InputError(
                 f"Unknown reward {reward!r}." + choices(str(reward), ["dense", "sparse"])
             )
-        modes = self.metadata["render_modes"]
-        if render_mode is not None and render_mode not in modes:
+        if render_mode is not None and render_mode not in RENDER_MODES:
             raise InputError(
-                f"Unknown render mode {render_mode!r}." + choices(str(render_mode), modes)
+                f"Unknown render mode {render_mode!r}." + choices(str(render_mode), RENDER_MODES)
             )
         if renderer not in RENDERERS:
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
         self.source = resolve(scenes)
         self._closes_source = self.source is not scenes  # else others may draw from it, too
         self.task = task or PickPlace()
-        self.observation_space = observation_space(observation, image_size, self.task.most)
-        self.controller = controller(action)
+        self._randomizer = Randomizer(randomization)
+        self._views = ObservationConfig(cameras, kinds, image_size, points)
+        self.observation_space = observation_space(observation, self._views, self.task.most)
+        self.action_mode: ActionMode = action
+        self.controller = controller(action, gripper, control_hz)
         self.action_space = self.controller.space
+        self.metadata = {"render_modes": list(RENDER_MODES), "render_fps": control_hz}
         self.reward = reward
         self.render_mode = render_mode
         self._observation: ObservationMode = observation
-        self._image_size = image_size
         self._render_size = render_size
         self._renderer = renderer
         self._worlds = WorldCache(robot or Panda(), cache)
         self._drawers: dict[str, Drawer] = {}
-        self._window = Window()
+        self._window = Window(1 / control_hz)
         self._world: World | None = None
         self._episode: Episode | None = None
         self._active = 0
@@ -144,10 +156,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         achieved, desired, terms = self._look()
         if self.render_mode == "human":
             self.render()
-        return self._observe(achieved, desired), self._info(terms)
+        info = {**self._info(terms), "randomization": self._randomizer.drawn}
+        return self._observe(achieved, desired), info
 
     def step(self, action: ArrayLike) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Act for 50 ms.
+        """Act for 50 ms, or what ``control_hz`` makes of it.
 
         Raises:
             InputError: an action of wrong shape or with NaN, or no ``reset`` before.
@@ -156,8 +169,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         wanted = checked(action, self.controller.space)
         if self.task.closed:
             wanted[-1] = -1.0
-        self.controller.apply(world, wanted)
-        world.step(SUBSTEPS)
+        command = self._randomizer.delayed(wanted)
+        if command is not None:
+            self.controller.apply(world, command)
+        world.step(self.controller.servos.substeps)
         achieved, desired, terms = self._look()
         if self.render_mode == "human":
             self.render()
@@ -237,14 +252,16 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """Draw scenes until one offers something to do."""
         source = resolve(options["scene"]) if "scene" in options else self.source
         tried: set[str] = set()
+        self._randomizer.restart(self.np_random)
         for _ in range(DRAWS):
             ref = source.draw(self.np_random)
             world = self._world_of(ref)
-            world.reset()
+            self._randomizer.begin(world)
             try:
                 episode = self.task.sample(
                     world, self.np_random, options.get("target"), options.get("goal")
                 )
+                self._randomizer.finish(world, named_by(episode.goals))
                 return world, episode
             except SceneError as error:
                 tried.add(str(error))
@@ -264,15 +281,16 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     def _observe(self, achieved: np.ndarray, desired: np.ndarray) -> Any:
         world = self.world
+        noise = self._randomizer.noise()
         if self._observation == "goal":
-            state = flat_state(world, self._order, self.goal, bare=True)
+            state = flat_state(world, self._order, self.goal, bare=True, noise=noise)
             return {"observation": state, "achieved_goal": achieved, "desired_goal": desired}
         if self._observation == "state":
-            return flat_state(world, self._order, self.goal)
-        picture = self._drawer("pixels")
-        seen: dict[str, np.ndarray] = pictures(lambda camera: picture.rgb(world, camera))
-        if self._observation == "pixels+state":
-            seen["state"] = flat_state(world, self._order, self.goal)
+            return flat_state(world, self._order, self.goal, noise=noise)
+        look = pictures if self._observation.startswith("pixels") else point_cloud
+        seen = look(self._views, world, self._drawer("pixels"), self._order)
+        if self._observation.endswith("+state"):
+            seen["state"] = flat_state(world, self._order, self.goal, noise=noise)
         return seen
 
     def _info(self, terms: dict[str, float]) -> dict[str, Any]:
@@ -292,7 +310,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """Return the drawer for "pixels" or "render", made on first use."""
         if purpose not in self._drawers:
             pixels = purpose == "pixels"
-            size = (self._image_size, self._image_size) if pixels else self._render_size
+            size = self._views.size if pixels else self._render_size
             profile = "fast" if pixels else "full"
             self._drawers[purpose] = drawer(self._renderer, *size, profile)
         return self._drawers[purpose]

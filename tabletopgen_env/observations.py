@@ -37,44 +37,44 @@ not shown.
 
 The modes
 ---------
-``state``         the flat state (279 entries).
-``goal``          a dict for hindsight replay: ``observation`` is the flat state without the goal
-                  (entries 0-267), ``achieved_goal`` and ``desired_goal`` are the task's goal
-                  vectors.
-``pixels``        a dict of ``uint8`` pictures: ``front`` and ``wrist``.
-``pixels+state``  the same with ``state``.
+=====================  ========================================================================
+``state``              the flat state (279 entries)
+``goal``               a dict for hindsight replay: ``observation`` is the flat state without the
+                       goal (entries 0-267), ``achieved_goal`` and ``desired_goal`` are the task's
+                       goal vectors
+``pixels``             a dict of pictures, see ``views``
+``pixels+state``       the same with ``state``
+``point_cloud``        a dict of points, see ``point_cloud``
+``point_cloud+state``  the same with ``state``
+=====================  ========================================================================
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Literal
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 from gymnasium import spaces
 from jaxtyping import Float
+from scipy.spatial.transform import Rotation
 
 from generator.errors import InputError, choices
 
-from .composition import FRONT_CAMERA, WRIST_CAMERA
+from .point_cloud import point_cloud_spaces
+from .robot.kinematics import forward
 from .robot.panda import HOME_CTRL
 from .tasks.task import center
+from .views import SLOTS, ObservationConfig
 from .world import World
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from jaxtyping import UInt8
-
     from .tasks.goals import Goal
 
-ObservationMode = Literal["state", "goal", "pixels", "pixels+state"]
-MODES: tuple[ObservationMode, ...] = ("state", "goal", "pixels", "pixels+state")
-
-SLOTS = 12
-"""Objects that the state has room for."""
-
-CAMERAS = {"front": FRONT_CAMERA, "wrist": WRIST_CAMERA}
-"""Cameras of the pixel modes, by their key in the observation."""
+ObservationMode = Literal[
+    "state", "goal", "pixels", "pixels+state", "point_cloud", "point_cloud+state"
+]
+MODES: tuple[ObservationMode, ...] = get_args(ObservationMode)
 
 ROBOT_BOUNDS = np.array(
     [4.0] * 7 + [10.0] * 7 + [0.1] + [3.0] * 3 + [1.0] * 6 + [4.0] * 7 + [1.0] * 3 + [3.0] * 6
@@ -94,13 +94,13 @@ def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
     return spaces.Box(-high, high, dtype=np.float32)
 
 
-def observation_space(mode: str, image_size: int, goals: int = 1) -> spaces.Space[Any]:
-    """Return the space of an observation mode, with pictures of ``image_size`` squared.
+def observation_space(mode: str, config: ObservationConfig, goals: int = 1) -> spaces.Space[Any]:
+    """Return the space of an observation mode.
 
     ``goals`` is how many goals a goal vector has room for.
 
     Raises:
-        InputError: no such mode, or a picture smaller than 8 or larger than 2048 pixels.
+        InputError: no such mode.
     """
     if mode not in MODES:
         raise InputError(f"Unknown observation mode {mode!r}." + choices(str(mode), MODES))
@@ -114,11 +114,9 @@ def observation_space(mode: str, image_size: int, goals: int = 1) -> spaces.Spac
                 "desired_goal": _box(np.tile(GOAL_VECTOR_BOUNDS, goals)),
             }
         )
-    if not 8 <= image_size <= 2048:
-        raise InputError(f"image_size must be between 8 and 2048 pixels, got {image_size}.")
-    picture = spaces.Box(0, 255, (image_size, image_size, 3), np.uint8)
-    entries: dict[str, spaces.Space[Any]] = dict.fromkeys(CAMERAS, picture)
-    if mode == "pixels+state":
+    pixels = mode.startswith("pixels")
+    entries = config.picture_spaces() if pixels else point_cloud_spaces(config.points)
+    if mode.endswith("+state"):
         entries["state"] = _box(_FULL_BOUNDS)
     return spaces.Dict(entries)
 
@@ -127,17 +125,37 @@ def slot_order(world: World, goal: Goal) -> list[str]:
     """Return the objects in slot order: target, the goal's object, then the nearest, at most 12."""
     first = [name for name in (goal.target, goal.reference) if name is not None]
     middle = goal.region(world).center if goal.target is None else world.position(goal.target)
-    rest = [name for name in world.names if name not in first]
+    rest = [name for name in world.names if name not in first and name not in world.absent]
     rest.sort(key=lambda name: (float(np.linalg.norm(world.position(name) - middle)), name))
     return (first + rest)[:SLOTS]
 
 
-def robot_state(world: World, goal: Goal) -> Float[np.ndarray, "40"]:
+@dataclass(frozen=True, eq=False)
+class Noise:
+    """What is added to one reading of the state.
+
+    ``joints`` (rad) are added to the arm's, and the tool's pose follows; ``positions`` (m, base
+    frame) and ``turns`` (rotation vectors, base frame) are added to the objects by slot. Goals
+    have none.
+    """
+
+    joints: Float[np.ndarray, "7"]
+    positions: Float[np.ndarray, "slots 3"]
+    turns: Float[np.ndarray, "slots 3"]
+
+
+def robot_state(world: World, goal: Goal, noise: Noise | None = None) -> Float[np.ndarray, "40"]:
     """Return entries 0-39 of the flat state."""
     data = world.data
     joints = data.qpos[world.arm_qpos]
     tcp = world.to_base(data.site_xpos[world.tcp])
     hand = world.base_rotation.T @ data.site_xmat[world.tcp].reshape(3, 3)
+    at = world.to_base(center(world, goal))
+    if noise is not None:
+        (point, turned), (there, misread) = forward(joints), forward(joints + noise.joints)
+        tcp, hand = tcp + there - point, misread @ turned.T @ hand
+        joints = joints + noise.joints
+        at = tcp if goal.target is None else at + noise.positions[0]
     command = data.ctrl[world.actuators]
     left, right, _ = (False,) * 3 if goal.target is None else world.touched(goal.target)
     half = np.ptp(world.scene.table.outline, axis=0) / 2
@@ -151,22 +169,28 @@ def robot_state(world: World, goal: Goal) -> Float[np.ndarray, "40"]:
             hand[:, :2].T.ravel(),
             command[:7] - joints,
             [2 * command[7] / HOME_CTRL[7] - 1, left, right],
-            world.to_base(center(world, goal)) - tcp,
+            at - tcp,
             [top, half.max(), half.min()],
         ]
     )
 
 
-def object_slots(world: World, order: list[str]) -> Float[np.ndarray, "slots 19"]:
+def object_slots(
+    world: World, order: list[str], noise: Noise | None = None
+) -> Float[np.ndarray, "slots 19"]:
     """Return the object slots of the flat state for objects in ``order``."""
     rows = [world.index(name) for name in order]
     bodies = world.bodies[rows]
     rotation = world.base_rotation.T @ world.data.xmat[bodies].reshape(-1, 3, 3)
     speed = world.velocities()[rows]
     spin = np.einsum("kij,kj->ki", rotation, speed[:, 3:])
+    position = world.to_base(world.data.xpos[bodies])
+    if noise is not None:
+        position = position + noise.positions[: len(rows)]
+        rotation = Rotation.from_rotvec(noise.turns[: len(rows)]).as_matrix() @ rotation
     slots = np.zeros((SLOTS, 19))
     filled = slots[: len(rows)]
-    filled[:, 0:3] = world.to_base(world.data.xpos[bodies])
+    filled[:, 0:3] = position
     filled[:, 3:9] = rotation[:, :, :2].transpose(0, 2, 1).reshape(-1, 6)
     filled[:, 9:12] = world.half_extent[rows]
     filled[:, 12:15] = speed[:, :3] @ world.base_rotation
@@ -176,7 +200,11 @@ def object_slots(world: World, order: list[str]) -> Float[np.ndarray, "slots 19"
 
 
 def flat_state(
-    world: World, order: list[str], goal: Goal, bare: bool = False
+    world: World,
+    order: list[str],
+    goal: Goal,
+    bare: bool = False,
+    noise: Noise | None = None,
 ) -> Float[np.ndarray, "n"]:
     """Return the flat state; ``bare`` leaves the goal's entries out.
 
@@ -185,21 +213,17 @@ def flat_state(
         order: the objects in slot order, the target first.
         goal: the active goal.
         bare: return entries 0-267 alone.
+        noise: of this reading; None is none.
     """
-    parts = [robot_state(world, goal), object_slots(world, order).ravel()]
+    slots = object_slots(world, order, noise)
+    parts = [robot_state(world, goal, noise), slots.ravel()]
     if not bare:
         region = goal.region(world)
-        middle, at = world.to_base(np.array([region.center, center(world, goal)]))
+        middle = world.to_base(region.center)
+        at = parts[0][15:18] if goal.target is None else slots[0, :3]
         yaw = region.yaw - world.mount.yaw
         carried = float(goal.reference is not None)
         parts.append(np.array([carried, *middle, *region.semi[:2], yaw, region.semi[2]]))
         parts.append(middle - at)
     bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
     return np.clip(np.concatenate(parts), -bounds, bounds).astype(np.float32)
-
-
-def pictures(
-    draw: Callable[[str], UInt8[np.ndarray, "h w 3"]],
-) -> dict[str, UInt8[np.ndarray, "h w 3"]]:
-    """Return the pictures of the pixel modes; ``draw`` renders one camera."""
-    return {key: draw(camera) for key, camera in CAMERAS.items()}

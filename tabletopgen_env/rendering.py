@@ -15,11 +15,13 @@ import importlib
 import os
 import weakref
 from collections import OrderedDict
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import numpy as np
-from jaxtyping import Float, UInt8
+from jaxtyping import Float, Int, Shaped, UInt8
 
 from generator.errors import BackendError, InputError, choices
 
@@ -33,6 +35,7 @@ if TYPE_CHECKING:
 RendererChoice = Literal["auto", "gl", "software"]
 RENDERERS: tuple[RendererChoice, ...] = ("auto", "gl", "software")
 Profile = Literal["fast", "full"]
+Kind = Literal["rgb", "depth", "segmentation"]
 
 _KEPT = 4  # worlds whose meshes and textures stay on the graphics side
 _NO_GL = (
@@ -44,6 +47,16 @@ _NO_GL = (
 
 class Drawer(Protocol):
     """Draws worlds at one picture size."""
+
+    def draw(
+        self, world: World, camera: str, kinds: Collection[Kind]
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+        """Return the pictures of some kinds, drawn together.
+
+        "rgb" and "depth" are as ``rgb`` and ``depth`` return them; "segmentation" holds the id of
+        the geom that each pixel shows, -1 where nothing is.
+        """
+        ...
 
     def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
         """Return what ``camera`` sees."""
@@ -100,29 +113,35 @@ class GlDrawer:
             OrderedDict()
         )
 
-    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
-        """Return what ``camera`` sees."""
+    def draw(
+        self, world: World, camera: str, kinds: Collection[Kind]
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+        """Return the pictures of some kinds: colours in one pass, depth and ids in another."""
         import mujoco
 
         context, scene, rect = self._prepare(world, camera)
+        drawn: dict[Kind, Shaped[np.ndarray, "h w *c"]] = {}
         picture = np.empty((*self._size, 3), np.uint8)
-        mujoco.mjr_render(rect, scene, context)
-        mujoco.mjr_readPixels(picture, None, rect, context)
-        return np.flipud(picture).copy()
+        if "rgb" in kinds:
+            mujoco.mjr_render(rect, scene, context)
+            mujoco.mjr_readPixels(picture, None, rect, context)
+            drawn["rgb"] = np.flipud(picture).copy()
+        if "depth" in kinds or "segmentation" in kinds:
+            depth = np.empty(self._size, np.float32)
+            with _ids_for_colors(scene):
+                mujoco.mjr_render(rect, scene, context)
+            mujoco.mjr_readPixels(picture, depth, rect, context)
+            drawn["depth"] = np.flipud(_metres(world.model, depth))
+            drawn["segmentation"] = np.flipud(_geoms(scene, picture))
+        return {kind: drawn[kind] for kind in kinds}
+
+    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
+        """Return what ``camera`` sees."""
+        return self.draw(world, camera, ("rgb",))["rgb"]
 
     def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
         """Return the distance along the optical axis in metres (inf where nothing is)."""
-        import mujoco
-
-        context, scene, rect = self._prepare(world, camera)
-        buffer = np.empty(self._size, np.float32)
-        mujoco.mjr_render(rect, scene, context)
-        mujoco.mjr_readPixels(None, buffer, rect, context)
-        extent, planes = world.model.stat.extent, world.model.vis.map
-        near, far = planes.znear * extent, planes.zfar * extent
-        z = np.flipud(buffer).astype(np.float64)
-        distance = near * far / (near + z * (far - near))  # reversed depth: 1 is near, 0 is far
-        return np.where(z <= 0, np.inf, distance).astype(np.float32)
+        return self.draw(world, camera, ("depth",))["depth"]
 
     def forget(self, world: World) -> None:
         """Free the meshes and textures of ``world``."""
@@ -179,6 +198,40 @@ class GlDrawer:
             self._held[id(world)] = (world, context, scene)
         self._held.move_to_end(id(world))
         return self._held[id(world)][1:]
+
+
+@contextmanager
+def _ids_for_colors(scene: mujoco.MjvScene) -> Iterator[None]:
+    """Draw geoms flat, each in the colour that spells its number in the scene."""
+    import mujoco
+
+    rnd = mujoco.mjtRndFlag
+    flags = [int(rnd.mjRND_SEGMENT), int(rnd.mjRND_IDCOLOR)]
+    scene.flags[flags] = 1
+    try:
+        yield
+    finally:
+        scene.flags[flags] = 0
+
+
+def _metres(model: mujoco.MjModel, buffer: Float[np.ndarray, "h w"]) -> Float[np.ndarray, "h w"]:
+    """Return a depth buffer in metres, inf where nothing is."""
+    extent, planes = model.stat.extent, model.vis.map
+    near, far = planes.znear * extent, planes.zfar * extent
+    z = buffer.astype(np.float64)
+    distance = near * far / (near + z * (far - near))  # reversed depth: 1 is near, 0 is far
+    return np.where(z <= 0, np.inf, distance).astype(np.float32)
+
+
+def _geoms(scene: mujoco.MjvScene, picture: UInt8[np.ndarray, "h w 3"]) -> Int[np.ndarray, "h w"]:
+    """Return the geom that each pixel's colour spells, -1 where none is."""
+    import mujoco
+
+    geom = np.full(scene.ngeom + 1, -1, np.int32)
+    for shown in scene.geoms[: scene.ngeom]:
+        if shown.segid >= 0 and shown.objtype == mujoco.mjtObj.mjOBJ_GEOM:
+            geom[shown.segid + 1] = shown.objid
+    return geom[picture.astype(np.int32) @ (1, 1 << 8, 1 << 16)]
 
 
 def _close(reference: weakref.ref[GlDrawer]) -> None:

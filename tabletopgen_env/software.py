@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Collection
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
 import numpy as np
-from jaxtyping import Float, Int, UInt8
+from jaxtyping import Float, Int, Shaped, UInt8
 
 from generator.geometry import Camera
 
@@ -17,25 +18,28 @@ if TYPE_CHECKING:
     import mujoco
 
     from generator.render.raster import Item, Rendered
+    from generator.render.shading import Light
 
-    from .rendering import Profile
+    from .rendering import Kind, Profile
     from .world import World
 
 _ROUND = 24  # sides of a drawn cylinder
 _TILES = 24  # tiles along each side of a drawn floor
 _FLOOR = 3.0  # half size of a drawn infinite plane, metres
+_USUAL_SUN, _USUAL_ROOM = 0.5, 0.75  # diffuse light of a scene's sun; ambient and head light
 _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
 
 @dataclass(frozen=True, eq=False)
 class Shape:
-    """One visible geom: a triangle mesh in its own frame, with uv and texture."""
+    """One visible geom: a triangle mesh in its own frame, uv, and its texture times ``tint``."""
 
     geom: int
     vertices: Float[np.ndarray, "n 3"]
     faces: Int[np.ndarray, "m 3"]
     uv: Float[np.ndarray, "n 2"]
     texture: UInt8[np.ndarray, "th tw 3"]
+    tint: Float[np.ndarray, "3"]
 
 
 class SoftwareDrawer:
@@ -45,13 +49,26 @@ class SoftwareDrawer:
         self._size, self._full = (height, width), profile == "full"
         self._shapes: WeakKeyDictionary[World, list[Shape]] = WeakKeyDictionary()
 
+    def draw(
+        self, world: World, camera: str, kinds: Collection[Kind]
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+        """Return the pictures of some kinds, drawn together."""
+        samples = 2 if self._full and "rgb" in kinds else 1
+        made = self._render(world, camera, samples)
+        drawn: dict[Kind, Shaped[np.ndarray, "h w *c"]] = {
+            "rgb": made.image,
+            "depth": made.depth,
+            "segmentation": made.ids,
+        }
+        return {kind: drawn[kind] for kind in kinds}
+
     def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
         """Return what ``camera`` sees."""
-        return self._render(world, camera, 2 if self._full else 1).image
+        return self.draw(world, camera, ("rgb",))["rgb"]
 
     def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
         """Return the distance along the optical axis in metres (inf where nothing is)."""
-        return self._render(world, camera, 1).depth
+        return self.draw(world, camera, ("depth",))["depth"]
 
     def forget(self, world: World) -> None:
         """Free the triangles of ``world``."""
@@ -66,10 +83,42 @@ class SoftwareDrawer:
 
         if world not in self._shapes:
             self._shapes[world] = visible_shapes(world.model)
-        items = [item for shape in self._shapes[world] if (item := _item(world, shape))]
+        shapes = self._shapes[world] = [_painted(world.model, s) for s in self._shapes[world]]
+        items = [item for shape in shapes if (item := _item(world, shape))]
+        light = _light(world.model)
         view = model_camera(world, camera, *self._size)
         background = (205, 212, 220)
-        return render(items, view, background=background, supersample=samples, shadows=self._full)
+        return render(
+            items,
+            view,
+            light=light,
+            background=background,
+            supersample=samples,
+            shadows=self._full,
+        )
+
+
+def _painted(model: mujoco.MjModel, shape: Shape) -> Shape:
+    """Return the shape in its geom's present colour."""
+    tint = _color(model, shape.geom)[:3]
+    if np.array_equal(tint, shape.tint):
+        return shape
+    return replace(shape, texture=_texture(model, shape.geom), tint=tint.copy())
+
+
+def _light(model: mujoco.MjModel) -> Light:
+    """Return the first sun and the headlight of a model, as bright as the renderer's own light."""
+    from generator.render.shading import Light
+
+    usual, head = Light(), model.vis.headlight
+    sky = usual.sky / _USUAL_ROOM * (head.ambient + head.diffuse)
+    sun, direction = np.zeros(3), usual.direction
+    if model.nlight:
+        sun, direction = usual.sun / _USUAL_SUN * model.light_diffuse[0], -model.light_dir[0]
+    tint = (sun + sky) / max(float((sun + sky).mean()), 1e-9)
+    return Light(
+        direction, float(sun.mean()), float(sky.mean()), usual.gloss, tint=tuple(tint.tolist())
+    )
 
 
 def _item(world: World, shape: Shape) -> Item | None:
@@ -107,7 +156,8 @@ def visible_shapes(model: mujoco.MjModel) -> list[Shape]:
             mesh = _triangles(model, k)
             if mesh is not None:
                 vertices, faces, uv = mesh
-                shapes.append(Shape(k, vertices, faces, uv, _texture(model, k)))
+                tint = _color(model, k)[:3].copy()
+                shapes.append(Shape(k, vertices, faces, uv, _texture(model, k), tint))
     return shapes
 
 

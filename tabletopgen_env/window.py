@@ -12,18 +12,19 @@ import gymnasium
 if TYPE_CHECKING:
     from .world import World
 
-FRAME = 1 / 20
-"""Least time between two frames, seconds."""
-
 
 class Window:
     """A viewer that follows the environment from world to world.
 
     Without a display it says so once, through Gymnasium's logger, and shows nothing: a run that
     was started on a server goes on.
+
+    Args:
+        frame: least time between two frames, seconds.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, frame: float) -> None:
+        self._frame = frame
         self._viewer: Any = None
         self._world: World | None = None
         self._warned = False
@@ -43,7 +44,7 @@ class Window:
             self._open(world)
         if self._viewer.is_running():
             self._viewer.sync()
-        time.sleep(max(0.0, self._shown + FRAME - time.monotonic()))
+        time.sleep(max(0.0, self._shown + self._frame - time.monotonic()))
         self._shown = time.monotonic()
 
     def close(self) -> None:

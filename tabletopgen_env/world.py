@@ -61,14 +61,17 @@ class World:
         arm_qpos, arm_dof: addresses of the seven arm joints in qpos and qvel.
         finger_qpos: addresses of the two finger slides in qpos.
         actuators: ids of the seven servos and the gripper.
+        robot_bodies: MuJoCo body ids of the robot's links, hand and fingers.
         tcp: id of the tool centre point's site.
+        absent: objects that are out of this episode; see ``randomization``.
     """
 
     def __init__(self, scene: Scene, robot: Panda, mount: Mount | None = None) -> None:
         import mujoco
 
         self.scene = scene
-        self.mount = mount or Mount.beside(scene)
+        self.seat(mount or Mount.beside(scene))
+        self.absent: frozenset[str] = frozenset()
         self.model = compiled(compose(scene, robot, self.mount), scene.name)
         self.data = mujoco.MjData(self.model)
         self.names: tuple[str, ...] = tuple(o.name for o in scene.objects)
@@ -89,10 +92,9 @@ class World:
         self._marker_geom = int(model.geom(MARKER).id)
         self._marker_mocap = int(model.body(MARKER).mocapid[0])
         self._gripper_side = _gripper_sides(model)
+        self.robot_bodies: Int[np.ndarray, "r"] = np.flatnonzero(self._gripper_side)
         self._points = [collision_points(o) for o in scene.objects]
         self.half_extent = np.array([o.scale / 2 for o in scene.objects]).reshape(-1, 3)
-        self.base_rotation = rotation_z(self.mount.yaw)
-        self.base_position = np.asarray(self.mount.position, float)
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
         self._graspable: dict[str, bool] = {}
@@ -105,6 +107,19 @@ class World:
             qpos[address] = [*obj.pose.position, *obj.pose.quaternion]
         qpos[np.concatenate([self.arm_qpos, self.finger_qpos])] = HOME_QPOS
         return qpos
+
+    def seat(self, mount: Mount) -> None:
+        """Take ``mount`` for where the robot's base is: the origin of the base frame."""
+        self.mount = mount
+        self.base_rotation = rotation_z(mount.yaw)
+        self.base_position = np.asarray(mount.position, float)
+
+    def rearrange(self, scene: Scene) -> None:
+        """Take over the poses of the same objects in ``scene``; ``reset`` puts them there."""
+        self.scene = scene
+        self._start = self._start_qpos()
+        self._graspable = {}
+        self.__dict__.pop("footprints", None)
 
     def reset(self) -> None:
         """Put every object at its settled pose and the robot at home, everything at rest."""

@@ -15,7 +15,7 @@ from jaxtyping import Float
 from generator.errors import InputError
 from generator.geometry import wrap
 
-from ..actions import EE_STEP, EE_TURN
+from ..actions import EE_STEP, EE_TURN, Servos
 from ..robot import franka
 from .path import clear_height
 
@@ -35,15 +35,18 @@ class Expert(ABC):
     it is doing.
 
     Raises:
-        InputError: the environment has another action mode.
+        InputError: the environment has another action mode, rate or gripper.
     """
 
     phase: str = ""
 
     def __init__(self, env: Any) -> None:
         self._env: TabletopEnv = env.unwrapped
-        if self._env.action_space.shape != (5,):
-            raise InputError("The expert acts in 'ee_delta'; make the environment with that mode.")
+        if self._env.action_mode != "ee_delta" or self._env.controller.servos != Servos():
+            raise InputError(
+                "The expert acts in 'ee_delta' at 20 Hz with a continuous gripper; make the "
+                "environment with these."
+            )
 
     @abstractmethod
     def reset(self) -> None:

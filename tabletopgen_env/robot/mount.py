@@ -21,6 +21,9 @@ from . import franka
 if TYPE_CHECKING:
     import mujoco
 
+PEDESTAL = "pedestal"
+"""Name of the pedestal's body."""
+
 PEDESTAL_RADIUS = 0.09
 """Radius of the round pedestal, metres."""
 
@@ -125,7 +128,7 @@ def add_pedestal(spec: mujoco.MjSpec, mount: Mount) -> None:
     import mujoco
 
     x, y, height = mount.position
-    body = spec.worldbody.add_body(name="pedestal", pos=[x, y, 0])
+    body = spec.worldbody.add_body(name=PEDESTAL, pos=[x, y, 0])
     pieces = (
         ("foot", PEDESTAL_RADIUS * 1.7, 0.0, 0.02),
         ("column", PEDESTAL_RADIUS * 0.72, 0.02, height - 0.02),
@@ -133,7 +136,7 @@ def add_pedestal(spec: mujoco.MjSpec, mount: Mount) -> None:
     )
     for name, radius, low, high in pieces:
         body.add_geom(
-            name=f"pedestal_{name}",
+            name=f"{PEDESTAL}_{name}",
             type=mujoco.mjtGeom.mjGEOM_CYLINDER,
             size=[radius, (high - low) / 2, 0],
             pos=[0, 0, (low + high) / 2],

@@ -22,6 +22,7 @@ At rest is below 2 cm/s and 0.3 rad/s.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
@@ -250,6 +251,12 @@ class OnTop:
             return False
         top = world.position(self.reference) + world.rotation(self.reference) @ self.plateau.center
         return abs(world.lowest(self.target) - float(top[2])) <= _GAP
+
+
+def named_by(goals: Iterable[Goal]) -> list[str]:
+    """Return the objects that goals need: what is to be moved, and what carries their regions."""
+    names = (name for goal in goals for name in (goal.target, goal.reference))
+    return list(dict.fromkeys(name for name in names if name is not None))
 
 
 def at_rest(world: World, name: str) -> bool:

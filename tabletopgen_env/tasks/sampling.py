@@ -15,7 +15,7 @@ from generator.scene import TABLE, Object
 from ..affordance import is_upright, resting_height
 from ..robot.mount import obstacle, reachable
 from ..workspace import free_spot
-from .goals import SPOT, Goal, Into, OnSpot
+from .goals import SPOT, Into, OnSpot
 from .task import Episode
 
 if TYPE_CHECKING:
@@ -177,8 +177,3 @@ def named(goal: str | tuple[float, ...] | None) -> str | None:
 def on_table(obj: Object) -> bool:
     """Return whether an object stands on the table itself."""
     return obj.placement.on == TABLE
-
-
-def targets(goals: Iterable[Goal]) -> set[str]:
-    """Return the objects that goals are about."""
-    return {goal.target for goal in goals if goal.target is not None}

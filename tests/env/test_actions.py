@@ -8,16 +8,20 @@ from toy import toy_object, toy_scene
 
 from generator.errors import InputError
 from tabletopgen_env.actions import (
+    ACTIONS,
     EE_LEASH,
     EE_STEP,
     EE_TURN,
     JOINT_LEASH,
     JOINT_STEP,
     SUBSTEPS,
+    WORKSPACE,
+    YAW_LEASH,
     controller,
 )
 from tabletopgen_env.composition import TIMESTEP
 from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.robot.kinematics import rotation_vector
 
 
 @pytest.fixture
@@ -40,9 +44,13 @@ def tool(env: TabletopEnv) -> np.ndarray:
     return env.world.to_base(env.world.data.site_xpos[env.world.tcp])
 
 
+def hand(env: TabletopEnv) -> np.ndarray:
+    """Rotation of the hand in the base frame."""
+    return env.world.base_rotation.T @ env.world.data.site_xmat[env.world.tcp].reshape(3, 3)
+
+
 def yaw(env: TabletopEnv) -> float:
-    hand = env.world.base_rotation.T @ env.world.data.site_xmat[env.world.tcp].reshape(3, 3)
-    return float(np.arctan2(hand[1, 0], hand[0, 0]))
+    return float(np.arctan2(hand(env)[1, 0], hand(env)[0, 0]))
 
 
 def test_a_step_takes_a_twentieth_of_a_second(ee) -> None:
@@ -122,41 +130,220 @@ def test_the_gripper_goes_to_its_opening(ee, command, opening) -> None:
     assert ee.world.data.qpos[ee.world.finger_qpos].sum() == pytest.approx(opening, abs=5e-3)
 
 
-def test_out_of_range_actions_are_clipped() -> None:
-    a, b = make_env(toy_scene()), make_env(toy_scene())
-    a.reset(seed=0)
-    b.reset(seed=0)
-    assert np.array_equal(a.step(np.full(5, 50.0))[0], b.step(np.ones(5))[0])
+SIZES = {
+    "ee_delta": 5,
+    "ee_delta_pos": 4,
+    "ee_delta_6d": 7,
+    "ee_absolute": 5,
+    "joint_delta": 8,
+    "joint_target": 8,
+}
 
 
-@pytest.mark.parametrize("mode", ["ee_delta", "joint_delta"])
+def test_every_mode_is_listed_with_its_size() -> None:
+    assert {mode: controller(mode).space.shape for mode in ACTIONS} == {
+        mode: (size,) for mode, size in SIZES.items()
+    }
+    for mode in ACTIONS:
+        space = controller(mode).space
+        assert space.dtype == np.float32 and (space.low == -1).all() and (space.high == 1).all()
+
+
+@pytest.fixture(scope="module", params=SIZES)
+def ready(request) -> TabletopEnv:
+    """An environment in each mode, for actions that must not go through."""
+    env = make_env(toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (0.45, -0.2)),)),
+                   action=request.param)  # fmt: skip
+    env.reset(seed=0, options={"goal": (0.2, 0.0)})
+    return env
+
+
 @pytest.mark.parametrize(
     ("action", "message"),
     [
         (np.zeros(3), r"shape \(\d,\), got \(3,\)"),
+        (np.zeros(9), r"shape \(\d,\), got \(9,\)"),
         (np.zeros((1, 5)), r"shape \(\d,\), got \(1, 5\)"),
         (0.5, r"shape \(\d,\), got \(\)"),
         ("forward", "numbers, got 'forward'"),
+        ([[1, 2], 3], "numbers, got"),
         (None, r"got \(\)"),
     ],
 )
-def test_actions_of_wrong_shape_are_refused(mode, action, message) -> None:
-    env = make_env(toy_scene(), action=mode)
-    env.reset(seed=0)
+def test_actions_of_wrong_shape_are_refused(ready, action, message) -> None:
     with pytest.raises(InputError, match=message):
-        env.step(action)
+        ready.step(action)
 
 
-@pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_actions_that_are_not_finite_are_refused_and_change_nothing(bad) -> None:
-    env = make_env(toy_scene())
-    env.reset(seed=0)
-    before = env.world.data.qpos.copy()
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+@pytest.mark.parametrize("at", [0, -1])
+def test_actions_that_are_not_finite_are_refused_and_change_nothing(ready, bad, at) -> None:
+    before, ctrl = ready.world.data.qpos.copy(), ready.world.data.ctrl.copy()
+    action = np.zeros(ready.action_space.shape)
+    action[at] = bad
     with pytest.raises(InputError, match="must be finite"):
-        env.step(np.array([0, 0, bad, 0, 0]))
-    assert np.array_equal(env.world.data.qpos, before)
+        ready.step(action)
+    assert np.array_equal(ready.world.data.qpos, before)
+    assert np.array_equal(ready.world.data.ctrl, ctrl)
+
+
+def test_out_of_range_actions_are_clipped(ready) -> None:
+    size, seen = ready.action_space.shape, []
+    for action in (np.full(size, 50.0), np.ones(size)):
+        ready.reset(seed=0, options={"goal": (0.2, 0.0)})
+        seen.append(ready.step(action)[0])
+    assert np.array_equal(*seen)
+
+
+def test_commands_stay_in_range_whatever_is_asked(ready) -> None:
+    ready.reset(seed=0, options={"goal": (0.2, 0.0)})
+    world, rng = ready.world, np.random.default_rng(0)
+    low, high = world.model.actuator_ctrlrange[world.actuators].T
+    for _ in range(3):
+        action = rng.choice([-1.0, 1.0], ready.action_space.shape)
+        for _ in range(6):
+            ready.step(action)
+            command = world.data.ctrl[world.actuators]
+            assert (command >= low).all() and (command <= high).all()
+    assert np.isfinite(world.data.qpos).all()
 
 
 def test_unknown_modes_name_the_known_ones() -> None:
-    with pytest.raises(InputError, match="Available: ee_delta, joint_delta"):
+    with pytest.raises(InputError, match="Available: ee_absolute, ee_delta, ee_delta_6d"):
         controller("torque")
+    with pytest.raises(InputError, match="Did you mean 'binary'"):
+        controller("ee_delta", "binery")  # type: ignore[arg-type]
+
+
+# ------------------------------------------------------------------------------- single modes
+
+
+def over_the_table(action: str, **settings) -> TabletopEnv:
+    """A mode at a table with one cube out of the way, the robot at home."""
+    scene = toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (0.45, -0.2)),))
+    env = make_env(scene, action=action, **settings)
+    env.reset(seed=0, options={"goal": (0.2, 0.0)})
+    return env
+
+
+def test_ee_delta_pos_moves_as_ee_delta_does_without_turning() -> None:
+    both = [over_the_table("ee_delta"), over_the_table("ee_delta_pos")]
+    for k in range(10):
+        x, y, z, grip = np.sin([k, 2 * k, 3 * k, 4 * k])
+        seen = [both[0].step([x, y, z, 0.0, grip])[0], both[1].step([x, y, z, grip])[0]]
+        assert np.array_equal(*seen)
+
+
+def test_ee_delta_6d_turns_about_the_axes_of_the_base() -> None:
+    for axis in range(3):
+        env = over_the_table("ee_delta_6d")
+        action, start = np.zeros(7), hand(env)
+        action[3 + axis] = 1.0
+        act(env, action, 3)
+        act(env, np.zeros(7), 10)
+        turned = rotation_vector(hand(env) @ start.T)
+        wanted = np.zeros(3)
+        wanted[axis] = 3 * EE_TURN
+        assert np.allclose(turned, wanted, atol=0.01)
+
+
+def test_ee_delta_6d_turns_about_the_tool_centre_point() -> None:
+    env = over_the_table("ee_delta_6d")
+    before = tool(env)
+    act(env, [0, 0, 0, 0, 1, 0, 1], 3)
+    act(env, np.zeros(7), 10)
+    assert np.allclose(tool(env), before, atol=2e-3)
+
+
+def test_ee_delta_6d_does_not_wind_up() -> None:
+    env = over_the_table("ee_delta_6d")
+    act(env, [0, 0, 0, 1, 0, 0, 1], 60)
+    leaning = hand(env)
+    act(env, [0, 0, 0, -1, 0, 0, 1], 6)
+    back = rotation_vector(hand(env) @ leaning.T)
+    assert back[0] < -(6 * EE_TURN - YAW_LEASH - 0.15)
+
+
+def test_ee_absolute_goes_where_it_is_sent_and_stays() -> None:
+    env = over_the_table("ee_absolute")
+    low, high = np.array(WORKSPACE)
+    point, turn = np.array([0.45, -0.15, 0.25]), 0.7
+    action = [*(2 * (point - low) / (high - low) - 1), turn / (np.pi / 2), 1.0]
+    act(env, action, 40)
+    assert np.allclose(tool(env), point, atol=2e-3)
+    assert yaw(env) == pytest.approx(turn, abs=0.01)
+
+
+def test_ee_absolute_goes_straight_and_no_faster_than_documented() -> None:
+    env = over_the_table("ee_absolute")
+    start, seen = tool(env), []
+    for _ in range(8):
+        env.step(np.array([1.0, 0.5, -0.5, 0.0, 1.0]))
+        seen.append(tool(env))
+    moved = np.diff([start, *seen], axis=0)
+    assert np.linalg.norm(moved, axis=1).max() < 1.3 * EE_STEP
+    assert np.linalg.norm(seen[-1] - seen[3]) > 2.5 * EE_STEP  # the joints are near their limits
+    along = (seen[-1] - start) / np.linalg.norm(seen[-1] - start)
+    aside = np.array(seen) - start
+    aside -= np.outer(aside @ along, along)
+    assert np.linalg.norm(aside, axis=1).max() < 0.01
+
+
+def test_ee_absolute_turns_from_end_to_end_through_the_middle() -> None:
+    env = over_the_table("ee_absolute")
+    middle = [0.55, 0.0, 0.3, 1.0, 1.0]
+    act(env, middle, 30)
+    assert yaw(env) == pytest.approx(np.pi / 2, abs=0.02)
+    seen = []
+    for _ in range(40):
+        env.step(np.array([*middle[:3], -1.0, 1.0]))
+        seen.append(yaw(env))
+    assert seen[-1] == pytest.approx(-np.pi / 2, abs=0.02)
+    assert min(np.abs(seen)) < 0.1
+
+
+def test_joint_target_goes_to_the_joints_at_the_documented_speed() -> None:
+    env = over_the_table("joint_target")
+    world = env.world
+    low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
+    start = world.data.qpos[world.arm_qpos].copy()
+    wanted = start + np.array([0.5, -0.3, 0.2, -0.3, 0.2, 0.3, -1.0])
+    action = np.array([*(2 * (wanted - low) / (high - low) - 1), 1.0])
+    act(env, action, 4)
+    assert np.abs(world.data.qpos[world.arm_qpos] - start).max() < 4 * JOINT_STEP + 0.01
+    act(env, action, 20)
+    assert np.allclose(world.data.qpos[world.arm_qpos], wanted, atol=5e-3)
+
+
+@pytest.mark.parametrize(("command", "opening"), [(1.0, 0.08), (0.0, 0.08), (-0.01, 0.0)])
+def test_a_binary_gripper_opens_or_closes(command, opening) -> None:
+    env = over_the_table("ee_delta_pos", gripper="binary")
+    act(env, [0, 0, 0, command], 25)
+    assert env.world.data.qpos[env.world.finger_qpos].sum() == pytest.approx(opening, abs=5e-3)
+
+
+# ----------------------------------------------------------------------------------- the rate
+
+
+@pytest.mark.parametrize("hz", [5, 10, 50, 100])
+@pytest.mark.parametrize("mode", ["ee_delta", "joint_delta", "ee_delta_6d"])
+def test_at_another_rate_the_speeds_are_the_same(mode, hz) -> None:
+    env = over_the_table(mode, control_hz=hz)
+    action = np.zeros(env.action_space.shape)
+    action[[0, -1]] = [0.5, 1.0]
+    before, joint = tool(env), env.world.data.qpos[env.world.arm_qpos[0]]
+    act(env, action, round(0.4 * hz))
+    assert env.world.data.time == pytest.approx(0.4)
+    assert env.metadata["render_fps"] == hz
+    act(env, [*np.zeros(len(action) - 1), 1.0], round(0.8 * hz))
+    if mode == "joint_delta":
+        moved = env.world.data.qpos[env.world.arm_qpos[0]] - joint
+        assert moved == pytest.approx(0.4 * 0.5 * JOINT_STEP * 20, abs=5e-3)
+    else:
+        assert np.allclose(tool(env) - before, [0.4 * 0.5 * EE_STEP * 20, 0, 0], atol=3e-3)
+
+
+@pytest.mark.parametrize("hz", [0, -20, 30, 1000, 20.0, True, "20"])
+def test_rates_that_do_not_divide_the_steps_are_refused(hz) -> None:
+    with pytest.raises(InputError, match=r"control_hz must divide the 500.*10, 20, 25, 50"):
+        controller("ee_delta", control_hz=hz)

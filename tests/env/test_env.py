@@ -12,6 +12,7 @@ import pytest
 from toy import toy_object, toy_objects, toy_scene
 
 from generator.errors import InputError, SceneError
+from tabletopgen_env.actions import ACTIONS
 from tabletopgen_env.env import GoalTabletopEnv, TabletopEnv, make_env
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
@@ -30,7 +31,7 @@ def rollout(env: gym.Env, seed: int, steps: int = 30) -> list[np.ndarray]:
     return seen
 
 
-@pytest.mark.parametrize("action", ["ee_delta", "joint_delta"])
+@pytest.mark.parametrize("action", ACTIONS)
 def test_same_seed_gives_the_same_trajectory_bit_for_bit(action) -> None:
     a = rollout(make_env([toy_scene(), toy_scene(toy_objects()[:4])], action=action), seed=3)
     b = rollout(make_env([toy_scene(), toy_scene(toy_objects()[:4])], action=action), seed=3)
@@ -115,7 +116,9 @@ def test_scenes_with_nothing_to_do_are_passed_over() -> None:
     ("settings", "message"),
     [
         ({"observation": "stat"}, "Did you mean 'state'"),
-        ({"action": "ee"}, "Available: ee_delta, joint_delta"),
+        ({"action": "ee"}, "Available: ee_absolute, ee_delta, .*joint_target"),
+        ({"gripper": "open"}, "Available: binary, continuous"),
+        ({"control_hz": 30}, "must divide the 500"),
         ({"reward": "shaped"}, "Available: dense, sparse"),
         ({"render_mode": "ansi"}, "Available: depth_array, human, rgb_array"),
         ({"observation": "pixels", "image_size": 4}, "between 8 and 2048"),

@@ -11,28 +11,58 @@ from gymnasium.utils.env_checker import check_env
 from stable_baselines3.common.env_checker import check_env as sb3_check_env
 from toy import toy_object, toy_scene, toy_table
 
+import tabletopgen_env  # registers the environments  # noqa: F401
+from tabletopgen_env.actions import ACTIONS
 from tabletopgen_env.env import make_env
 from tabletopgen_env.observations import MODES, SLOTS
 
-ACTIONS = ("ee_delta", "joint_delta")
+IDS = sorted(name for name in gym.registry if name.startswith("TabletopGen/"))
+
+
+def check(name: str, *ignored: str, **settings) -> None:
+    """Run both checkers; every warning but those ``ignored`` is an error."""
+    cube = toy_object("cube_1", (0.04, 0.04, 0.04), (0.05, -0.1))
+    env = gym.make(name, scenes=toy_scene((cube,)), render_mode="rgb_array", **settings)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for message in (".*needs a display.*", *ignored):
+            warnings.filterwarnings("ignore", message=message)
+        check_env(env.unwrapped, skip_render_check=True)
+        sb3_check_env(env.unwrapped)
+    env.close()
 
 
 @pytest.mark.parametrize("action", ACTIONS)
 @pytest.mark.parametrize("observation", MODES)
-def test_both_checkers_pass(observation, action) -> None:
-    env = gym.make(
-        "tabletopgen_env:TabletopGen/PickPlace-v0",
-        scenes=toy_scene(),
-        observation=observation,
-        action=action,
-        image_size=64,
-        render_mode="rgb_array",
-    )
+@pytest.mark.parametrize("name", IDS)
+def test_both_checkers_pass(name, observation, action) -> None:
+    small, shape = ".*minimal resolution for an image", ".*unconventional shape"
+    check(
+        name, small, shape, observation=observation, action=action, image_size=16, points=64,
+        cameras=("front",), renderer="software",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("observation", ["state", "goal", "pixels", "pixels+state"])
+def test_as_they_come_neither_checker_warns(observation) -> None:
+    check(IDS[0], observation=observation)
+
+
+def test_depth_and_segmentation_pass_the_checkers() -> None:
+    check(
+        IDS[0], ".*unconventional shape", observation="pixels+state", image_size=(36, 40),
+        cameras=("front", "wrist", "top"), kinds=("rgb", "depth", "segmentation"),
+        gripper="binary", control_hz=50,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("renderer", ["auto", "software"])
+def test_render_modes_pass_the_checker(renderer) -> None:
+    env = gym.make(IDS[0], scenes=toy_scene(), render_mode="rgb_array", render_size=(16, 16),
+                   renderer=renderer)  # fmt: skip
     with warnings.catch_warnings():
-        warnings.simplefilter("error")
         warnings.filterwarnings("ignore", message=".*needs a display.*")
         check_env(env.unwrapped)
-        sb3_check_env(env.unwrapped)
     env.close()
 
 
@@ -44,13 +74,13 @@ def small_round_scene():
     return toy_scene(things, table, "round")
 
 
-@pytest.mark.parametrize("observation", ["state", "goal"])
+@pytest.mark.parametrize("observation", MODES)
 def test_spaces_do_not_depend_on_the_scene(observation) -> None:
     many = tuple(
         toy_object(f"cube_{k}", (0.04, 0.04, 0.04), (-0.45 + 0.07 * k, 0.0)) for k in range(14)
     )
     envs = [
-        make_env(scene, observation=observation)
+        make_env(scene, observation=observation, image_size=16, renderer="software")
         for scene in (toy_scene(), small_round_scene(), toy_scene(many))
     ]
     assert envs[0].observation_space == envs[1].observation_space == envs[2].observation_space

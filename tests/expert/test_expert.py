@@ -92,5 +92,13 @@ def test_it_says_when_nothing_can_be_done() -> None:
     env.reset(seed=0, options={"target": "block", "goal": (-0.2, 0.0)})
     with pytest.raises(SceneError, match="no grasp of 'block'"):
         TaskExpert(env).reset()
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [{"action": "joint_delta"}, {"action": "ee_absolute"}, {"gripper": "binary"},
+     {"control_hz": 10}],
+)  # fmt: skip
+def test_it_acts_in_one_mode_only(settings: dict[str, Any]) -> None:
     with pytest.raises(InputError, match="ee_delta"):
-        TaskExpert(make_env(toy_scene(), action="joint_delta"))
+        TaskExpert(make_env(toy_scene(), **settings))

@@ -1,0 +1,110 @@
+"""How a policy moves the robot: one small controller per action mode.
+
+All modes take ``float32`` actions in [-1, 1] at 20 Hz (25 simulation steps of 2 ms) unless
+``control_hz`` says otherwise; values beyond are clipped. The last entry is the gripper.
+
+======================  =======================================================================
+``ee_delta`` (5)        move the tool centre point by up to 25 mm along x, y and z of the robot's
+                        base frame and turn the hand by up to 0.15 rad about the vertical, per
+                        step; the hand keeps pointing down
+``ee_delta_pos`` (4)    x, y and z as above; the hand keeps pointing down and keeps its yaw
+``ee_delta_6d`` (7)     x, y and z as above, then a rotation vector about the axes of the base
+                        frame, up to 0.15 rad per entry and step; the hand may tilt
+``ee_absolute`` (5)     where the tool centre point has to go: x, y and z over ``WORKSPACE`` of
+                        the base frame, yaw over [-pi/2, pi/2] (all that a hand of two fingers
+                        needs). The commanded pose goes there on a straight line, at up to 25 mm
+                        and 0.15 rad a step; the hand keeps pointing down
+``joint_delta`` (8)     turn joints 1 to 7 by up to 0.1 rad each, per step
+``joint_target`` (8)    where joints 1 to 7 have to go, each over its range; the commanded joints
+                        go there at up to 0.1 rad a step
+======================  =======================================================================
+
+========================  =====================================================================
+gripper ``"continuous"``  -1 closed, +1 open (8 cm), in between in proportion, as a position
+gripper ``"binary"``      0 and more opens all the way, less closes
+========================  =====================================================================
+
+The amounts per step are those at 20 Hz; at another rate they are such that the speeds are the
+same: 0.5 m/s, 3 rad/s, 2 rad/s.
+
+Increments add to a *commanded* pose that starts at the robot's own and is never more than 4 cm
+and 0.4 rad (``ee_…``) or 0.2 rad (``joint_…``) ahead of it, below 20 Hz in proportion more, so
+pushing against the table does not wind up. The servos' viscous lag is compensated: in free space
+the arm trails a moving command by half an action (12 mm at full speed) and ends where it was sent
+to the millimetre.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Literal
+
+from generator.errors import InputError, choices
+
+from .joints import JOINT_LEASH, JOINT_STEP, JointDelta, JointTarget
+from .servos import CONTROL_HZ, SUBSTEPS, Controller, GripperMode, Servos, checked
+from .tool import (
+    EE_LEASH,
+    EE_STEP,
+    EE_TURN,
+    WORKSPACE,
+    YAW_LEASH,
+    ToolAbsolute,
+    ToolDelta,
+    ToolDelta6D,
+    ToolDeltaPosition,
+)
+
+__all__ = [
+    "ACTIONS",
+    "CONTROL_HZ",
+    "EE_LEASH",
+    "EE_STEP",
+    "EE_TURN",
+    "JOINT_LEASH",
+    "JOINT_STEP",
+    "SUBSTEPS",
+    "WORKSPACE",
+    "YAW_LEASH",
+    "ActionMode",
+    "Controller",
+    "GripperMode",
+    "Servos",
+    "checked",
+    "controller",
+]
+
+ActionMode = Literal[
+    "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta", "joint_target"
+]
+
+ACTIONS: Mapping[str, Callable[[Servos], Controller]] = MappingProxyType(
+    {
+        "ee_delta": ToolDelta,
+        "ee_delta_pos": ToolDeltaPosition,
+        "ee_delta_6d": ToolDelta6D,
+        "ee_absolute": ToolAbsolute,
+        "joint_delta": JointDelta,
+        "joint_target": JointTarget,
+    }
+)
+"""The controller of each action mode."""
+
+
+def controller(
+    mode: str, gripper: GripperMode = "continuous", control_hz: int = CONTROL_HZ
+) -> Controller:
+    """Return a controller for an action mode.
+
+    Args:
+        mode: the action mode, see the module's table.
+        gripper: "continuous" or "binary".
+        control_hz: actions per second; divides 500.
+
+    Raises:
+        InputError: no such mode or gripper, or a rate that does not divide 500.
+    """
+    if mode not in ACTIONS:
+        raise InputError(f"Unknown action mode {mode!r}." + choices(str(mode), ACTIONS))
+    return ACTIONS[mode](Servos(control_hz, gripper))

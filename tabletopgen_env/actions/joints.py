@@ -1,0 +1,58 @@
+"""Action modes in the joints' own coordinates; see the package's table."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+
+from ..world import World
+from .servos import Servos, box
+
+JOINT_STEP = 0.1
+"""Largest turn of each joint per action at 20 Hz, radians."""
+
+JOINT_LEASH = 0.2
+"""How far a commanded joint may be ahead of the real one, radians."""
+
+
+class JointDelta:
+    """Joint increments."""
+
+    def __init__(self, servos: Servos) -> None:
+        self.space = box(8)
+        self.servos = servos
+        self.command = np.zeros(7)
+
+    def reset(self, world: World) -> None:
+        """Start from the robot's present joints."""
+        self.command = world.data.qpos[world.arm_qpos].copy()
+
+    def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
+        """Advance the commanded joints by ``action``."""
+        real = world.data.qpos[world.arm_qpos]
+        low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
+        leash = JOINT_LEASH * self.servos.slack
+        wanted = self.command + JOINT_STEP * self.servos.share * action[:7]
+        before = self.command
+        self.command = np.clip(real + np.clip(wanted - real, -leash, leash), low, high)
+        self.servos.command(world, before, self.command, action[7])
+
+
+class JointTarget:
+    """Joint positions to go to, over the joints' ranges."""
+
+    def __init__(self, servos: Servos) -> None:
+        self.space = box(8)
+        self.servos = servos
+        self._way = JointDelta(servos)
+
+    def reset(self, world: World) -> None:
+        """Start from the robot's present joints."""
+        self._way.reset(world)
+
+    def apply(self, world: World, action: Float[np.ndarray, "8"]) -> None:
+        """Advance the commanded joints towards those of ``action``."""
+        low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
+        left = low + (action[:7] + 1) / 2 * (high - low) - self._way.command
+        step = np.clip(left / (JOINT_STEP * self.servos.share), -1.0, 1.0)
+        self._way.apply(world, np.array([*step, action[7]]))

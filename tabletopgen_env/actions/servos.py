@@ -1,0 +1,141 @@
+"""What all action modes share: checked actions, the rate, the gripper, commands to the servos."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal, Protocol, get_args
+
+import numpy as np
+from gymnasium import spaces
+from jaxtyping import Float
+
+from generator.errors import InputError, choices
+
+from ..composition import TIMESTEP
+from ..robot.panda import HOME_CTRL
+from ..world import World
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+GripperMode = Literal["continuous", "binary"]
+
+CONTROL_HZ = 20
+"""Actions per second unless said otherwise."""
+
+GRIPPER_CTRL = HOME_CTRL[-1]
+"""The gripper command that opens it fully."""
+
+SERVO_LEAD = 0.08
+"""Seconds by which servo commands lead a moving reference.
+
+A servo torque ``k (u - q) - d q'`` trails its command ``u`` by ``d / k`` = 0.1 s; leading by most
+of that leaves it well damped.
+"""
+
+_STEPS = round(1 / TIMESTEP)  # simulation steps in a second
+
+SUBSTEPS = _STEPS // CONTROL_HZ
+"""Simulation steps per action at ``CONTROL_HZ``."""
+
+
+@dataclass(frozen=True)
+class Servos:
+    """How often the servos are commanded, and what the gripper's entry means.
+
+    Args:
+        hz: actions per second; a divisor of the 500 simulation steps.
+        gripper: "continuous" or "binary".
+    """
+
+    hz: int = CONTROL_HZ
+    gripper: GripperMode = "continuous"
+
+    def __post_init__(self) -> None:
+        whole = isinstance(self.hz, int | np.integer) and not isinstance(self.hz, bool)
+        if not whole or self.hz < 1 or _STEPS % self.hz:
+            rates = ", ".join(str(k) for k in range(1, _STEPS + 1) if _STEPS % k == 0)
+            raise InputError(
+                f"control_hz must divide the {_STEPS} simulation steps of a second, got "
+                f"{self.hz!r}; use one of {rates}."
+            )
+        if self.gripper not in get_args(GripperMode):
+            raise InputError(
+                f"Unknown gripper mode {self.gripper!r}."
+                + choices(str(self.gripper), get_args(GripperMode))
+            )
+
+    @property
+    def substeps(self) -> int:
+        """Simulation steps per action."""
+        return _STEPS // self.hz
+
+    @property
+    def period(self) -> float:
+        """Seconds per action."""
+        return 1 / self.hz
+
+    @property
+    def share(self) -> float:
+        """How much longer an action lasts than one at ``CONTROL_HZ``."""
+        return CONTROL_HZ / self.hz
+
+    @property
+    def slack(self) -> float:
+        """How much longer leashes are than at ``CONTROL_HZ``; longer actions go farther."""
+        return max(1.0, self.share)
+
+    def command(
+        self,
+        world: World,
+        before: Float[np.ndarray, "7"],
+        joints: Float[np.ndarray, "7"],
+        gripper: float,
+    ) -> None:
+        """Write servo commands for a reference that moves from ``before`` to ``joints``.
+
+        ``gripper`` is the action's last entry.
+        """
+        lead = SERVO_LEAD / self.period * (joints - before)
+        low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
+        world.data.ctrl[world.actuators[:7]] = np.clip(joints + lead, low, high)
+        if self.gripper == "binary":
+            gripper = 1.0 if gripper >= 0 else -1.0
+        world.data.ctrl[world.actuators[7]] = GRIPPER_CTRL * (gripper + 1) / 2
+
+
+class Controller(Protocol):
+    """Turns actions into servo commands."""
+
+    space: spaces.Box
+    servos: Servos
+
+    def reset(self, world: World) -> None:
+        """Start from the robot's present pose."""
+        ...
+
+    def apply(self, world: World, action: Float[np.ndarray, "a"]) -> None:
+        """Write the servo commands of one checked action to ``world.data.ctrl``."""
+        ...
+
+
+def checked(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:
+    """Return ``action`` as float64, clipped to ``space``.
+
+    Raises:
+        InputError: wrong shape, not numbers, or a NaN or infinity.
+    """
+    try:
+        array = np.asarray(action, dtype=np.float64)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"An action must be {space.shape[0]} numbers, got {action!r}.") from error
+    if array.shape != space.shape:
+        raise InputError(f"An action must have shape {space.shape}, got {array.shape}.")
+    if not np.isfinite(array).all():
+        raise InputError(f"An action must be finite, got {array.tolist()}.")
+    return np.clip(array, space.low, space.high)
+
+
+def box(size: int) -> spaces.Box:
+    """Return the space of ``size`` entries in [-1, 1]."""
+    return spaces.Box(-1.0, 1.0, (size,), np.float32)

@@ -1,0 +1,175 @@
+"""Action modes of the tool centre point; see the package's table."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float
+from scipy.spatial.transform import Rotation
+
+from generator.geometry import wrap
+
+from ..robot.franka import JOINTS
+from ..robot.kinematics import HOME, forward, ik_step, rotation_vector
+from ..world import World
+from .servos import Servos, box
+
+EE_STEP = 0.025
+"""Largest move of the tool centre point per action and axis at 20 Hz, metres."""
+
+EE_TURN = 0.15
+"""Largest turn of the hand per action and axis at 20 Hz, radians."""
+
+EE_LEASH = 0.04
+"""How far the commanded point may be ahead of the real one, metres."""
+
+YAW_LEASH = 0.4
+"""How far the commanded yaw, or rotation, may be ahead of the real one, radians."""
+
+WORKSPACE: tuple[tuple[float, ...], ...] = ((-0.5, -0.8, -0.1), (0.85, 0.8, 0.7))
+"""Lowest and highest commanded point in the base frame, metres."""
+
+YAW_REACH = np.pi / 2
+"""Largest yaw that ``ToolAbsolute`` can be sent to, radians."""
+
+_JOINT_SPEED = np.array([joint.velocity for joint in JOINTS])
+_PULL = 0.05  # towards the home posture, per action at 20 Hz
+
+
+class Arm:
+    """A commanded point of the tool, and joints that follow a commanded pose.
+
+    The commanded joints follow by damped least squares (``robot.kinematics.ik_step``), drawn
+    towards the home posture where the arm is redundant, and never faster than the joints' rated
+    speed.
+    """
+
+    def __init__(self, servos: Servos) -> None:
+        self.point = np.zeros(3)
+        self._servos = servos
+        self._joints = HOME.copy()
+
+    def reset(self, world: World) -> Float[np.ndarray, "3 3"]:
+        """Start from the robot's present pose; return the tool's rotation."""
+        self._joints = world.data.qpos[world.arm_qpos].copy()
+        self.point, rotation = forward(self._joints)
+        return rotation
+
+    def move(self, world: World, action: Float[np.ndarray, "3"]) -> None:
+        """Advance the commanded point by the x, y, z of an action."""
+        real = world.to_base(world.data.site_xpos[world.tcp])
+        leash = EE_LEASH * self._servos.slack
+        wanted = self.point + EE_STEP * self._servos.share * action
+        self.point = real + np.clip(wanted - real, -leash, leash)
+        self.point = np.clip(self.point, WORKSPACE[0], WORKSPACE[1])
+
+    def follow(self, world: World, rotation: Float[np.ndarray, "3 3"], gripper: float) -> None:
+        """Command the joints after the commanded point and ``rotation``."""
+        before, joints = self._joints, self._joints
+        pull = _PULL * min(1.0, self._servos.share)
+        for _ in range(int(np.ceil(self._servos.slack))):
+            joints = ik_step(joints, self.point, rotation, pull=pull)[0]
+        turn, most = joints - before, _JOINT_SPEED * self._servos.period
+        self._joints = before + turn / max(1.0, float((np.abs(turn) / most).max()))
+        self._servos.command(world, before, self._joints, gripper)
+
+
+class ToolDelta:
+    """Increments of the tool centre point and of the hand's yaw."""
+
+    def __init__(self, servos: Servos) -> None:
+        self.space = box(5)
+        self.servos = servos
+        self.arm = Arm(servos)
+        self.yaw = 0.0
+
+    def reset(self, world: World) -> None:
+        """Start from the tool's present position and yaw."""
+        self.yaw = _yaw(self.arm.reset(world))
+
+    def apply(self, world: World, action: Float[np.ndarray, "5"]) -> None:
+        """Advance the commanded pose by ``action`` and the commanded joints after it."""
+        self.arm.move(world, action[:3])
+        real, leash = _yaw(_hand(world)), YAW_LEASH * self.servos.slack
+        ahead = wrap(self.yaw + EE_TURN * self.servos.share * action[3] - real)
+        self.yaw = real + float(np.clip(ahead, -leash, leash))
+        self.arm.follow(world, _pointing_down(self.yaw), action[4])
+
+
+class ToolDeltaPosition:
+    """Increments of the tool centre point alone."""
+
+    def __init__(self, servos: Servos) -> None:
+        self.space = box(4)
+        self.servos = servos
+        self._way = ToolDelta(servos)
+
+    def reset(self, world: World) -> None:
+        """Start from the tool's present position and yaw."""
+        self._way.reset(world)
+
+    def apply(self, world: World, action: Float[np.ndarray, "4"]) -> None:
+        """Advance the commanded point by ``action``."""
+        self._way.apply(world, np.array([*action[:3], 0.0, action[3]]))
+
+
+class ToolDelta6D:
+    """Increments of the tool centre point and of the hand's rotation."""
+
+    def __init__(self, servos: Servos) -> None:
+        self.space = box(7)
+        self.servos = servos
+        self._arm = Arm(servos)
+        self._rotation = np.eye(3)
+
+    def reset(self, world: World) -> None:
+        """Start from the tool's present pose."""
+        self._rotation = self._arm.reset(world)
+
+    def apply(self, world: World, action: Float[np.ndarray, "7"]) -> None:
+        """Advance the commanded pose by ``action`` and the commanded joints after it."""
+        self._arm.move(world, action[:3])
+        real, leash = _hand(world), YAW_LEASH * self.servos.slack
+        turn = Rotation.from_rotvec(EE_TURN * self.servos.share * action[3:6]).as_matrix()
+        ahead = rotation_vector(turn @ self._rotation @ real.T)
+        ahead *= min(1.0, leash / max(float(np.linalg.norm(ahead)), 1e-9))
+        self._rotation = Rotation.from_rotvec(ahead).as_matrix() @ real
+        self._arm.follow(world, self._rotation, action[6])
+
+
+class ToolAbsolute:
+    """A pose for the tool to go to, the hand pointing down."""
+
+    def __init__(self, servos: Servos) -> None:
+        self.space = box(5)
+        self.servos = servos
+        self._way = ToolDelta(servos)
+
+    def reset(self, world: World) -> None:
+        """Start from the tool's present position and yaw."""
+        self._way.reset(world)
+
+    def apply(self, world: World, action: Float[np.ndarray, "5"]) -> None:
+        """Advance the commanded pose towards that of ``action``.
+
+        The hand turns through yaw 0, never through the half turn that joint 7 cannot make.
+        """
+        low, high = np.array(WORKSPACE)
+        move = low + (action[:3] + 1) / 2 * (high - low) - self._way.arm.point
+        move /= max(EE_STEP * self.servos.share, float(np.linalg.norm(move)))
+        turn = (YAW_REACH * action[3] - self._way.yaw) / (EE_TURN * self.servos.share)
+        self._way.apply(world, np.array([*move, np.clip(turn, -1.0, 1.0), action[4]]))
+
+
+def _hand(world: World) -> Float[np.ndarray, "3 3"]:
+    """Return the hand's present rotation in the base frame."""
+    return world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)
+
+
+def _yaw(hand: Float[np.ndarray, "3 3"]) -> float:
+    return float(np.arctan2(hand[1, 0], hand[0, 0]))
+
+
+def _pointing_down(yaw: float) -> Float[np.ndarray, "3 3"]:
+    """Return the rotation of a hand that points straight down, its x axis at ``yaw``."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    return np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])

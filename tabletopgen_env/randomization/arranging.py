@@ -1,0 +1,225 @@
+"""Where things stand, and which of them are there at all.
+
+Things that carry or touch one another, a bowl and its fruit, a book and what leans on it, are one
+*bundle*: they are moved and taken away together, so that nothing loses its support.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.geometry import inside_margin, rotation_z
+from generator.scene import Object, Pose, Scene
+
+from ..affordance import footprint
+
+if TYPE_CHECKING:
+    from ..world import World
+    from .settings import Randomization
+
+OVERLAP = 5e-4
+"""Deepest overlap of two things, metres, as for the scenes themselves."""
+
+SETTLING = 100
+"""Simulation steps for which a new arrangement has to rest."""
+
+DRIFT, TILT = 2e-3, np.deg2rad(2.0)
+"""Largest move (metres) and turn (radians) of a thing that rests."""
+
+_DEPTH = 10.0  # how far below the floor things are parked, metres
+
+
+def bundles(world: World) -> dict[str, str]:
+    """Return for each object the first of its bundle that stands on the table.
+
+    The world is at its start: who touches whom there counts.
+    """
+    first = {name: name for name in world.names}
+    stands = [o.name for o in world.scene.objects if o.placement.on not in first]
+    pairs = [(o.name, o.placement.on) for o in world.scene.objects if o.placement.on in first]
+    for one, other in (*pairs, *_touching(world)):
+        a, b = first[one], first[other]
+        kept = min(a, b, key=lambda name: (name not in stands, world.names.index(name)))
+        first = {name: kept if root in (a, b) else root for name, root in first.items()}
+    return first
+
+
+def _touching(world: World) -> list[tuple[str, str]]:
+    """Return the pairs of objects in contact."""
+    owner = {int(body): name for body, name in zip(world.bodies, world.names, strict=True)}
+    bodies = world.model.geom_bodyid[world.data.contact.geom].tolist()
+    return [(owner[a], owner[b]) for a, b in bodies if a in owner and b in owner]
+
+
+# ------------------------------------------------------------------------------------------ poses
+
+
+def draw_poses(
+    settings: Randomization, world: World, rng: np.random.Generator
+) -> dict[str, list[float]]:
+    """Draw the move (x, y, metres) and the turn (radians) of each bundle, by its first object.
+
+    The world is at its start.
+    """
+    most = np.array([settings.move, settings.move, settings.turn])
+    drawn = (most * rng.uniform(-1, 1, (len(world.names), 3))).tolist()
+    roots = set(bundles(world).values())
+    return {name: row for name, row in zip(world.names, drawn, strict=True) if name in roots}
+
+
+def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
+    """Rearrange the world's scene; return those of ``drawn`` that had to stay where they were.
+
+    The world is at its start, and is left there.
+    """
+    before, root = world.scene, bundles(world)
+    moves = dict(drawn)
+    while moves:
+        world.rearrange(moved(before, root, moves))
+        bad = _misplaced(world, before, root, set(moves))
+        if not bad:
+            break
+        moves = {name: move for name, move in moves.items() if name not in bad}
+    else:
+        world.rearrange(before)
+    world.reset()
+    return [name for name in drawn if name not in moves]
+
+
+def moved(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]]) -> Scene:
+    """Return the scene with bundles moved (x, y) and turned about their first object."""
+    objects = []
+    for thing in scene.objects:
+        first = root[thing.name]
+        if first in moves:
+            x, y, turn = moves[first]
+            centre = scene.object(first).pose.position
+            thing = _moved(thing, centre, np.array([x, y, 0.0]), turn)
+        objects.append(thing)
+    return scene.replace(objects=tuple(objects))
+
+
+def _moved(
+    thing: Object, centre: Float[np.ndarray, "3"], move: Float[np.ndarray, "3"], turn: float
+) -> Object:
+    """Return a thing moved, and turned about the vertical through ``centre``."""
+    rotation, half = rotation_z(turn), turn / 2
+    position = centre + rotation @ (thing.pose.position - centre) + move
+    w, x, y, z = thing.pose.quaternion
+    c, s = np.cos(half), np.sin(half)
+    turned = np.array([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w])
+    return replace(thing, pose=Pose(position, turned))
+
+
+def _misplaced(world: World, before: Scene, root: Mapping[str, str], movers: set[str]) -> set[str]:
+    """Return which of the ``movers`` have to stay: over the edge, overlapping, not at rest."""
+    import mujoco
+
+    over = [o.name for o in before.objects if _over_the_edge(world.scene, before, o.name)]
+    if over:
+        return {root[name] for name in over}
+    world.reset()
+    bad = _overlapping(world, root, movers)
+    if bad:
+        return bad
+    start = _poses(world)
+    for _ in range(SETTLING):
+        mujoco.mj_step(world.model, world.data)
+    mujoco.mj_kinematics(world.model, world.data)
+    restless = {root[name] for name in _restless(world, start)}
+    return restless & movers or (movers if restless else set())
+
+
+def _over_the_edge(scene: Scene, before: Scene, name: str) -> bool:
+    """Return whether a thing reaches farther over the table's edge than it did, if at all."""
+    outline = scene.table.outline
+    now, then = (inside_margin(footprint(s.object(name)), outline).min() for s in (scene, before))
+    return bool(now < min(then, 0.0))
+
+
+def _overlapping(world: World, root: Mapping[str, str], movers: set[str]) -> set[str]:
+    """Return the movers that touch the robot or reach into another bundle."""
+    owner = {int(body): name for body, name in zip(world.bodies, world.names, strict=True)}
+    robot, contact = set(world.robot_bodies.tolist()), world.data.contact
+    bad: set[str] = set()
+    for geoms, gap in zip(contact.geom, contact.dist, strict=True):
+        first, second = (int(k) for k in world.model.geom_bodyid[geoms])
+        roots = [root[owner[k]] for k in (first, second) if k in owner]
+        if {first, second} & robot:
+            bad |= set(roots) & movers
+        elif len(set(roots)) == 2 and gap < -OVERLAP:
+            bad.add(max(set(roots) & movers, default=roots[0]))
+    return bad & movers
+
+
+def _poses(world: World) -> tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3 3"]]:
+    """Return the objects' positions and rotations."""
+    turned = world.data.xmat[world.bodies].reshape(-1, 3, 3)
+    return world.data.xpos[world.bodies].copy(), turned.copy()
+
+
+def _restless(
+    world: World, start: tuple[Float[np.ndarray, "k 3"], Float[np.ndarray, "k 3 3"]]
+) -> list[str]:
+    """Return the objects that have left the poses they had at the ``start``."""
+    position, rotation = _poses(world)
+    drift = np.linalg.norm(position - start[0], axis=1)
+    cosine = (np.einsum("kij,kij->k", rotation, start[1]) - 1) / 2
+    away = (drift > DRIFT) | (cosine < np.cos(TILT))
+    return [name for name, gone in zip(world.names, away, strict=True) if gone]
+
+
+# ------------------------------------------------------------------------------------ distractors
+
+
+def draw_distractors(
+    settings: Randomization, world: World, rng: np.random.Generator
+) -> dict[str, Any]:
+    """Draw how many objects may stay beside those of the task, and in which order others go."""
+    low, high = settings.distractors or (0, 0)
+    order = [world.names[k] for k in rng.permutation(len(world.names))]
+    return {"most": int(rng.integers(low, high + 1)), "order": order}
+
+
+def leaving(
+    root: Mapping[str, str], keep: Collection[str], most: int, order: Iterable[str]
+) -> tuple[str, ...]:
+    """Return which objects go, in ``order``, so that at most ``most`` stay beside those needed.
+
+    Needed are those in ``keep`` with their bundles. Others go with their whole bundle.
+
+    Args:
+        root: the bundles.
+        keep: objects that have to stay.
+        most: how many others may.
+        order: the objects, those that are to go first first.
+    """
+    needed = {root[name] for name in keep}
+    loose = [name for name in root if root[name] not in needed]
+    gone: set[str] = set()
+    for name in order:
+        if len(loose) - len(gone) <= most:
+            break
+        if name in loose:
+            gone |= {other for other in loose if root[other] == root[name]}
+    return tuple(name for name in loose if name in gone)
+
+
+def take_away(world: World, names: Collection[str]) -> None:
+    """Park objects under the floor, where they touch nothing, weigh nothing and have no slot."""
+    import mujoco
+
+    model, data = world.model, world.data
+    for name in names:
+        body = world.bodies[world.index(name)]
+        own = model.geom_bodyid == body
+        model.geom_contype[own] = model.geom_conaffinity[own] = 0
+        model.body_gravcomp[body] = 1.0
+        data.qpos[model.jnt_qposadr[model.body_jntadr[body]] + 2] -= _DEPTH
+    world.absent = frozenset(names)
+    mujoco.mj_forward(model, data)

@@ -1,0 +1,138 @@
+"""Randomises worlds at reset, and readings and actions in between."""
+
+from __future__ import annotations
+
+import zlib
+from collections import deque
+from collections.abc import Callable, Collection, Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from jaxtyping import Float
+
+from ..observations import Noise
+from ..views import SLOTS
+from . import arranging, dynamics, looks
+from .originals import Originals
+from .settings import SWITCHES, Randomization, resolve
+
+if TYPE_CHECKING:
+    from ..world import World
+
+    Draw = Callable[[Randomization, World, np.random.Generator], dict[str, Any]]
+    Apply = Callable[[World, dict[str, Any]], None]
+
+_MODEL: Mapping[str, tuple[Draw, Apply]] = MappingProxyType(
+    {
+        "lights": (looks.draw_lights, looks.apply_lights),
+        "cameras": (looks.draw_cameras, looks.apply_cameras),
+        "colors": (looks.draw_colors, looks.apply_colors),
+        "mass": (dynamics.draw_mass, dynamics.apply_mass),
+        "friction": (dynamics.draw_friction, dynamics.apply_friction),
+        "gains": (dynamics.draw_gains, dynamics.apply_gains),
+        "table": (dynamics.draw_table, dynamics.apply_table),
+    }
+)  # what a switch draws for a world, and how that is written to it
+
+
+class Randomizer:
+    """Applies a ``Randomization`` to the worlds of one environment, episode by episode.
+
+    Args:
+        choice: the settings, the name of a preset, or None for none.
+
+    Call ``restart`` once per episode, ``begin`` with the world before the task is drawn (in place
+    of ``World.reset``; as often as worlds are tried), and ``finish`` after it.
+    """
+
+    def __init__(self, choice: Randomization | str | None) -> None:
+        self.settings = settings = resolve(choice)
+        self._on = frozenset(switch for switch in SWITCHES if settings.is_on(switch))
+        self._originals: WeakKeyDictionary[World, Originals] = WeakKeyDictionary()
+        self._seed = 0
+        self._drawn: dict[str, Any] = {}
+        self._late: deque[Float[np.ndarray, "a"]] = deque()
+        self._delay = 0
+        self._noise = np.random.default_rng(0)
+
+    @property
+    def drawn(self) -> dict[str, Any]:
+        """What was drawn for this episode, by switch; plain numbers, lists and dicts."""
+        return self._drawn
+
+    def restart(self, rng: np.random.Generator) -> None:
+        """Take a new random stream from ``rng``, whose own draws stay what they were."""
+        if self._on:
+            self._seed = int(rng.spawn(1)[0].integers(2**63))
+
+    def begin(self, world: World) -> None:
+        """Undo what the world's last episode changed, draw anew, and put it at its start."""
+        import mujoco
+
+        self._drawn, self._late = {}, deque()
+        if not self._on:
+            world.reset()
+            return
+        if world not in self._originals:
+            self._originals[world] = Originals.of(world)
+        self.restore(world)
+        if "poses" in self._on:
+            self._pose(world)
+        for switch, (draw, apply) in _MODEL.items():
+            if switch in self._on:
+                self._drawn[switch] = draw(self.settings, world, self._stream(switch))
+                apply(world, self._drawn[switch])
+        mujoco.mj_setConst(world.model, world.data)  # what follows from masses and poses
+        if "delay" in self._on:
+            self._delay = int(self._stream("delay").integers(self.settings.delay + 1))
+            self._drawn["delay"] = {"steps": self._delay}
+        if "noise" in self._on:
+            self._noise = self._stream("noise")
+            self._drawn["noise"] = {k: getattr(self.settings, k) for k in SWITCHES["noise"]}
+        world.reset()
+
+    def finish(self, world: World, keep: Collection[str]) -> None:
+        """Take objects away, but none of ``keep``, those that the task needs."""
+        if "distractors" not in self._on:
+            return
+        drawn = arranging.draw_distractors(self.settings, world, self._stream("distractors"))
+        gone = arranging.leaving(arranging.bundles(world), keep, **drawn)
+        arranging.take_away(world, gone)
+        self._drawn["distractors"] = {"most": drawn["most"], "absent": list(gone)}
+
+    def restore(self, world: World) -> None:
+        """Put a world's model back as it was compiled; ``World.reset`` then starts it."""
+        if world in self._originals:
+            self._originals[world].restore(world)
+
+    def delayed(self, action: Float[np.ndarray, "a"]) -> Float[np.ndarray, "a"] | None:
+        """Return the action to carry out now that ``action`` is asked for; None is none yet."""
+        if "delay" not in self._on:
+            return action
+        self._late.append(action)
+        return self._late.popleft() if len(self._late) > self._delay else None
+
+    def noise(self) -> Noise | None:
+        """Return the noise of the next reading, or None."""
+        if "noise" not in self._on:
+            return None
+        draw, settings = self._noise.standard_normal, self.settings
+        return Noise(
+            joints=settings.joint_noise * draw(7),
+            positions=settings.position_noise * draw((SLOTS, 3)),
+            turns=settings.rotation_noise * draw((SLOTS, 3)),
+        )
+
+    def _pose(self, world: World) -> None:
+        """Rearrange the world's objects as far as they then rest."""
+        world.reset()
+        drawn = arranging.draw_poses(self.settings, world, self._stream("poses"))
+        stayed = arranging.apply_poses(world, drawn)
+        moved = {name: move for name, move in drawn.items() if name not in stayed}
+        self._drawn["poses"] = {"moved": moved, "stayed": stayed}
+
+    def _stream(self, switch: str) -> np.random.Generator:
+        """Return the random stream of a switch in this episode."""
+        return np.random.default_rng([self._seed, zlib.crc32(switch.encode())])

@@ -1,0 +1,217 @@
+"""What is randomised and how far; see the package's table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from generator.errors import InputError, choices
+
+Range = tuple[float, float]
+"""Lowest and highest factor; (1, 1) changes nothing."""
+
+SWITCHES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "lights": ("light_turn", "light_color", "ambient"),
+        "cameras": ("camera_move", "camera_turn", "camera_fov"),
+        "colors": ("tint",),
+        "mass": ("mass",),
+        "friction": ("friction",),
+        "gains": ("stiffness", "damping"),
+        "delay": ("delay",),
+        "noise": ("joint_noise", "position_noise", "rotation_noise"),
+        "poses": ("move", "turn"),
+        "table": ("table_height",),
+        "distractors": ("distractors",),
+    }
+)
+"""The settings of each switch; it is off while all of them are as they come."""
+
+_MOST: Mapping[str, float] = MappingProxyType(
+    {
+        "light_turn": np.pi / 2,
+        "light_color": 1.0,
+        "camera_move": 1.0,
+        "camera_turn": np.pi / 4,
+        "camera_fov": 0.5,
+        "tint": 1.0,
+        "joint_noise": 1.0,
+        "position_noise": 1.0,
+        "rotation_noise": 1.0,
+        "move": 0.2,
+        "turn": np.pi,
+        "table_height": 0.08,
+    }
+)
+_RANGES = ("ambient", "mass", "friction", "stiffness", "damping")
+_LATEST = 100
+
+
+@dataclass(frozen=True)
+class Randomization:
+    """How far each thing may differ; as it comes, nothing does. Draws are uniform.
+
+    Args:
+        light_turn: largest turn of the sun's direction about each axis, radians, to pi/2.
+        light_color: the sun's red, green and blue vary by up to this share, to 1.
+        ambient: factor of the room's light.
+        camera_move: largest move of each camera along each axis, metres, to 1.
+        camera_turn: largest turn of each camera about each axis, radians, to pi/4.
+        camera_fov: fields of view vary by up to this share, to 0.5.
+        tint: red, green and blue are darkened by up to this share, to 1.
+        mass: factor of masses.
+        friction: factor of sliding friction.
+        stiffness: factor of the servos' stiffness.
+        damping: factor of the servos' damping.
+        delay: most steps by which actions are late, to 100.
+        joint_noise: standard deviation of joint readings, radians, to 1.
+        position_noise: standard deviation of object places along each axis, metres, to 1.
+        rotation_noise: standard deviation of object rotations about each axis, radians, to 1.
+        move: largest move of objects along x and y, metres, to 0.2.
+        turn: largest turn of objects about the vertical, radians, to pi.
+        table_height: largest change of the table's height, metres, to 0.08.
+        distractors: fewest and most objects beside those of the task; None leaves all.
+
+    Raises:
+        InputError: a value that is negative, beyond its limit or no number, a factor of zero, a
+            range whose low end is above its high end.
+    """
+
+    light_turn: float = 0.0
+    light_color: float = 0.0
+    ambient: Range = (1.0, 1.0)
+    camera_move: float = 0.0
+    camera_turn: float = 0.0
+    camera_fov: float = 0.0
+    tint: float = 0.0
+    mass: Range = (1.0, 1.0)
+    friction: Range = (1.0, 1.0)
+    stiffness: Range = (1.0, 1.0)
+    damping: Range = (1.0, 1.0)
+    delay: int = 0
+    joint_noise: float = 0.0
+    position_noise: float = 0.0
+    rotation_noise: float = 0.0
+    move: float = 0.0
+    turn: float = 0.0
+    table_height: float = 0.0
+    distractors: tuple[int, int] | None = None
+
+    def __post_init__(self) -> None:
+        for name, most in _MOST.items():
+            value = getattr(self, name)
+            if not (_number(value) and 0 <= value <= most):
+                raise InputError(
+                    f"Randomization.{name} must be between 0 and {most:.4g}, got {value!r}."
+                )
+        for name in _RANGES:
+            low, high = self._pair(name, "two factors (low, high) above 0")
+            if not (_number(low) and _number(high) and 0 < low <= high):
+                raise InputError(
+                    f"Randomization.{name} must be two factors (low, high) with "
+                    f"0 < low <= high, got {(low, high)}."
+                )
+        if not (_count(self.delay) and self.delay <= _LATEST):
+            raise InputError(
+                f"Randomization.delay must be a whole number of steps from 0 to {_LATEST}, got "
+                f"{self.delay!r}."
+            )
+        if self.distractors is not None:
+            low, high = self._pair("distractors", "two whole numbers (fewest, most)")
+            if not (_count(low) and _count(high) and low <= high):
+                raise InputError(
+                    "Randomization.distractors must be two whole numbers (fewest, most) with "
+                    f"0 <= fewest <= most, got {(low, high)}."
+                )
+
+    def _pair(self, name: str, wanted: str) -> tuple[Any, Any]:
+        """Return a setting as a pair, and keep it as a tuple."""
+        value = getattr(self, name)
+        if isinstance(value, str | Mapping) or not hasattr(value, "__len__") or len(value) != 2:
+            raise InputError(f"Randomization.{name} must be {wanted}, got {value!r}.")
+        object.__setattr__(self, name, tuple(value))
+        return getattr(self, name)
+
+    def is_on(self, switch: str) -> bool:
+        """Return whether a switch of ``SWITCHES`` changes anything."""
+        as_it_comes = {field.name: field.default for field in fields(self)}
+        return any(getattr(self, name) != as_it_comes[name] for name in SWITCHES[switch])
+
+
+def _number(value: Any) -> bool:
+    real = isinstance(value, int | float | np.integer | np.floating)
+    return real and not isinstance(value, bool) and bool(np.isfinite(value))
+
+
+def _count(value: Any) -> bool:
+    whole = isinstance(value, int | np.integer)
+    return whole and not isinstance(value, bool) and bool(value >= 0)
+
+
+PRESETS: Mapping[str, Randomization] = MappingProxyType(
+    {
+        "light": Randomization(
+            light_turn=0.2,
+            light_color=0.1,
+            ambient=(0.85, 1.15),
+            camera_move=0.01,
+            camera_turn=0.02,
+            camera_fov=0.02,
+            tint=0.15,
+            mass=(0.85, 1.15),
+            friction=(0.9, 1.1),
+            stiffness=(0.95, 1.05),
+            damping=(0.95, 1.05),
+            joint_noise=0.001,
+            position_noise=0.002,
+            rotation_noise=0.01,
+            move=0.01,
+            turn=0.1,
+            table_height=0.01,
+        ),
+        "strong": Randomization(
+            light_turn=0.6,
+            light_color=0.3,
+            ambient=(0.5, 1.4),
+            camera_move=0.04,
+            camera_turn=0.06,
+            camera_fov=0.08,
+            tint=0.5,
+            mass=(0.6, 1.6),
+            friction=(0.7, 1.3),
+            stiffness=(0.8, 1.2),
+            damping=(0.8, 1.2),
+            delay=2,
+            joint_noise=0.003,
+            position_noise=0.005,
+            rotation_noise=0.03,
+            move=0.03,
+            turn=0.5,
+            table_height=0.03,
+            distractors=(0, 8),
+        ),
+    }
+)
+"""Settings by name: a little of everything but delays and missing objects; much of everything."""
+
+
+def resolve(choice: Randomization | str | None) -> Randomization:
+    """Return the settings that a user may name or pass; None is no randomisation.
+
+    Raises:
+        InputError: no preset of that name, or a value of another kind.
+    """
+    if choice is None:
+        return Randomization()
+    if isinstance(choice, Randomization):
+        return choice
+    if isinstance(choice, str) and choice in PRESETS:
+        return PRESETS[choice]
+    raise InputError(
+        f"Unknown randomization {choice!r}; pass a Randomization or a preset's name."
+        + choices(str(choice), PRESETS)
+    )

@@ -1,0 +1,27 @@
+"""What the tests of domain randomisation share: single switches, a started environment."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from toy import toy_scene
+
+from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.randomization import PRESETS, SWITCHES, Randomization
+
+STRONG = PRESETS["strong"]
+OPTIONS = {"target": "cube_1", "goal": "bowl_1"}
+
+
+def only(switch: str) -> Randomization:
+    """The strong settings of a single switch."""
+    return Randomization(**{name: getattr(STRONG, name) for name in SWITCHES[switch]})
+
+
+def started(
+    randomization: Any, seed: int = 0, **settings: Any
+) -> tuple[TabletopEnv, Any, dict[str, Any]]:
+    """An environment at the cube and the bowl, with its first observation and what was drawn."""
+    env = make_env(settings.pop("scene", toy_scene()), randomization=randomization, **settings)
+    seen, info = env.reset(seed=seed, options=OPTIONS)
+    return env, seen, info["randomization"]
