@@ -60,9 +60,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
     "instruction", "scene", "target" and "goal" (of the active goal: the object that carries it, or
-    "spot") and "goals" (the active goal's index and how many there are). An episode never
-    terminates by itself, since the dense reward stays highest where the task stays done; the time
-    limit truncates it.
+    "spot"), "goals" (the active goal's index and how many there are) and "off_table" (the objects
+    that fell off the table). An episode never terminates by itself, since the dense reward stays
+    highest where the task stays done; the time limit truncates it.
     """
 
     metadata: ClassVar[dict[str, Any]] = {
@@ -208,12 +208,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         world, episode = self.world, self.episode
         desired = self.task.desired(world, episode)
         achieved = self.task.achieved(world, episode, desired)
-        active = self.task.active(achieved, desired)
-        if active != self._active:
-            self._active = active
+        agreement = self.task.agreement(achieved, desired)
+        if agreement.active != self._active:
+            self._active = agreement.active
             self._order = slot_order(world, self.goal)
             world.show_marker(self.goal.spot, self.task.marker_radius)
-        return achieved, desired, self.task.terms(world, episode, achieved, desired)
+        return achieved, desired, self.task.terms(world, episode, agreement)
 
     def _draw(self, options: dict[str, Any]) -> tuple[World, Episode]:
         """Draw scenes until one offers something to do."""
@@ -268,6 +268,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "target": self.goal.target,
             "goal": self.goal.reference or SPOT,
             "goals": (self._active, len(self.episode.goals)),
+            "off_table": self.world.off_table(),
         }
 
     def _drawer(self, purpose: str) -> Drawer:
@@ -299,7 +300,7 @@ class GoalTabletopEnv(TabletopEnv):
 
         Vectorised: goals of shape (8,) or (n, 8) give a float or (n,). ``info`` is not used.
         """
-        reward = self._weigh(self.task.goal_terms(achieved_goal, desired_goal))
+        reward = self._weigh(self.task.goal_terms(self.task.agreement(achieved_goal, desired_goal)))
         return float(reward) if np.ndim(reward) == 0 else reward
 
 

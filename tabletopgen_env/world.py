@@ -49,6 +49,10 @@ if TYPE_CHECKING:
     import mujoco
 
 
+_CONTACT = 1e-4
+"""Metres between surfaces of things at rest that still count as touching."""
+
+
 class World:
     """One scene with a robot, compiled, and its state.
 
@@ -72,6 +76,7 @@ class World:
         self.model = compiled(compose(scene, robot, self.mount), scene.name)
         self.data = mujoco.MjData(self.model)
         self.names: tuple[str, ...] = tuple(o.name for o in scene.objects)
+        self._rows = {name: k for k, name in enumerate(self.names)}
         model = self.model
         self.bodies: Int[np.ndarray, "k"] = np.array(
             [model.body(name).id for name in self.names], dtype=int
@@ -89,6 +94,8 @@ class World:
         self._marker_geom = int(model.geom(MARKER).id)
         self._marker_mocap = int(model.body(MARKER).mocapid[0])
         self._gripper_side = _gripper_sides(model)
+        held = (self._gripper_side > 0) & (model.body_weldid == 0)
+        self._fixed_geoms = np.flatnonzero(held[model.geom_bodyid] & (model.geom_contype > 0))
         self._points = [collision_points(o) for o in scene.objects]
         self.half_extent = np.array([o.scale / 2 for o in scene.objects]).reshape(-1, 3)
         self.base_rotation = rotation_z(self.mount.yaw)
@@ -96,6 +103,7 @@ class World:
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
         self._graspable: dict[str, bool] = {}
+        self._touches: dict[str, tuple[bool, bool, bool]] = {}
 
     # ------------------------------------------------------------------------------------ state
 
@@ -114,6 +122,7 @@ class World:
         self.data.qpos[:] = self._start
         self.data.ctrl[self.actuators] = HOME_CTRL
         self._commanded = self.data.ctrl[self.actuators[:7]]
+        self._touches.clear()
         mujoco.mj_forward(self.model, self.data)
 
     def step(self, substeps: int) -> None:
@@ -124,12 +133,14 @@ class World:
         """
         import mujoco
 
-        servos = self.actuators[:7]
-        wanted = self.data.ctrl[servos]
+        model, data, ctrl, servos = self.model, self.data, self.data.ctrl, self.actuators[:7]
+        wanted = ctrl[servos]
+        mj_step = mujoco.mj_step
         for command in np.linspace(self._commanded, wanted, substeps + 1)[1:]:
-            self.data.ctrl[servos] = command
-            mujoco.mj_step(self.model, self.data)
+            ctrl[servos] = command
+            mj_step(model, data)
         self._commanded = wanted
+        self._touches.clear()
 
     def teleport(
         self,
@@ -146,6 +157,7 @@ class World:
         if quaternion is not None:
             self.data.qpos[address[3:]] = quaternion
         self.data.qvel[self._object_dof[k]] = 0
+        self._touches.clear()
         mujoco.mj_forward(self.model, self.data)
 
     # ---------------------------------------------------------------------------------- objects
@@ -172,9 +184,9 @@ class World:
         remembered.
         """
         if name not in self._graspable:
-            from .expert.grasps import plan_grasps
+            from .expert.grasps import is_graspable
 
-            self._graspable[name] = bool(plan_grasps(self, name))
+            self._graspable[name] = is_graspable(self, name)
         return self._graspable[name]
 
     @cached_property
@@ -188,11 +200,12 @@ class World:
         Raises:
             SceneError: there is no such object.
         """
-        if name not in self.names:
+        row = self._rows.get(name)
+        if row is None:
             raise SceneError(
                 f"Scene {self.scene.name!r} has no object {name!r}." + choices(name, self.names)
             )
-        return self.names.index(name)
+        return row
 
     def position(self, name: str) -> Float[np.ndarray, "3"]:
         """Return the centre of an object's box in the world frame."""
@@ -212,13 +225,50 @@ class World:
         up = self.data.xmat[self.bodies[k]].reshape(3, 3)[2]
         return float(self.data.xpos[self.bodies[k], 2] + (self._points[k] @ up).min())
 
+    def off_table(self) -> tuple[str, ...]:
+        """Return the objects whose centre is below the table's top: those that fell off it."""
+        low = self.data.xpos[self.bodies, 2] < self.scene.table.height
+        return tuple(self.names[k] for k in np.flatnonzero(low)) if low.any() else ()
+
     def touched(self, name: str) -> tuple[bool, bool, bool]:
-        """Return whether the left finger, the right finger, any part of the robot touches it."""
-        body, geom_body = self.bodies[self.index(name)], self.model.geom_bodyid
-        first, second = geom_body[self.data.contact.geom].T
-        others = np.concatenate([second[first == body], first[second == body]])
+        """Return whether the left finger, the right finger, any part of the robot touches it.
+
+        Looked up once between two calls that move things. What moves never rests against a sleeping
+        thing unlisted, for the arm never sleeps and wakes what it meets; only the base is fixed.
+        """
+        found = self._touches.get(name)
+        if found is None:
+            found = self._touches[name] = self._contacts(self.index(name))
+        return found
+
+    def _contacts(self, row: int) -> tuple[bool, bool, bool]:
+        """Return what ``touched`` does, of the object in a row."""
+        body = self.bodies[row]
+        pairs = self.model.geom_bodyid[self.data.contact.geom]
+        others = pairs[:, ::-1][pairs == body]
         sides = set(self._gripper_side[others].tolist())
-        return 2 in sides, 3 in sides, bool(sides - {0})
+        asleep = self.data.tree_asleep[self.model.body_treeid[body]] >= 0
+        return 2 in sides, 3 in sides, bool(sides - {0}) or bool(asleep and self._at_base(row))
+
+    def _at_base(self, row: int) -> bool:
+        """Return whether an object lies against a fixed part of the robot.
+
+        MuJoCo lists no contact between what sleeps and what is fixed.
+        """
+        import mujoco
+
+        reach = float(np.linalg.norm(self.half_extent[row]))
+        for fixed in self._fixed_geoms:
+            away = self.data.geom_xpos[fixed] - self.data.xpos[self.bodies[row]]
+            if np.linalg.norm(away) > reach + self.model.geom_rbound[fixed]:
+                continue
+            first = self.model.body_geomadr[self.bodies[row]]
+            geoms = first + np.arange(self.model.body_geomnum[self.bodies[row]])
+            for own in geoms[self.model.geom_contype[geoms] > 0]:
+                gap = mujoco.mj_geomDistance(self.model, self.data, int(own), int(fixed), 1.0, None)
+                if gap <= _CONTACT:
+                    return True
+        return False
 
     # -------------------------------------------------------------------------------- base frame
 
