@@ -26,7 +26,8 @@ from .tasks.goals import SPOT, Goal
 from .tasks.pick_place import PickPlace
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
 from .window import Window
-from .world import World, WorldCache
+from .world import World
+from .worlds import Masters, WorldCache
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -54,6 +55,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         renderer: "auto", "gl" or "software"; see ``rendering``.
         robot: the robot; None for ``Panda()``.
         cache: how many compiled worlds are kept.
+        masters: compiled worlds to copy, shared with other environments; None to compile.
 
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
     and "goal" (an object's name, "spot", or a point in the world frame; see the task's page).
@@ -84,6 +86,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         renderer: RendererChoice = "auto",
         robot: Panda | None = None,
         cache: int = 16,
+        masters: Masters | None = None,
     ) -> None:
         if reward not in ("dense", "sparse"):
             raise InputError(
@@ -107,7 +110,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._image_size = image_size
         self._render_size = render_size
         self._renderer = renderer
-        self._worlds = WorldCache(robot or Panda(), cache)
+        self._worlds = WorldCache(robot or Panda(), cache, masters)
         self._drawers: dict[str, Drawer] = {}
         self._window = Window()
         self._world: World | None = None

@@ -13,8 +13,10 @@ from __future__ import annotations
 import atexit
 import importlib
 import os
+import threading
 import weakref
 from collections import OrderedDict
+from contextlib import suppress
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
@@ -34,6 +36,7 @@ RendererChoice = Literal["auto", "gl", "software"]
 RENDERERS: tuple[RendererChoice, ...] = ("auto", "gl", "software")
 Profile = Literal["fast", "full"]
 
+_FIRST_USE = threading.Lock()  # GL bindings set themselves up on first use, one thread at a time
 _KEPT = 4  # worlds whose meshes and textures stay on the graphics side
 _NO_GL = (
     "No OpenGL could be had for rendering ({reason}). On Debian or Ubuntu install "
@@ -133,12 +136,14 @@ class GlDrawer:
 
     def close(self) -> None:
         """Free meshes, textures and the GL context."""
-        for world, _, _ in list(self._held.values()):
-            self.forget(world)
-        if self._gl is not None:
-            self._gl.free()
-            self._gl = None
-            atexit.unregister(self._at_exit)
+        try:
+            for world, _, _ in list(self._held.values()):
+                self.forget(world)
+        finally:
+            if self._gl is not None:
+                self._gl.free()
+                self._gl = None
+                atexit.unregister(self._at_exit)
 
     def _prepare(
         self, world: World, camera: str
@@ -183,7 +188,8 @@ class GlDrawer:
 
 def _close(reference: weakref.ref[GlDrawer]) -> None:
     if (held := reference()) is not None:
-        held.close()
+        with suppress(Exception):  # of a thread that is gone: the process's end frees it
+            held.close()
 
 
 def _gl_context(width: int, height: int) -> Any:
@@ -195,7 +201,8 @@ def _gl_context(width: int, height: int) -> Any:
     failures = []
     for module in _gl_modules():
         try:
-            return importlib.import_module(module).GLContext(width, height)
+            with _FIRST_USE:
+                return importlib.import_module(module).GLContext(width, height)
         except Exception as error:  # each GL binding fails in its own way
             failures.append(f"{module}: {type(error).__name__}: {error}")
     raise BackendError(_NO_GL.format(reason="; ".join(failures)))

@@ -1,8 +1,7 @@
 """A robot at a table, compiled: ids by name, the start state, and what a task asks of the physics.
 
 ``World`` puts a robot beside a scene with ``MjSpec.attach`` (prefix "panda/"), compiles it and
-keeps model and data. ``WorldCache`` keeps the worlds used last, so that a reset onto a known scene
-only writes the start state.
+keeps model and data.
 
 Positions given to learners are in the *base frame*: origin at the robot's base, x forward, z up.
 It is the world frame turned and moved by the mount, so a policy sees every table from its own seat.
@@ -10,8 +9,8 @@ It is the world frame turned and moved by the mount, so a policy sees every tabl
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Callable, Mapping
+import copy
+from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -43,7 +42,6 @@ from .robot.panda import (
     TCP_SITE,
     Panda,
 )
-from .scenes import SceneRef
 
 if TYPE_CHECKING:
     import mujoco
@@ -104,6 +102,20 @@ class World:
         self._commanded = np.array(HOME_CTRL[:7])
         self._graspable: dict[str, bool] = {}
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
+
+    def twin(self) -> World:
+        """Return a world of the same scene with a model and a state of its own.
+
+        What is known of the scene is shared; it depends on the scene alone.
+        """
+        import mujoco
+
+        other = copy.copy(self)
+        other.model = copy.copy(self.model)
+        other.data = mujoco.MjData(other.model)
+        other._touches = {}
+        other.reset()
+        return other
 
     # ------------------------------------------------------------------------------------ state
 
@@ -288,29 +300,6 @@ class World:
         self.model.geom_rgba[self._marker_geom, 3] = 0.0 if position is None else 0.8
         self.data.mocap_pos[self._marker_mocap] = [0, 0, -1] if position is None else position
         mujoco.mj_kinematics(self.model, self.data)
-
-
-class WorldCache:
-    """The ``size`` worlds used last, by the key of their scene."""
-
-    def __init__(self, robot: Panda, size: int = 16) -> None:
-        self._robot = robot
-        self._size = size
-        self._worlds: OrderedDict[str, World] = OrderedDict()
-
-    def get(self, ref: SceneRef, on_drop: Callable[[World], None]) -> World:
-        """Return the world of ``ref``, composing it if it is not held.
-
-        ``on_drop`` is told of each world that leaves the cache.
-        """
-        world = self._worlds.get(ref.key)
-        if world is None:
-            world = World(ref.load(), self._robot)
-            self._worlds[ref.key] = world
-            while len(self._worlds) > self._size:
-                on_drop(self._worlds.popitem(last=False)[1])
-        self._worlds.move_to_end(ref.key)
-        return world
 
 
 def _gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:

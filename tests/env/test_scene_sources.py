@@ -15,7 +15,7 @@ from generator.scene import Scene
 from tabletopgen_env.env import make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import FixedScenes, FreshScenes, SceneRef, resolve
-from tabletopgen_env.world import WorldCache
+from tabletopgen_env.worlds import WorldCache
 
 
 @pytest.fixture
