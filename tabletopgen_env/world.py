@@ -10,6 +10,7 @@ It is the world frame turned and moved by the mount, so a policy sees every tabl
 from __future__ import annotations
 
 import copy
+import math
 from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -50,6 +51,9 @@ if TYPE_CHECKING:
 _CONTACT = 1e-4
 """Metres between surfaces of things at rest that still count as touching."""
 
+_FIXED_REACH = 0.4
+"""How far the fixed part of the robot reaches from its base, at most, metres."""
+
 
 class World:
     """One scene with a robot, compiled, and its state.
@@ -79,6 +83,7 @@ class World:
         self.bodies: Int[np.ndarray, "k"] = np.array(
             [model.body(name).id for name in self.names], dtype=int
         )
+        self._trees = model.body_treeid[self.bodies].tolist()
         first = model.body_jntadr[self.bodies]
         self._object_qpos = model.jnt_qposadr[first][:, None] + np.arange(7)
         self._object_dof = model.jnt_dofadr[first][:, None] + np.arange(6)
@@ -98,6 +103,7 @@ class World:
         self.half_extent = np.array([o.scale / 2 for o in scene.objects]).reshape(-1, 3)
         self.base_rotation = rotation_z(self.mount.yaw)
         self.base_position = np.asarray(self.mount.position, float)
+        self._base_reach = _FIXED_REACH + np.linalg.norm(self.half_extent, axis=1)
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
         self._graspable: dict[str, bool] = {}
@@ -148,7 +154,7 @@ class World:
         model, data, ctrl, servos = self.model, self.data, self.data.ctrl, self.actuators[:7]
         wanted = ctrl[servos]
         mj_step = mujoco.mj_step
-        for command in np.linspace(self._commanded, wanted, substeps + 1)[1:]:
+        for command in _ramp(self._commanded, wanted, substeps):
             ctrl[servos] = command
             mj_step(model, data)
         self._commanded = wanted
@@ -227,6 +233,10 @@ class World:
         """Return an object's rotation, body to world."""
         return self.data.xmat[self.bodies[self.index(name)]].reshape(3, 3).copy()
 
+    def velocity(self, name: str) -> Float[np.ndarray, "6"]:
+        """Return an object's linear (world frame) and angular (body frame) velocity."""
+        return self.data.qvel[self._object_dof[self.index(name)]]
+
     def velocities(self) -> Float[np.ndarray, "k 6"]:
         """Return each object's linear (world frame) and angular (body frame) velocity."""
         return self.data.qvel[self._object_dof]
@@ -255,11 +265,12 @@ class World:
 
     def _contacts(self, row: int) -> tuple[bool, bool, bool]:
         """Return what ``touched`` does, of the object in a row."""
-        body = self.bodies[row]
-        pairs = self.model.geom_bodyid[self.data.contact.geom]
-        others = pairs[:, ::-1][pairs == body]
-        sides = set(self._gripper_side[others].tolist())
-        asleep = self.data.tree_asleep[self.model.body_treeid[body]] >= 0
+        sides: set[int] = set()
+        if self.data.ncon:
+            pairs = self.model.geom_bodyid[self.data.contact.geom]
+            others = pairs[:, ::-1][pairs == self.bodies[row]]
+            sides = set(self._gripper_side[others].tolist())
+        asleep = self.data.tree_asleep[self._trees[row]] >= 0
         return 2 in sides, 3 in sides, bool(sides - {0}) or bool(asleep and self._at_base(row))
 
     def _at_base(self, row: int) -> bool:
@@ -269,11 +280,10 @@ class World:
         """
         import mujoco
 
-        reach = float(np.linalg.norm(self.half_extent[row]))
+        away = self.data.xpos[self.bodies[row]] - self.base_position
+        if math.sqrt(away @ away) > self._base_reach[row]:
+            return False
         for fixed in self._fixed_geoms:
-            away = self.data.geom_xpos[fixed] - self.data.xpos[self.bodies[row]]
-            if np.linalg.norm(away) > reach + self.model.geom_rbound[fixed]:
-                continue
             first = self.model.body_geomadr[self.bodies[row]]
             geoms = first + np.arange(self.model.body_geomnum[self.bodies[row]])
             for own in geoms[self.model.geom_contype[geoms] > 0]:
@@ -300,6 +310,19 @@ class World:
         self.model.geom_rgba[self._marker_geom, 3] = 0.0 if position is None else 0.8
         self.data.mocap_pos[self._marker_mocap] = [0, 0, -1] if position is None else position
         mujoco.mj_kinematics(self.model, self.data)
+
+
+def _ramp(
+    start: Float[np.ndarray, "n"], end: Float[np.ndarray, "n"], steps: int
+) -> Float[np.ndarray, "steps n"]:
+    """Return ``np.linspace(start, end, steps + 1)[1:]``, to the bit, in half the time."""
+    way = end - start
+    share = way / steps
+    at = np.arange(1.0, steps + 1.0)[:, None]
+    rows = at * share if share.all() else at / steps * way
+    rows += start
+    rows[-1] = end
+    return rows
 
 
 def _gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:

@@ -30,6 +30,7 @@ which the number of goals varies pads with zeros.
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -172,6 +173,10 @@ class Task(ABC):
     def goal_terms(self, agreement: Agreement) -> dict[str, Float[np.ndarray, "*n"]]:
         """Return the terms that follow from the goal vectors: place, met, success; vectorised."""
         across, up, met = agreement.across, agreement.up, agreement.met
+        if met.shape == (1,):  # one goal at a time: the same sums, without arrays
+            apart = math.sqrt(across[0] * across[0] + up[0] * up[0])
+            done = np.asarray(met[0], np.float64)
+            return {"place": np.asarray(1 / (1 + apart / 0.15)), "met": done, "success": done}
         place = 1 / (1 + np.sqrt(across * across + up * up) / 0.15)
         for first, second in self.aside.items():
             place[..., first] = np.where(met[..., second], 1.0, place[..., first])
@@ -200,9 +205,11 @@ class Task(ABC):
             return dict.fromkeys(_HAND, 1.0)
         at = world.position(goal.target)
         left, right, _ = world.touched(goal.target)
-        away = float(np.linalg.norm(world.data.site_xpos[world.tcp] - at))
+        offset = world.data.site_xpos[world.tcp] - at
+        away = math.sqrt(offset @ offset)
         asked = LIFT * min(float(across) / LIFT, 1.0) if goal.released else LIFT
-        lift = float(np.clip((at[2] - episode.starts[k]) / asked, 0, 1)) if asked > 0 else 1.0
+        risen = float(at[2]) - episode.starts[k]
+        lift = min(max(risen / asked, 0.0), 1.0) if asked > 0 else 1.0
         return {"reach": 1 / (1 + away / 0.1), "grasp": (left + right) / 2, "lift": lift}
 
 
