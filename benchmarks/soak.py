@@ -146,7 +146,7 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
         f"| states, observations or rewards that are not finite | {whole['not_finite']} |",
         f"| MuJoCo warnings | {whole['warnings']} |",
         f"| observations outside their space | {whole['outside']} |",
-        f"| things that lie beside the table and `off_table` does not name | {whole['unnoticed']} |",
+        f"| things beside the table that `off_table` does not name | {whole['unnoticed']} |",
         f"| things under the floor or out of the room | {whole['escaped']} |",
         f"| scenes that failed | {len(failed)} |",
         f"| things that fell off the table, and were named | {whole['fell']} |",

@@ -48,7 +48,7 @@ def pixels(scene: Scene, count: int) -> Found:
         setting = f"{size}x{size}, {type(drawer).__name__}"
         spent = [_seconds(lambda d=drawer, e=env: d.rgb(e.world, "front")) for _ in range(times)]
         found.append(("pictures", setting, 1 / statistics.median(spent), "per s"))
-        action = np.zeros(env.action_space.shape)
+        action = np.zeros(env.controller.space.shape or ())
         spent = [_seconds(lambda e=env, a=action: e.step(a)) for _ in range(times)]
         found.append(("steps with two pictures", setting, 1 / statistics.median(spent), "per s"))
         env.close()
