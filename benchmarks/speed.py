@@ -22,9 +22,8 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from pace import parts
 from posing import tables
@@ -43,8 +42,7 @@ TEXT = (
 """The table of eight objects that steps, pictures and vectors are timed at."""
 
 
-@dataclass(frozen=True)
-class Peer:
+class Peer(NamedTuple):
     """An environment of another package: how to install it, how to make it, its control period."""
 
     module: str

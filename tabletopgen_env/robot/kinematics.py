@@ -150,11 +150,9 @@ def ik_step(
     error[3:] = rotation_vector(rotation @ frames[7, :3, :3].T)
     full = _jacobian(frames)
     damping = (1e-5 + 1e-2 * min(1.0, float(error @ error))) * _EYE
-    free = np.ones(7, bool)
+    free, jac, rest = np.ones(7, bool), full, pull * (posture - joints)
     for _ in range(3):
-        jac = full * free
         inverse = np.linalg.solve(jac @ jac.T + damping, jac).T
-        rest = pull * (posture - joints) * free
         step = inverse @ error + rest - inverse @ (jac @ rest)
         step *= min(1.0, _MAX_STEP / max(float(np.abs(step).max()), 1e-9))
         new = joints + step
@@ -162,6 +160,7 @@ def ik_step(
         if not out.any():
             break
         free &= ~out
+        jac, rest = full * free, rest * free
     new = np.minimum(np.maximum(new, _LOWEST), _HIGHEST)
     return new, _length(error[:3]), _length(error[3:])
 

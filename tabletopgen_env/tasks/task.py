@@ -142,7 +142,7 @@ class Task(ABC):
         vector = np.zeros((self.most, ENTRIES))
         for row, goal in zip(vector, episode.goals, strict=False):
             region = goal.region(world)
-            row[:3] = np.clip(world.to_base(region.center), -_FAR, _FAR)
+            row[:3] = _near(world.to_base(region.center))
             row[3:] = [*region.semi[:2], region.yaw - world.mount.yaw, region.semi[2], 1.0]
         return vector.ravel().astype(np.float32)
 
@@ -152,7 +152,7 @@ class Task(ABC):
         """Return what is achieved in the same form."""
         vector = desired.reshape(self.most, ENTRIES).copy()
         for row, goal in zip(vector, episode.goals, strict=False):
-            row[:3] = np.clip(world.to_base(center(world, goal)), -_FAR, _FAR)
+            row[:3] = _near(world.to_base(center(world, goal)))
             row[7] = goal.settled(world)
         return vector.ravel()
 
@@ -235,3 +235,7 @@ def distance(
     ratio = np.sqrt(u * u + v * v)
     outside = np.sqrt(x * x + y * y) * (1 - 1 / np.maximum(ratio, 1.0))
     return outside, np.maximum(np.abs(z) - d[..., 6], 0.0)
+
+
+def _near(point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
+    return np.minimum(np.maximum(point, -_FAR), _FAR)
