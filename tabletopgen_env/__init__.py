@@ -25,6 +25,7 @@ for _task, _steps in _STEPS.items():
     gymnasium.register(
         id=f"TabletopGen/{_task}-v0",
         entry_point="tabletopgen_env.env:make_env",
+        vector_entry_point="tabletopgen_env.vector:TabletopVectorEnv",
         kwargs={"task": _task},
         max_episode_steps=_steps,
     )

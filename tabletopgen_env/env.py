@@ -24,7 +24,8 @@ from .tasks.pick_place import PickPlace
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
 from .views import CameraName, ObservationConfig, pictures
 from .window import Window
-from .world import World, WorldCache
+from .world import World
+from .worlds import Masters, WorldCache
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -64,15 +65,17 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "strong", or None for nothing; see ``randomization``.
         robot: the robot; None for ``Panda()``.
         cache: how many compiled worlds are kept.
+        masters: compiled worlds to copy, shared with other environments; None to compile.
 
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
     and "goal" (an object's name, "spot", or a point in the world frame; see the task's page).
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
     "instruction", "scene", "target" and "goal" (of the active goal: the object that carries it, or
-    "spot") and "goals" (the active goal's index and how many there are); that of ``reset`` also
-    "randomization", what was drawn. An episode never terminates by itself, since the dense reward
-    stays highest where the task stays done; the time limit truncates it.
+    "spot"), "goals" (the active goal's index and how many there are) and "off_table" (the objects
+    that fell off the table); that of ``reset`` also "randomization", what was drawn. An episode
+    never terminates by itself, since the dense reward stays highest where the task stays done; the
+    time limit truncates it.
     """
 
     def __init__(
@@ -95,6 +98,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         randomization: Randomization | str | None = None,
         robot: Panda | None = None,
         cache: int = 16,
+        masters: Masters | None = None,
     ) -> None:
         if reward not in ("dense", "sparse"):
             raise InputError(
@@ -121,7 +125,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._observation: ObservationMode = observation
         self._render_size = render_size
         self._renderer = renderer
-        self._worlds = WorldCache(robot or Panda(), cache)
+        self._worlds = WorldCache(robot or Panda(), cache, masters)
         self._drawers: dict[str, Drawer] = {}
         self._window = Window(1 / control_hz)
         self._world: World | None = None
@@ -235,12 +239,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         world, episode = self.world, self.episode
         desired = self.task.desired(world, episode)
         achieved = self.task.achieved(world, episode, desired)
-        active = self.task.active(achieved, desired)
-        if active != self._active:
-            self._active = active
+        agreement = self.task.agreement(achieved, desired)
+        if agreement.active != self._active:
+            self._active = agreement.active
             self._order = slot_order(world, self.goal)
             world.show_marker(self.goal.spot, self.task.marker_radius)
-        return achieved, desired, self.task.terms(world, episode, achieved, desired)
+        return achieved, desired, self.task.terms(world, episode, agreement)
 
     def _tell_source(self) -> None:
         """Tell the source how the episode that is over has ended, if it drew its scene."""
@@ -304,6 +308,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "target": self.goal.target,
             "goal": self.goal.reference or SPOT,
             "goals": (self._active, len(self.episode.goals)),
+            "off_table": self.world.off_table(),
         }
 
     def _drawer(self, purpose: str) -> Drawer:
@@ -335,7 +340,7 @@ class GoalTabletopEnv(TabletopEnv):
 
         Vectorised: goals of shape (8,) or (n, 8) give a float or (n,). ``info`` is not used.
         """
-        reward = self._weigh(self.task.goal_terms(achieved_goal, desired_goal))
+        reward = self._weigh(self.task.goal_terms(self.task.agreement(achieved_goal, desired_goal)))
         return float(reward) if np.ndim(reward) == 0 else reward
 
 

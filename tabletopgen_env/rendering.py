@@ -13,10 +13,11 @@ from __future__ import annotations
 import atexit
 import importlib
 import os
+import threading
 import weakref
 from collections import OrderedDict
 from collections.abc import Collection, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
@@ -37,6 +38,7 @@ RENDERERS: tuple[RendererChoice, ...] = ("auto", "gl", "software")
 Profile = Literal["fast", "full"]
 Kind = Literal["rgb", "depth", "segmentation"]
 
+_FIRST_USE = threading.Lock()  # GL bindings set themselves up on first use, one thread at a time
 _KEPT = 4  # worlds whose meshes and textures stay on the graphics side
 _NO_GL = (
     "No OpenGL could be had for rendering ({reason}). On Debian or Ubuntu install "
@@ -152,12 +154,14 @@ class GlDrawer:
 
     def close(self) -> None:
         """Free meshes, textures and the GL context."""
-        for world, _, _ in list(self._held.values()):
-            self.forget(world)
-        if self._gl is not None:
-            self._gl.free()
-            self._gl = None
-            atexit.unregister(self._at_exit)
+        try:
+            for world, _, _ in list(self._held.values()):
+                self.forget(world)
+        finally:
+            if self._gl is not None:
+                self._gl.free()
+                self._gl = None
+                atexit.unregister(self._at_exit)
 
     def _prepare(
         self, world: World, camera: str
@@ -236,7 +240,8 @@ def _geoms(scene: mujoco.MjvScene, picture: UInt8[np.ndarray, "h w 3"]) -> Int[n
 
 def _close(reference: weakref.ref[GlDrawer]) -> None:
     if (held := reference()) is not None:
-        held.close()
+        with suppress(Exception):  # of a thread that is gone: the process's end frees it
+            held.close()
 
 
 def _gl_context(width: int, height: int) -> Any:
@@ -248,7 +253,8 @@ def _gl_context(width: int, height: int) -> Any:
     failures = []
     for module in _gl_modules():
         try:
-            return importlib.import_module(module).GLContext(width, height)
+            with _FIRST_USE:
+                return importlib.import_module(module).GLContext(width, height)
         except Exception as error:  # each GL binding fails in its own way
             failures.append(f"{module}: {type(error).__name__}: {error}")
     raise BackendError(_NO_GL.format(reason="; ".join(failures)))

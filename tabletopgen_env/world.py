@@ -1,8 +1,7 @@
 """A robot at a table, compiled: ids by name, the start state, and what a task asks of the physics.
 
 ``World`` puts a robot beside a scene with ``MjSpec.attach`` (prefix "panda/"), compiles it and
-keeps model and data. ``WorldCache`` keeps the worlds used last, so that a reset onto a known scene
-only writes the start state.
+keeps model and data.
 
 Positions given to learners are in the *base frame*: origin at the robot's base, x forward, z up.
 It is the world frame turned and moved by the mount, so a policy sees every table from its own seat.
@@ -10,8 +9,9 @@ It is the world frame turned and moved by the mount, so a policy sees every tabl
 
 from __future__ import annotations
 
-from collections import OrderedDict
-from collections.abc import Callable, Mapping
+import copy
+import math
+from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -43,10 +43,16 @@ from .robot.panda import (
     TCP_SITE,
     Panda,
 )
-from .scenes import SceneRef
 
 if TYPE_CHECKING:
     import mujoco
+
+
+_CONTACT = 1e-4
+"""Metres between surfaces of things at rest that still count as touching."""
+
+_FIXED_REACH = 0.4
+"""How far the fixed part of the robot reaches from its base, at most, metres."""
 
 
 class World:
@@ -75,10 +81,12 @@ class World:
         self.model = compiled(compose(scene, robot, self.mount), scene.name)
         self.data = mujoco.MjData(self.model)
         self.names: tuple[str, ...] = tuple(o.name for o in scene.objects)
+        self._rows = {name: k for k, name in enumerate(self.names)}
         model = self.model
         self.bodies: Int[np.ndarray, "k"] = np.array(
             [model.body(name).id for name in self.names], dtype=int
         )
+        self._trees = model.body_treeid[self.bodies].tolist()
         first = model.body_jntadr[self.bodies]
         self._object_qpos = model.jnt_qposadr[first][:, None] + np.arange(7)
         self._object_dof = model.jnt_dofadr[first][:, None] + np.arange(6)
@@ -93,11 +101,29 @@ class World:
         self._marker_mocap = int(model.body(MARKER).mocapid[0])
         self._gripper_side = _gripper_sides(model)
         self.robot_bodies: Int[np.ndarray, "r"] = np.flatnonzero(self._gripper_side)
+        held = (self._gripper_side > 0) & (model.body_weldid == 0)
+        self._fixed_geoms = np.flatnonzero(held[model.geom_bodyid] & (model.geom_contype > 0))
         self._points = [collision_points(o) for o in scene.objects]
         self.half_extent = np.array([o.scale / 2 for o in scene.objects]).reshape(-1, 3)
+        self._base_reach = _FIXED_REACH + np.linalg.norm(self.half_extent, axis=1)
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
         self._graspable: dict[str, bool] = {}
+        self._touches: dict[str, tuple[bool, bool, bool]] = {}
+
+    def twin(self) -> World:
+        """Return a world of the same scene with a model and a state of its own.
+
+        What is known of the scene is shared; it depends on the scene alone.
+        """
+        import mujoco
+
+        other = copy.copy(self)
+        other.model = copy.copy(self.model)
+        other.data = mujoco.MjData(other.model)
+        other._touches = {}
+        other.reset()
+        return other
 
     # ------------------------------------------------------------------------------------ state
 
@@ -129,6 +155,7 @@ class World:
         self.data.qpos[:] = self._start
         self.data.ctrl[self.actuators] = HOME_CTRL
         self._commanded = self.data.ctrl[self.actuators[:7]]
+        self._touches.clear()
         mujoco.mj_forward(self.model, self.data)
 
     def step(self, substeps: int) -> None:
@@ -139,12 +166,14 @@ class World:
         """
         import mujoco
 
-        servos = self.actuators[:7]
-        wanted = self.data.ctrl[servos]
-        for command in np.linspace(self._commanded, wanted, substeps + 1)[1:]:
-            self.data.ctrl[servos] = command
-            mujoco.mj_step(self.model, self.data)
+        model, data, ctrl, servos = self.model, self.data, self.data.ctrl, self.actuators[:7]
+        wanted = ctrl[servos]
+        mj_step = mujoco.mj_step
+        for command in _ramp(self._commanded, wanted, substeps):
+            ctrl[servos] = command
+            mj_step(model, data)
         self._commanded = wanted
+        self._touches.clear()
 
     def teleport(
         self,
@@ -161,6 +190,7 @@ class World:
         if quaternion is not None:
             self.data.qpos[address[3:]] = quaternion
         self.data.qvel[self._object_dof[k]] = 0
+        self._touches.clear()
         mujoco.mj_forward(self.model, self.data)
 
     # ---------------------------------------------------------------------------------- objects
@@ -187,9 +217,9 @@ class World:
         remembered.
         """
         if name not in self._graspable:
-            from .expert.grasps import plan_grasps
+            from .expert.grasps import is_graspable
 
-            self._graspable[name] = bool(plan_grasps(self, name))
+            self._graspable[name] = is_graspable(self, name)
         return self._graspable[name]
 
     @cached_property
@@ -203,11 +233,12 @@ class World:
         Raises:
             SceneError: there is no such object.
         """
-        if name not in self.names:
+        row = self._rows.get(name)
+        if row is None:
             raise SceneError(
                 f"Scene {self.scene.name!r} has no object {name!r}." + choices(name, self.names)
             )
-        return self.names.index(name)
+        return row
 
     def position(self, name: str) -> Float[np.ndarray, "3"]:
         """Return the centre of an object's box in the world frame."""
@@ -216,6 +247,10 @@ class World:
     def rotation(self, name: str) -> Float[np.ndarray, "3 3"]:
         """Return an object's rotation, body to world."""
         return self.data.xmat[self.bodies[self.index(name)]].reshape(3, 3).copy()
+
+    def velocity(self, name: str) -> Float[np.ndarray, "6"]:
+        """Return an object's linear (world frame) and angular (body frame) velocity."""
+        return self.data.qvel[self._object_dof[self.index(name)]]
 
     def velocities(self) -> Float[np.ndarray, "k 6"]:
         """Return each object's linear (world frame) and angular (body frame) velocity."""
@@ -227,13 +262,50 @@ class World:
         up = self.data.xmat[self.bodies[k]].reshape(3, 3)[2]
         return float(self.data.xpos[self.bodies[k], 2] + (self._points[k] @ up).min())
 
+    def off_table(self) -> tuple[str, ...]:
+        """Return the objects whose centre is below the table's top: those that fell off it."""
+        low = self.data.xpos[self.bodies, 2] < self.scene.table.height
+        return tuple(self.names[k] for k in np.flatnonzero(low)) if low.any() else ()
+
     def touched(self, name: str) -> tuple[bool, bool, bool]:
-        """Return whether the left finger, the right finger, any part of the robot touches it."""
-        body, geom_body = self.bodies[self.index(name)], self.model.geom_bodyid
-        first, second = geom_body[self.data.contact.geom].T
-        others = np.concatenate([second[first == body], first[second == body]])
-        sides = set(self._gripper_side[others].tolist())
-        return 2 in sides, 3 in sides, bool(sides - {0})
+        """Return whether the left finger, the right finger, any part of the robot touches it.
+
+        Looked up once between two calls that move things. What moves never rests against a sleeping
+        thing unlisted, for the arm never sleeps and wakes what it meets; only the base is fixed.
+        """
+        found = self._touches.get(name)
+        if found is None:
+            found = self._touches[name] = self._contacts(self.index(name))
+        return found
+
+    def _contacts(self, row: int) -> tuple[bool, bool, bool]:
+        """Return what ``touched`` does, of the object in a row."""
+        sides: set[int] = set()
+        if self.data.ncon:
+            pairs = self.model.geom_bodyid[self.data.contact.geom]
+            others = pairs[:, ::-1][pairs == self.bodies[row]]
+            sides = set(self._gripper_side[others].tolist())
+        asleep = self.data.tree_asleep[self._trees[row]] >= 0
+        return 2 in sides, 3 in sides, bool(sides - {0}) or bool(asleep and self._at_base(row))
+
+    def _at_base(self, row: int) -> bool:
+        """Return whether an object lies against a fixed part of the robot.
+
+        MuJoCo lists no contact between what sleeps and what is fixed.
+        """
+        import mujoco
+
+        away = self.data.xpos[self.bodies[row]] - self.base_position
+        if math.sqrt(away @ away) > self._base_reach[row]:
+            return False
+        for fixed in self._fixed_geoms:
+            first = self.model.body_geomadr[self.bodies[row]]
+            geoms = first + np.arange(self.model.body_geomnum[self.bodies[row]])
+            for own in geoms[self.model.geom_contype[geoms] > 0]:
+                gap = mujoco.mj_geomDistance(self.model, self.data, int(own), int(fixed), 1.0, None)
+                if gap <= _CONTACT:
+                    return True
+        return False
 
     # -------------------------------------------------------------------------------- base frame
 
@@ -255,27 +327,17 @@ class World:
         mujoco.mj_kinematics(self.model, self.data)
 
 
-class WorldCache:
-    """The ``size`` worlds used last, by the key of their scene."""
-
-    def __init__(self, robot: Panda, size: int = 16) -> None:
-        self._robot = robot
-        self._size = size
-        self._worlds: OrderedDict[str, World] = OrderedDict()
-
-    def get(self, ref: SceneRef, on_drop: Callable[[World], None]) -> World:
-        """Return the world of ``ref``, composing it if it is not held.
-
-        ``on_drop`` is told of each world that leaves the cache.
-        """
-        world = self._worlds.get(ref.key)
-        if world is None:
-            world = World(ref.load(), self._robot)
-            self._worlds[ref.key] = world
-            while len(self._worlds) > self._size:
-                on_drop(self._worlds.popitem(last=False)[1])
-        self._worlds.move_to_end(ref.key)
-        return world
+def _ramp(
+    start: Float[np.ndarray, "n"], end: Float[np.ndarray, "n"], steps: int
+) -> Float[np.ndarray, "steps n"]:
+    """Return ``np.linspace(start, end, steps + 1)[1:]``, to the bit, in half the time."""
+    way = end - start
+    share = way / steps
+    at = np.arange(1.0, steps + 1.0)[:, None]
+    rows = at * share if share.all() else at / steps * way
+    rows += start
+    rows[-1] = end
+    return rows
 
 
 def _gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import importlib.util
+import json
+import subprocess
+import sys
 from pathlib import Path
 from types import ModuleType
 
@@ -12,6 +15,7 @@ from toy import toy_object, toy_scene
 
 from generator.bundle import save
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
+from tabletopgen_env.env import make_env
 
 
 def script(name: str) -> ModuleType:
@@ -141,3 +145,42 @@ def test_rotation_speed_shows_wall_and_cpu_seconds() -> None:
     text = script("rotation_speed").table(np.array([[1.0, 0.5], [3.0, 0.7], [2.0, 0.6]]), "head")
     assert "| wall | 3 | 2.00 | 2.00 | 2.80 | 3.00 |" in text
     assert "| CPU | 3 | 0.60 | 0.60 | 0.68 | 0.70 |" in text
+
+
+def test_speeds_are_compared_as_ratios_to_the_first_peer() -> None:
+    bench = script("speed")
+    rates = {"FetchPickAndPlace-v4": 20.0, "ours": 50.0}
+    rows = [
+        bench.row("stepping", name, kind, rate, "per s")
+        for name, rate in rates.items()
+        for kind in ("wall", "cpu", "reset")
+    ]
+    text = bench.summary(rows, "python benchmarks/speed.py", "shared")
+    assert "| ours | 2.50 | 2.50 | 50.0 | 50.0 | 50 |" in text and "shared" in text
+    assert text.index("ratio, clock") < text.index("per second, clock")
+
+
+def test_a_soak_counts_what_goes_wrong() -> None:
+    bench = script("soak")
+    env = make_env(toy_scene((toy_object("pen_1", (0.02, 0.02, 0.05), (0.0, 0.0)),)))
+    row = dict.fromkeys(bench.FIELDS, 0)
+    bench.soak(env, np.random.default_rng(0), 20, row)
+    assert row["done"] == 20 and not any(row[k] for k in bench.COUNTS)
+    env.world.teleport("pen_1", np.array([0.0, 2.0, 0.03]))
+    env.world.step(500)
+    assert bench.beside(env.world) == {"pen_1"} == set(env.world.off_table())
+    env.world.teleport("pen_1", np.array([0.0, 2.0, -3.0]))
+    assert bench.escaped(env.world) == ["pen_1"]
+    env.world.teleport("pen_1", np.array([np.nan, 0.0, 1.0]))
+    env.reset = lambda seed: None
+    bench.soak(env, np.random.default_rng(0), 1, row)
+    assert row["warnings"] > 0
+
+
+def test_other_packages_are_timed_without_this_one() -> None:
+    code = (Path(__file__).parents[1] / "benchmarks" / "pace" / "episodes.py").read_text()
+    assert not any(name in code for name in ("generator", "tabletopgen", "posing"))
+    command = [sys.executable, "-c", code, "gymnasium", "CartPole-v1", "50"]
+    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    seen = json.loads(told)
+    assert set(seen) == {"wall", "cpu", "reset"} and seen["wall"] > 0

@@ -68,6 +68,17 @@ def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> lis
         target: an object's name.
         avoid: grasps that failed; those within 1.5 cm and 20 degrees of them rank last.
     """
+    found = [_demoted(grasp, avoid) for grasp in _candidates(world, target)]
+    return sorted(found, key=lambda grasp: -grasp.score)
+
+
+def is_graspable(world: World, target: str) -> bool:
+    """Return whether ``plan_grasps`` finds any; stops at the first."""
+    return next(_candidates(world, target), None) is not None
+
+
+def _candidates(world: World, target: str) -> Iterator[Grasp]:
+    """Yield grasps of ``target`` where it is now, turn by turn of the hand."""
     position, rotation = world.position(target), world.rotation(target)
     own = moved(world.scene.object(target).parts, position, rotation)
     shape = solid(own, _STEP_U, _RISE)
@@ -77,13 +88,8 @@ def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> lis
     com = position + rotation @ world.scene.object(target).com
     floor = world.scene.table.height
     facing = np.arctan2(rotation[1, 0], rotation[0, 0])
-    found = [
-        grasp
-        for angle in facing + np.arange(_TURNS) * np.pi / _TURNS
-        for grasp in _along(shape, others, com, float(angle), floor)
-    ]
-    found = [_demoted(grasp, avoid) for grasp in found]
-    return sorted(found, key=lambda grasp: -grasp.score)
+    for angle in facing + np.arange(_TURNS) * np.pi / _TURNS:
+        yield from _along(shape, others, com, float(angle), floor)
 
 
 def _surroundings(

@@ -7,6 +7,7 @@ z along the fingers, y along their opening direction.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,17 +28,21 @@ _A, _D, _ALPHA = (
     np.array([getattr(joint, name) for joint in franka.JOINTS]) for name in ("a", "d", "alpha")
 )
 _CA, _SA = np.cos(_ALPHA), np.sin(_ALPHA)
+_LOCAL = np.zeros((7, 4, 4))
+_LOCAL[:, 0, 3], _LOCAL[:, 1, 2], _LOCAL[:, 2, 2] = _A, -_SA, _CA
+_LOCAL[:, 1, 3], _LOCAL[:, 2, 3], _LOCAL[:, 3, 3] = -_D * _SA, _D * _CA, 1.0
 _HAND = np.eye(4)
 _HAND[:2, :2] = [
     [np.cos(franka.HAND_YAW), -np.sin(franka.HAND_YAW)],
     [np.sin(franka.HAND_YAW), np.cos(franka.HAND_YAW)],
 ]
 _HAND[2, 3] = franka.FLANGE + franka.TCP
-for _constant in (LOWER, UPPER, HOME, _A, _D, _CA, _SA, _HAND):
-    _constant.setflags(write=False)
-
 _MAX_STEP = 0.2
 _MARGIN = 0.02
+_LOWEST, _HIGHEST = LOWER + _MARGIN, UPPER - _MARGIN
+_EYE = np.eye(6)
+for _constant in (LOWER, UPPER, HOME, _CA, _SA, _LOCAL, _HAND, _LOWEST, _HIGHEST, _EYE):
+    _constant.setflags(write=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,16 +66,15 @@ def link_frames(joints: Float[np.ndarray, "7"]) -> Float[np.ndarray, "8 4 4"]:
     ``Rot_x(alpha) Trans_x(a) Rot_z(q) Trans_z(d)`` (Craig's convention) before it.
     """
     c, s = np.cos(joints), np.sin(joints)
-    local = np.zeros((7, 4, 4))
-    local[:, 0, 0], local[:, 0, 1], local[:, 0, 3] = c, -s, _A
-    local[:, 1, 0], local[:, 1, 1], local[:, 1, 2] = s * _CA, c * _CA, -_SA
-    local[:, 2, 0], local[:, 2, 1], local[:, 2, 2] = s * _SA, c * _SA, _CA
-    local[:, 1, 3], local[:, 2, 3], local[:, 3, 3] = -_D * _SA, _D * _CA, 1.0
+    local = _LOCAL.copy()
+    local[:, 0, 0], local[:, 0, 1] = c, -s
+    local[:, 1, 0], local[:, 1, 1] = s * _CA, c * _CA
+    local[:, 2, 0], local[:, 2, 1] = s * _SA, c * _SA
     frames = np.empty((8, 4, 4))
     frames[0] = local[0]
     for i in range(1, 7):
-        frames[i] = frames[i - 1] @ local[i]
-    frames[7] = frames[6] @ _HAND
+        np.matmul(frames[i - 1], local[i], out=frames[i])
+    np.matmul(frames[6], _HAND, out=frames[7])
     return frames
 
 
@@ -85,13 +89,20 @@ def forward(
 def _jacobian(frames: Float[np.ndarray, "8 4 4"]) -> Float[np.ndarray, "6 7"]:
     axes = frames[:7, :3, 2]
     arms = frames[7, :3, 3] - frames[:7, :3, 3]
-    linear = axes[:, [1, 2, 0]] * arms[:, [2, 0, 1]] - axes[:, [2, 0, 1]] * arms[:, [1, 2, 0]]
-    return np.vstack([linear.T, axes.T])
+    full = np.empty((6, 7))
+    (x, y, z), (u, v, w) = axes.T, arms.T
+    full[0], full[1], full[2] = y * w - z * v, z * u - x * w, x * v - y * u
+    full[3:] = axes.T
+    return full
 
 
 def jacobian(joints: Float[np.ndarray, "7"]) -> Float[np.ndarray, "6 7"]:
     """Return the geometric Jacobian of the tool centre point: linear rows, then angular."""
     return _jacobian(link_frames(joints))
+
+
+def _length(vector: Float[np.ndarray, "n"]) -> float:
+    return math.sqrt(vector @ vector)
 
 
 def rotation_vector(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3"]:
@@ -103,7 +114,8 @@ def rotation_vector(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3"
             rotation[1, 0] - rotation[0, 1],
         ]
     )
-    sine, cosine = np.linalg.norm(skew) / 2, (np.trace(rotation) - 1) / 2
+    sine = _length(skew) / 2
+    cosine = float(rotation[0, 0] + rotation[1, 1] + rotation[2, 2] - 1) / 2
     angle = float(np.arctan2(sine, cosine))
     if sine > 1e-7:
         return skew * (angle / (2 * sine))
@@ -133,25 +145,24 @@ def ik_step(
         The new joints, and the errors (m, rad) *before* the step.
     """
     frames = link_frames(joints)
-    error = np.concatenate(
-        [position - frames[7, :3, 3], rotation_vector(rotation @ frames[7, :3, :3].T)]
-    )
-    lengths = float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
+    error = np.empty(6)
+    error[:3] = position - frames[7, :3, 3]
+    error[3:] = rotation_vector(rotation @ frames[7, :3, :3].T)
     full = _jacobian(frames)
-    damping = 1e-5 + 1e-2 * min(1.0, float(error @ error))
-    free = np.ones(7, bool)
+    damping = (1e-5 + 1e-2 * min(1.0, float(error @ error))) * _EYE
+    free, jac, rest = np.ones(7, bool), full, pull * (posture - joints)
     for _ in range(3):
-        jac = full * free
-        inverse = np.linalg.solve(jac @ jac.T + damping * np.eye(6), jac).T
-        rest = pull * (posture - joints) * free
+        inverse = np.linalg.solve(jac @ jac.T + damping, jac).T
         step = inverse @ error + rest - inverse @ (jac @ rest)
         step *= min(1.0, _MAX_STEP / max(float(np.abs(step).max()), 1e-9))
         new = joints + step
-        out = free & ((new < LOWER + _MARGIN) & (step < 0) | (new > UPPER - _MARGIN) & (step > 0))
+        out = free & ((new < _LOWEST) & (step < 0) | (new > _HIGHEST) & (step > 0))
         if not out.any():
             break
         free &= ~out
-    return np.clip(new, LOWER + _MARGIN, UPPER - _MARGIN), *lengths
+        jac, rest = full * free, rest * free
+    new = np.minimum(np.maximum(new, _LOWEST), _HIGHEST)
+    return new, _length(error[:3]), _length(error[3:])
 
 
 def solve_ik(
@@ -199,7 +210,7 @@ def _descend(
     seed: Float[np.ndarray, "7"],
     iterations: int,
 ) -> IkSolution:
-    joints = np.clip(seed, LOWER + _MARGIN, UPPER - _MARGIN)
+    joints = np.clip(seed, _LOWEST, _HIGHEST)
     best = IkSolution(joints, np.inf, np.inf)
     for k in range(iterations):
         pull = 0.05 * (1 - k / iterations)

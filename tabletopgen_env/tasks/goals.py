@@ -261,8 +261,9 @@ def named_by(goals: Iterable[Goal]) -> list[str]:
 
 def at_rest(world: World, name: str) -> bool:
     """Return whether an object is at rest."""
-    speed = world.velocities()[world.index(name)]
-    return bool(np.linalg.norm(speed[:3]) <= REST_SPEED and np.linalg.norm(speed[3:]) <= REST_SPIN)
+    speed = world.velocity(name)
+    linear, angular = speed[:3], speed[3:]
+    return bool(linear @ linear <= REST_SPEED**2 and angular @ angular <= REST_SPIN**2)
 
 
 def _standing(spot: Float[np.ndarray, "3"], rest: float) -> Region:

@@ -30,6 +30,7 @@ which the number of goals varies pads with zeros.
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -68,6 +69,27 @@ class Episode:
     goals: tuple[Goal, ...]
     starts: tuple[float, ...]
     instruction: str
+
+
+@dataclass(frozen=True, eq=False)
+class Agreement:
+    """How an achieved goal vector agrees with a desired one, goal by goal.
+
+    across, up: how far outside its region each target is, horizontally and vertically, metres;
+    met: whether each goal is met (padding is); used: which goals are no padding.
+    """
+
+    across: Float[np.ndarray, "*n most"]
+    up: Float[np.ndarray, "*n most"]
+    met: Bool[np.ndarray, "*n most"]
+    used: Bool[np.ndarray, "*n most"]
+
+    @property
+    def active(self) -> int:
+        """The index of the first goal that is not met; of the last one, if all are."""
+        first = int(self.met.argmin())
+        last = int(self.used.sum()) - 1
+        return last if self.met[first] else min(first, last)
 
 
 def episode(world: World, goals: tuple[Goal, ...], instruction: str) -> Episode:
@@ -120,7 +142,7 @@ class Task(ABC):
         vector = np.zeros((self.most, ENTRIES))
         for row, goal in zip(vector, episode.goals, strict=False):
             region = goal.region(world)
-            row[:3] = np.clip(world.to_base(region.center), -_FAR, _FAR)
+            row[:3] = _near(world.to_base(region.center))
             row[3:] = [*region.semi[:2], region.yaw - world.mount.yaw, region.semi[2], 1.0]
         return vector.ravel().astype(np.float32)
 
@@ -130,80 +152,64 @@ class Task(ABC):
         """Return what is achieved in the same form."""
         vector = desired.reshape(self.most, ENTRIES).copy()
         for row, goal in zip(vector, episode.goals, strict=False):
-            row[:3] = np.clip(world.to_base(center(world, goal)), -_FAR, _FAR)
+            row[:3] = _near(world.to_base(center(world, goal)))
             row[7] = goal.settled(world)
         return vector.ravel()
 
-    def met(
+    def agreement(
         self, achieved: Float[np.ndarray, "*n g"], desired: Float[np.ndarray, "*n g"]
-    ) -> Bool[np.ndarray, "*n most"]:
-        """Return which goals are met; padding is."""
+    ) -> Agreement:
+        """Return how goal vectors agree; vectorised."""
         a, d = (np.asarray(v).reshape(*np.shape(v)[:-1], -1, ENTRIES) for v in (achieved, desired))
         across, up = distance(a, d)
-        met = (across <= 0) & (up <= 0) & (a[..., 7] >= d[..., 7]) | (d[..., 3] <= 0)
+        used = d[..., 3] > 0
+        met = (across <= 0) & (up <= 0) & (a[..., 7] >= d[..., 7]) | ~used
         for first, second in self.aside.items():
             met[..., first] |= met[..., second]
-        return met
-
-    def active(self, achieved: Float[np.ndarray, "g"], desired: Float[np.ndarray, "g"]) -> int:
-        """Return the index of the first goal that is not met; of the last one, if all are."""
-        used = int((desired.reshape(-1, ENTRIES)[:, 3] > 0).sum())
-        return min(int(np.argmin(np.append(self.met(achieved, desired), False))), used - 1)
+        return Agreement(across, up, met, used)
 
     # -------------------------------------------------------------------------------------- reward
 
-    def goal_terms(
-        self, achieved: Float[np.ndarray, "*n g"], desired: Float[np.ndarray, "*n g"]
-    ) -> dict[str, Float[np.ndarray, "*n"]]:
+    def goal_terms(self, agreement: Agreement) -> dict[str, Float[np.ndarray, "*n"]]:
         """Return the terms that follow from the goal vectors: place, met, success; vectorised."""
-        a, d = (np.asarray(v).reshape(*np.shape(v)[:-1], -1, ENTRIES) for v in (achieved, desired))
-        across, up = distance(a, d)
-        used, met = d[..., 3] > 0, self.met(achieved, desired)
+        across, up, met = agreement.across, agreement.up, agreement.met
+        if met.shape == (1,):  # one goal at a time: the same sums, without arrays
+            apart = math.sqrt(across[0] * across[0] + up[0] * up[0])
+            done = np.asarray(met[0], np.float64)
+            return {"place": np.asarray(1 / (1 + apart / 0.15)), "met": done, "success": done}
         place = 1 / (1 + np.sqrt(across * across + up * up) / 0.15)
         for first, second in self.aside.items():
             place[..., first] = np.where(met[..., second], 1.0, place[..., first])
-        count = used.sum(-1)
+        count = agreement.used.sum(-1)
         return {
-            "place": (place * used).sum(-1) / count,
-            "met": (met & used).sum(-1) / count,
+            "place": (place * agreement.used).sum(-1) / count,
+            "met": (met & agreement.used).sum(-1) / count,
             "success": np.asarray(met.all(-1), dtype=np.float64),
         }
 
-    def terms(
-        self,
-        world: World,
-        episode: Episode,
-        achieved: Float[np.ndarray, "g"],
-        desired: Float[np.ndarray, "g"],
-    ) -> dict[str, float]:
+    def terms(self, world: World, episode: Episode, agreement: Agreement) -> dict[str, float]:
         """Return every reward term by name, each in [0, 1]."""
-        shared = {name: float(value) for name, value in self.goal_terms(achieved, desired).items()}
+        shared = {name: float(value) for name, value in self.goal_terms(agreement).items()}
         if shared["success"]:
             return dict.fromkeys((*_HAND, *shared), 1.0)
-        k = self.active(achieved, desired)
-        met = self.met(achieved, desired)[: len(episode.goals)]
-        a, d = (v.reshape(-1, ENTRIES)[k] for v in (achieved, desired))
-        hand = self._hand(world, episode, k, a, d)
+        met = agreement.met[: len(episode.goals)]
+        hand = self._hand(world, episode, agreement)
         return {n: float(met.sum() + v) / len(met) for n, v in hand.items()} | shared
 
-    def _hand(
-        self,
-        world: World,
-        episode: Episode,
-        k: int,
-        achieved: Float[np.ndarray, "8"],
-        desired: Float[np.ndarray, "8"],
-    ) -> dict[str, float]:
-        """Return reach, grasp and lift of goal ``k``, the active one."""
+    def _hand(self, world: World, episode: Episode, agreement: Agreement) -> dict[str, float]:
+        """Return reach, grasp and lift of the active goal."""
+        k = agreement.active
         goal = episode.goals[k]
-        across, up = distance(achieved, desired)
+        across, up = agreement.across[k], agreement.up[k]
         if goal.target is None or (goal.released and across <= 0 and up <= 0):
             return dict.fromkeys(_HAND, 1.0)
         at = world.position(goal.target)
         left, right, _ = world.touched(goal.target)
-        away = float(np.linalg.norm(world.data.site_xpos[world.tcp] - at))
+        offset = world.data.site_xpos[world.tcp] - at
+        away = math.sqrt(offset @ offset)
         asked = LIFT * min(float(across) / LIFT, 1.0) if goal.released else LIFT
-        lift = float(np.clip((at[2] - episode.starts[k]) / asked, 0, 1)) if asked > 0 else 1.0
+        risen = float(at[2]) - episode.starts[k]
+        lift = min(max(risen / asked, 0.0), 1.0) if asked > 0 else 1.0
         return {"reach": 1 / (1 + away / 0.1), "grasp": (left + right) / 2, "lift": lift}
 
 
@@ -219,10 +225,17 @@ def distance(
 ) -> tuple[Float[np.ndarray, "*n"], Float[np.ndarray, "*n"]]:
     """Return how far outside a goal's region a target is, horizontally and vertically, metres."""
     a, d = np.asarray(achieved, np.float64), np.asarray(desired, np.float64)
-    x, y, z = np.moveaxis((a - d)[..., :3], -1, 0)
+    away = a[..., :3] - d[..., :3]
+    x, y, z = away[..., 0], away[..., 1], away[..., 2]
     c, s = np.cos(d[..., 5]), np.sin(d[..., 5])
-    wide, deep = (np.where(d[..., k] > 0, d[..., k], 1.0) for k in (3, 4))
+    semi = d[..., 3:5]
+    semi = np.where(semi > 0, semi, 1.0)
+    wide, deep = semi[..., 0], semi[..., 1]
     u, v = (c * x + s * y) / wide, (c * y - s * x) / deep
     ratio = np.sqrt(u * u + v * v)
     outside = np.sqrt(x * x + y * y) * (1 - 1 / np.maximum(ratio, 1.0))
     return outside, np.maximum(np.abs(z) - d[..., 6], 0.0)
+
+
+def _near(point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
+    return np.minimum(np.maximum(point, -_FAR), _FAR)

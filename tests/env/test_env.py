@@ -67,6 +67,17 @@ def test_info_names_the_task_and_the_reward_terms() -> None:
     assert 0 < reward < 1
 
 
+def test_info_names_what_fell_off_the_table() -> None:
+    env = make_env(toy_scene())
+    assert env.reset(seed=0)[1]["off_table"] == ()
+    env.world.teleport("can_1", np.array([0.9, 0.0, 0.76]))
+    env.world.teleport("mug_1", np.array([0.0, 0.9, 0.76]))
+    still = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
+    found = [env.step(still)[4]["off_table"] for _ in range(20)]
+    assert found[0] == () and set(found[-1]) == {"can_1", "mug_1"}
+    assert env.reset(seed=0)[1]["off_table"] == ()
+
+
 def test_reset_options_choose_scene_target_and_spot() -> None:
     env = make_env(toy_scene())
     other = toy_scene((toy_object("pen_1", (0.02, 0.02, 0.05), (0.0, 0.0)),), name="other")

@@ -70,7 +70,8 @@ def test_moving_through_the_spot_is_no_success() -> None:
     world.data.qvel[world._object_dof[world.index("cube_1")][0]] = 0.1
     desired = env.task.desired(world, env.episode)
     achieved = env.task.achieved(world, env.episode, desired)
-    assert env.task.terms(world, env.episode, achieved, desired)["success"] == 0.0
+    agreement = env.task.agreement(achieved, desired)
+    assert env.task.terms(world, env.episode, agreement)["success"] == 0.0
 
 
 def test_being_held_on_the_spot_is_no_success() -> None:
@@ -131,7 +132,7 @@ def test_reward_rises_along_the_way() -> None:
                 (0.2, 0.1, 0.78), (0.2, 0.1, 0.763)]:  # fmt: skip
         world.teleport("cube_1", np.array(xyz))
         achieved = env.task.achieved(world, env.episode, desired)
-        terms = env.task.terms(world, env.episode, achieved, desired)
+        terms = env.task.terms(world, env.episode, env.task.agreement(achieved, desired))
         assert all(0 <= v <= 1 for v in terms.values())
         rewards.append(sum(PickPlace.weights[k] * terms[k] for k in ("lift", "place", "success")))
     assert rewards == sorted(rewards) and rewards[-1] == pytest.approx(0.75)

@@ -1,0 +1,126 @@
+"""What our environments alone are timed at: resets, pictures, many at once, memory."""
+
+from __future__ import annotations
+
+import statistics
+import time
+from collections.abc import Callable, Mapping
+from itertools import product
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+
+from generator.scene import Scene
+from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.scenes import STARTER, FreshScenes
+from tabletopgen_env.vector import TabletopVectorEnv
+
+Found = list[tuple[str, str, float, str]]
+"""What was measured: name, setting, value, unit."""
+
+
+def resets(scene: Scene, count: int) -> Found:
+    """Time resets onto the same scene, onto cached ones, onto ones composed anew."""
+    kinds = {
+        "same scene": (make_env(scene), 60, 60),
+        "cached scene": (make_env(STARTER), 120, 60),
+        "scene composed anew": (make_env(FreshScenes(("six things on a desk",))), 1, 8),
+    }
+    found: Found = []
+    for name, (env, warm, timed) in kinds.items():
+        for seed in range(warm):
+            env.reset(seed=seed)
+        spent = [1e3 * _seconds(lambda e=env, s=seed: e.reset(seed=s)) for seed in range(timed)]
+        found.append(("reset", f"{name}, median", statistics.median(spent), "ms"))
+        found.append(("reset", f"{name}, longest", max(spent), "ms"))
+        env.close()
+    return found
+
+
+def pixels(scene: Scene, count: int) -> Found:
+    """Time pictures alone and steps that see the front and the wrist camera."""
+    found: Found = []
+    for size, renderer in product((84, 128, 256), ("auto", "software")):
+        env = make_env(scene, observation="pixels", image_size=size, renderer=renderer)
+        env.reset(seed=0)
+        drawer, times = env._drawer("pixels"), 40 if renderer == "auto" else 6
+        setting = f"{size}x{size}, {type(drawer).__name__}"
+        spent = [_seconds(lambda d=drawer, e=env: d.rgb(e.world, "front")) for _ in range(times)]
+        found.append(("pictures", setting, 1 / statistics.median(spent), "per s"))
+        action = np.zeros(env.controller.space.shape or ())
+        spent = [_seconds(lambda e=env, a=action: e.step(a)) for _ in range(times)]
+        found.append(("steps with two pictures", setting, 1 / statistics.median(spent), "per s"))
+        env.close()
+    return found
+
+
+def vector(scene: Scene, count: int) -> Found:
+    """Time many slots on one thread and on two, four ... as far as there are cores."""
+    from tabletopgen_env.vector import _cores
+
+    threads = [n for n in (1, 2, 4, 8, 16, 32) if n <= max(2, _cores())]
+    found: Found = []
+    for slots, many in product((1, 8, 32), threads):
+        if many > slots:
+            continue
+        envs = TabletopVectorEnv(slots, scenes=scene, threads=many)
+        envs.reset(seed=0)
+        actions = np.random.default_rng(0).uniform(-1, 1, (20, slots, 5))
+        for action in actions[:5]:
+            envs.step(action)
+        rounds = max(10, 800 // slots)
+        spent = _seconds(lambda e=envs, a=actions, n=rounds: [e.step(a[k % 20]) for k in range(n)])
+        found.append(("steps", f"{slots} slots, {many} threads", slots * rounds / spent, "per s"))
+        envs.close()
+    return found
+
+
+def memory(scene: Scene, count: int) -> Found:
+    """Watch the memory of resets onto cached scenes, and with scenes leaving the cache."""
+    found: Found = []
+    kinds = {
+        "cached scenes": make_env(STARTER),
+        "scenes that leave the cache, pixels": make_env(
+            STARTER, observation="pixels", image_size=32, cache=2
+        ),
+    }
+    for name, env in kinds.items():
+        shares = _watched(env, count if env.observation_space.shape else count // 10)
+        for share, size in shares:
+            found.append((name, f"after {share} resets", size, "MB"))
+        growth = 100 * (shares[-1][1] / shares[1][1] - 1)
+        found.append((name, f"growth from {shares[1][0]} resets on", growth, "%"))
+        env.close()
+    return found
+
+
+def _watched(env: TabletopEnv, count: int) -> list[tuple[int, float]]:
+    """Reset ``count`` times; return the memory at the start and after each fifth, MB."""
+    sizes = []
+    for k in range(count + 1):
+        if k % max(count // 5, 1) == 0:
+            sizes.append((k, _resident()))
+        env.reset(seed=k)
+    return sizes
+
+
+def _resident() -> float:
+    """Return this process's resident memory, MB."""
+    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
+    return pages * 4096 / 1e6
+
+
+def _seconds(work: Callable[[], object]) -> float:
+    begin = time.perf_counter()
+    work()
+    return time.perf_counter() - begin
+
+
+PARTS: Mapping[str, Callable[[Scene, int], Found]] = MappingProxyType(
+    {"resets": resets, "pixels": pixels, "vector": vector, "memory": memory}
+)
+"""Every part by name; each takes the scene and how many resets to watch."""
+
+DEFAULT = ("resets", "pixels", "vector")
+"""The parts measured unless others are asked for."""

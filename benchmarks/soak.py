@@ -1,0 +1,191 @@
+"""Soak: random steps at many composed tables; nothing may break, and what falls off is told.
+
+    python benchmarks/soak.py --steps 50000 --scenes 10
+    python benchmarks/soak.py --steps 1000000 --scenes 50
+
+Each scene gets its share of the steps, in episodes of ``EPISODE``, actions drawn anew every
+``HELD`` steps so that the arm goes places. Counted are numbers that are not finite (observation,
+reward, state), MuJoCo's warnings, observations outside their space, things that lie beside the
+table at an episode's end without being named in ``info["off_table"]``, things under the floor or
+out of the room, and things that were named. Where PickPlace offers nothing, Reach is the task. A
+row a scene goes to ``soak.csv`` as it ends (a second run resumes), the
+summary to ``soak.md``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from posing import tables
+from posing.tables import Row
+
+from generator.compose import compose
+from generator.errors import SceneError, TabletopError
+from generator.geometry import inside_margin
+from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.tasks.goals import at_rest
+
+if TYPE_CHECKING:
+    from generator.scene import Scene
+    from tabletopgen_env.world import World
+
+HERE = Path(__file__).parent
+EPISODE, HELD = 200, 8
+ROOM = 20.0
+"""Metres from the table's middle beyond which a thing has escaped."""
+
+TEXTS = (
+    "a kitchen table with six things",
+    "a messy office desk with eight things",
+    "a breakfast table for two",
+    "a workbench with tools",
+    "a coffee table with cups and fruit",
+)
+KEY = ("scene", "seed", "steps")
+COUNTS = ("not_finite", "warnings", "outside", "unnoticed", "escaped")
+FIELDS = (*KEY, "done", *COUNTS, "fell", "longest_ms", "seconds", "error")
+
+
+def work(number: int, seed: int, steps: int) -> list[Row]:
+    """Run one scene and return its row; a failure is a row too."""
+    row: Row = dict.fromkeys(FIELDS, 0) | {
+        "scene": number, "seed": seed, "steps": steps, "error": "",
+    }  # fmt: skip
+    begin = time.perf_counter()
+    try:
+        scene = compose(TEXTS[number % len(TEXTS)], seed=seed + number)
+        soak(usable(scene), np.random.default_rng([seed, number]), steps, row)
+    except Exception as error:  # one scene must not end the run
+        row["error"] = tables.failure(error)
+    row["seconds"] = round(time.perf_counter() - begin, 1)
+    return [row]
+
+
+def usable(scene: Scene) -> TabletopEnv:
+    """Return an environment of PickPlace at a table, or of Reach where that offers nothing."""
+    env = make_env(scene)
+    try:
+        env.reset(seed=0)
+    except SceneError:
+        return make_env(scene, task="Reach")
+    return env
+
+
+def soak(env: TabletopEnv, rng: np.random.Generator, steps: int, row: Row) -> None:
+    """Do ``steps`` random steps and count what is wrong in ``row``."""
+    shape = env.action_space.shape
+    action = np.zeros(shape or ())
+    fell: set[str] = set()
+    for k in range(steps):
+        if k % EPISODE == 0:
+            row["fell"] += len(fell)
+            fell = set()
+            env.reset(seed=int(rng.integers(2**31)))
+        if k % HELD == 0:
+            action = rng.uniform(-1, 1, shape)
+        clock = time.perf_counter()
+        seen, reward, _, _, info = env.step(action)
+        row["longest_ms"] = max(row["longest_ms"], round(1e3 * (time.perf_counter() - clock), 1))
+        world, told = env.world, set(info["off_table"])
+        state = np.concatenate([world.data.qpos, world.data.qvel])
+        row["not_finite"] += not (np.isfinite(state).all() and np.isfinite([*seen, reward]).all())
+        row["outside"] += not env.observation_space.contains(seen)
+        row["escaped"] += len(escaped(world))
+        fell |= told
+        row["done"] = k + 1
+        if k % EPISODE == EPISODE - 1 or k == steps - 1:
+            row["unnoticed"] += len(beside(world) - told)
+            row["warnings"] += int(sum(w.number for w in world.data.warning))
+    row["fell"] += len(fell)
+
+
+def beside(world: World) -> set[str]:
+    """Return the things at rest, let go, whose place seen from above is wholly off the table."""
+    found = set()
+    for obj in world.scene.objects:
+        off = -inside_margin(world.position(obj.name)[:2], world.scene.table.outline)[0]
+        clear = off > float(np.linalg.norm(obj.scale)) / 2
+        if clear and at_rest(world, obj.name) and not world.touched(obj.name)[2]:
+            found.add(obj.name)
+    return found
+
+
+def escaped(world: World) -> list[str]:
+    """Return the things that are under the floor or out of the room."""
+    found = []
+    for name in world.names:
+        x, y, z = world.position(name)
+        if not (abs(x) < ROOM and abs(y) < ROOM and -0.05 < z < ROOM):
+            found.append(name)
+    return found
+
+
+def say(rows: list[Row]) -> str:
+    (row,) = rows
+    wrong = {k: row[k] for k in COUNTS if row[k]}
+    told = row["error"] or f"{row['done']} steps, {row['fell']} things fell, {row['seconds']} s"
+    return f"scene {row['scene']}: {told}" + (f", WRONG: {wrong}" if wrong else "")
+
+
+def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
+    """Return what was counted, as Markdown."""
+    whole = {f: sum(int(r[f]) for r in rows) for f in ("done", "fell", *COUNTS)}
+    failed = [r for r in rows if r["error"]]
+    lines = [
+        f"# Soak: {whole['done']} random steps at {len(rows)} tables",
+        f"`{command}`, {tables.where()}{'; ' + note if note else ''}",
+        "",
+        "| what | count |",
+        "|---|---|",
+        f"| states, observations or rewards that are not finite | {whole['not_finite']} |",
+        f"| MuJoCo warnings | {whole['warnings']} |",
+        f"| observations outside their space | {whole['outside']} |",
+        f"| things beside the table that `off_table` does not name | {whole['unnoticed']} |",
+        f"| things under the floor or out of the room | {whole['escaped']} |",
+        f"| scenes that failed | {len(failed)} |",
+        f"| things that fell off the table, and were named | {whole['fell']} |",
+        "",
+        f"Longest step: {max((float(r['longest_ms']) for r in rows), default=0.0):.0f} ms.",
+    ]
+    lines += [f"- scene {r['scene']}: {r['error']}" for r in failed]
+    return "\n".join([*lines, ""])
+
+
+def main() -> None:
+    p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    p.add_argument("--steps", type=int, default=50_000, help="of all scenes together")
+    p.add_argument("--scenes", type=int, default=10)
+    p.add_argument("--seed", type=int, default=0)
+    p.add_argument("--workers", type=int, default=1)
+    p.add_argument("--note", default="", help="what to know about the machine")
+    p.add_argument("--out", type=Path, default=HERE / "results")
+    args = p.parse_args()
+    if args.scenes < 1 or args.steps < args.scenes:
+        raise SystemExit("--scenes must be at least 1, and --steps at least as many.")
+    share = args.steps // args.scenes
+    try:
+        args.out.mkdir(parents=True, exist_ok=True)
+        table = args.out / "soak.csv"
+        rows = tables.resume(table, FIELDS, KEY)
+        asked = [{"scene": n, "seed": args.seed, "steps": share} for n in range(args.scenes)]
+        done = {tuple(str(r[k]) for k in KEY) for r in rows}
+        left = [a["scene"] for a in asked if tuple(str(a[k]) for k in KEY) not in done]
+        job = partial(work, seed=args.seed, steps=share)
+        rows = tables.run(table, FIELDS, KEY, rows, left, job, args.workers, say)
+    except TabletopError as error:
+        raise SystemExit(str(error)) from error
+    wanted = {tuple(str(a[k]) for k in KEY) for a in asked}
+    rows = [r for r in rows if tuple(str(r[k]) for k in KEY) in wanted]
+    text = summary(rows, tables.command_line("--note"), args.note)
+    (args.out / "soak.md").write_text(text, encoding="utf-8")
+    print(text)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,279 @@
+"""Many tables at once in one process: a Gymnasium vector environment on a few threads.
+
+MuJoCo simulates without Python's lock, so threads are enough: nothing is copied between processes,
+and every scene is compiled once, however many slots meet it::
+
+    gymnasium.make_vec("tabletopgen_env:TabletopGen/PickPlace-v0", num_envs=16, threads=4)
+
+Slots are environments of their own: each draws its scenes and goals with its own seed, and what it
+does is bit for bit what a single environment with that seed does, whatever the number of threads.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+from gymnasium.vector import AutoresetMode, SyncVectorEnv
+from gymnasium.vector.utils import concatenate, create_empty_array, iterate
+from gymnasium.wrappers import TimeLimit
+from jaxtyping import Bool, Float
+
+from generator.errors import InputError, choices
+
+from .env import make_env
+from .robot.panda import Panda
+from .worlds import Masters
+
+if TYPE_CHECKING:
+    import gymnasium as gym
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True, eq=False)
+class _Turn:
+    """What one slot's step or reset gave; ``last`` is what was seen before a reset within it."""
+
+    observation: Any
+    info: dict[str, Any]
+    reward: float = 0.0
+    terminated: bool = False
+    truncated: bool = False
+    last: tuple[Any, dict[str, Any]] | None = None
+
+
+class TabletopVectorEnv(SyncVectorEnv):
+    """``num_envs`` environments stepped together, as ``gymnasium.vector.VectorEnv`` says.
+
+    Observations, rewards and ends come in arrays of one row a slot; infos in Gymnasium's vector
+    format. ``reset`` takes one seed (slot k gets seed + k) or a list, the options of
+    ``TabletopEnv.reset`` for all slots alike, and the option "reset_mask", an array of bools, to
+    reset some slots only.
+
+    Args:
+        num_envs: how many slots.
+        threads: how many threads step them; None for one a core. Each slot keeps to one thread,
+            as OpenGL contexts have to.
+        autoreset_mode: what follows an episode's end: "NextStep" (the next step resets the slot and
+            its action is ignored), "SameStep" (the slot is reset at once; what it saw last is in
+            ``info["final_obs"]`` and ``info["final_info"]``) or "Disabled" (reset it yourself).
+        max_episode_steps: the time limit; None for none (the registered ids have theirs).
+        robot: the robot; None for ``Panda()``.
+        cache: how many compiled worlds each slot keeps, and how many scenes all of them share.
+        settings: the other arguments of ``env.make_env``. A ``SceneSource`` given as ``scenes`` is
+            drawn from by several threads.
+
+    Raises:
+        InputError: a setting is wrong.
+    """
+
+    def __init__(
+        self,
+        num_envs: int = 1,
+        *,
+        threads: int | None = None,
+        autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
+        max_episode_steps: int | None = None,
+        robot: Panda | None = None,
+        cache: int = 16,
+        **settings: Any,
+    ) -> None:
+        if num_envs < 1 or (threads is not None and threads < 1):
+            raise InputError(
+                f"num_envs and threads must be at least 1, got {num_envs} and {threads}."
+            )
+        arm = robot or Panda()
+        masters = Masters(arm, cache)
+
+        def slot() -> gym.Env:
+            env = make_env(robot=arm, cache=cache, masters=masters, **settings)
+            return env if max_episode_steps is None else TimeLimit(env, max_episode_steps)
+
+        super().__init__([slot] * num_envs, autoreset_mode=_mode(autoreset_mode))
+        count = min(num_envs, threads or _cores())
+        self._workers = [ThreadPoolExecutor(1, f"tabletop-{k}") for k in range(count)]
+        self._over = np.zeros(num_envs, bool)
+        self._seen: list[Any] = [None] * num_envs
+
+    # ---------------------------------------------------------------------------------- gymnasium
+
+    def reset(
+        self,
+        *,
+        seed: int | Sequence[int | None] | None = None,
+        options: dict[str, Any] | None = None,
+    ) -> tuple[Any, dict[str, Any]]:
+        """Reset all slots, or those of the option "reset_mask".
+
+        Raises:
+            InputError: as ``TabletopEnv.reset``, or a wrong number of seeds, or a wrong mask.
+        """
+        options = dict(options or {})
+        mask = _mask(options.pop("reset_mask", None), self.num_envs)
+        seeds = _seeds(seed, self.num_envs)
+
+        def start(k: int) -> _Turn:
+            return _Turn(*self.envs[k].reset(seed=seeds[k], options=options or None))
+
+        slots = np.flatnonzero(mask).tolist()
+        turns = self._each(start, slots)
+        self._over[mask] = False
+        infos: dict[str, Any] = {}
+        for k, turn in zip(slots, turns, strict=True):
+            self._seen[k] = turn.observation
+            infos = self._add_info(infos, turn.info, k)
+        return self._batch(), infos
+
+    def step(
+        self, actions: Any
+    ) -> tuple[
+        Any,
+        Float[np.ndarray, "n"],
+        Bool[np.ndarray, "n"],
+        Bool[np.ndarray, "n"],
+        dict[str, Any],
+    ]:
+        """Step every slot, or reset it, as ``metadata["autoreset_mode"]`` says.
+
+        Raises:
+            InputError: an action of wrong shape or with NaN; no ``reset`` before; a slot whose
+                episode is over, if autoreset is disabled.
+        """
+        if len(actions) != self.num_envs:
+            raise InputError(f"{self.num_envs} slots need as many actions, got {len(actions)}.")
+        over = np.flatnonzero(self._over).tolist()
+        if over and self.autoreset_mode == AutoresetMode.DISABLED and not self.closed:
+            raise InputError(
+                f"The episodes of the slots {over} are over and autoreset is disabled: call "
+                "reset(options={'reset_mask': ...}) first."
+            )
+        chosen = list(iterate(self.action_space, actions))
+        turns = self._each(lambda k: self._turn(k, chosen[k]), range(self.num_envs))
+        infos: dict[str, Any] = {}
+        for k, turn in enumerate(turns):
+            self._seen[k] = turn.observation
+            if turn.last is not None:
+                final = {"final_obs": turn.last[0], "final_info": turn.last[1]}
+                infos = self._add_info(infos, final, k)
+            infos = self._add_info(infos, turn.info, k)
+        terminated = np.array([turn.terminated for turn in turns])
+        truncated = np.array([turn.truncated for turn in turns])
+        if self.autoreset_mode != AutoresetMode.SAME_STEP:
+            self._over = terminated | truncated
+        rewards = np.array([turn.reward for turn in turns], np.float64)
+        return self._batch(), rewards, terminated, truncated, infos
+
+    def render(self) -> tuple[Any, ...]:
+        """Return what each slot's ``render`` returns."""
+        return tuple(self._each(lambda k: self.envs[k].render(), range(self.num_envs)))
+
+    def call(self, name: str, *args: Any, **kwargs: Any) -> tuple[Any, ...]:
+        """Call a method of each slot's environment, or get an attribute; return the results."""
+
+        def work(k: int) -> Any:
+            found = self.envs[k].get_wrapper_attr(name)
+            return found(*args, **kwargs) if callable(found) else found
+
+        return tuple(self._each(work, range(self.num_envs)))
+
+    def close_extras(self, **kwargs: Any) -> None:
+        """Close the slots and end the threads."""
+        workers = getattr(self, "_workers", [])
+        if workers:
+            self._each(lambda k: self.envs[k].close(), range(self.num_envs))
+        self._workers = []
+        for worker in workers:
+            worker.shutdown()
+
+    # -------------------------------------------------------------------------------------- parts
+
+    def _turn(self, k: int, action: Any) -> _Turn:
+        """Step slot ``k``, or reset it if its episode is over."""
+        env = self.envs[k]
+        if self._over[k]:
+            return _Turn(*env.reset())
+        observation, reward, terminated, truncated, info = env.step(action)
+        ended = bool(terminated or truncated)
+        if not (ended and self.autoreset_mode == AutoresetMode.SAME_STEP):
+            return _Turn(observation, info, float(reward), bool(terminated), bool(truncated))
+        fresh, began = env.reset()
+        last = (observation, info)
+        return _Turn(fresh, began, float(reward), bool(terminated), bool(truncated), last)
+
+    def _each(self, work: Callable[[int], T], slots: Iterable[int]) -> list[T]:
+        """Do the work of each slot in the slot's thread; return the results in order.
+
+        If slots fail, the first one's error is raised once all are done.
+        """
+        if not self._workers:
+            raise InputError("This vector environment is closed; make a new one.")
+        slots = list(slots)
+        count = len(self._workers)
+
+        def work_off(mine: list[int]) -> dict[int, T | Exception]:
+            return {k: _caught(work, k) for k in mine}
+
+        shares = [[k for k in slots if k % count == w] for w in range(count)]
+        jobs = [w.submit(work_off, s) for w, s in zip(self._workers, shares, strict=True) if s]
+        done: dict[int, Any] = {}
+        for job in jobs:
+            done |= job.result()
+        for k in slots:
+            if isinstance(done[k], Exception):
+                raise done[k]
+        return [done[k] for k in slots]
+
+    def _batch(self) -> Any:
+        """Return the slots' observations as new arrays, one row a slot."""
+        space = self.single_observation_space
+        if any(seen is None for seen in self._seen):
+            raise InputError("Reset all slots before some of them.")
+        return concatenate(space, self._seen, create_empty_array(space, self.num_envs))
+
+
+def _caught(work: Callable[[int], T], k: int) -> T | Exception:
+    try:
+        return work(k)
+    except Exception as error:  # raised again by the caller's thread
+        error.add_note(f"(in slot {k} of the vector environment)")
+        return error
+
+
+def _mode(mode: str | AutoresetMode) -> AutoresetMode:
+    names = [m.value for m in AutoresetMode]
+    if isinstance(mode, str) and mode not in names:
+        raise InputError(f"Unknown autoreset mode {mode!r}." + choices(mode, names))
+    return AutoresetMode(mode)
+
+
+def _seeds(seed: int | Sequence[int | None] | None, count: int) -> list[int | None]:
+    if seed is None:
+        return [None] * count
+    if isinstance(seed, int | np.integer):
+        return [int(seed) + k for k in range(count)]
+    if len(seed) != count:
+        raise InputError(f"{count} slots need one seed or {count}, got {len(seed)}.")
+    return list(seed)
+
+
+def _mask(mask: Any, count: int) -> Bool[np.ndarray, "n"]:
+    if mask is None:
+        return np.ones(count, bool)
+    mask = np.asarray(mask)
+    if mask.shape != (count,) or mask.dtype != bool or not mask.any():
+        raise InputError(
+            f"reset_mask must be an array of {count} bools, one of them True, got {mask.tolist()}."
+        )
+    return mask
+
+
+def _cores() -> int:
+    """Return how many cores this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

@@ -1,0 +1,169 @@
+"""What is fast gives what the plain formulas give, to the bit."""
+
+from __future__ import annotations
+
+import mujoco
+import numpy as np
+import pytest
+from toy import toy_object, toy_scene
+
+from tabletopgen_env.env import make_env
+from tabletopgen_env.expert.grasps import is_graspable, plan_grasps
+from tabletopgen_env.robot import kinematics
+from tabletopgen_env.robot.kinematics import (
+    HOME,
+    LOWER,
+    UPPER,
+    ik_step,
+    jacobian,
+    link_frames,
+    solve_ik,
+)
+from tabletopgen_env.robot.panda import Panda
+from tabletopgen_env.tasks import task_named
+from tabletopgen_env.world import World
+
+
+def plain_step(world: World, substeps: int, before: np.ndarray) -> np.ndarray:
+    """Interpolate and step as the docstring of ``World.step`` says; return the commands reached."""
+    wanted = world.data.ctrl[world.actuators[:7]].copy()
+    commands = np.linspace(before, wanted, substeps + 1)
+    for k in range(1, substeps + 1):
+        for servo, command in zip(world.actuators[:7], commands[k], strict=True):
+            world.data.ctrl[servo] = command
+        mujoco.mj_step(world.model, world.data)
+    return wanted
+
+
+def plain_touch(world: World, name: str) -> tuple[bool, bool, bool]:
+    """Look through every contact for the robot's parts."""
+    found = [False, False, False]
+    for contact in world.data.contact:
+        bodies = [world.model.body(int(world.model.geom_bodyid[g])).name for g in contact.geom]
+        if name in bodies:
+            other = bodies[1 - bodies.index(name)]
+            sides = ("left_finger" in other, "right_finger" in other, other.startswith("panda/"))
+            found = [a or b for a, b in zip(found, sides, strict=True)]
+    return found[0], found[1], found[2]
+
+
+def test_worlds_move_as_with_plain_steps() -> None:
+    fast, plain = World(toy_scene(), Panda()), World(toy_scene(), Panda())
+    rng = np.random.default_rng(0)
+    for world in (fast, plain):
+        world.reset()
+    before = plain.data.ctrl[plain.actuators[:7]].copy()
+    down = solve_ik(fast.to_base(fast.position("can_1")), np.diag([1.0, -1.0, -1.0])).joints
+    met = set()
+    for k in range(40):
+        for world in (fast, plain):
+            world.data.ctrl[world.actuators[7]] = 255.0 * (k % 3 > 0)
+        goal = down + rng.uniform(-0.15, 0.15, 7)
+        fast.data.ctrl[fast.actuators[:7]] = goal
+        plain.data.ctrl[plain.actuators[:7]] = goal
+        fast.step(25)
+        before = plain_step(plain, 25, before)
+        assert np.array_equal(fast.data.qpos, plain.data.qpos)
+        assert np.array_equal(fast.data.qvel, plain.data.qvel)
+        for name in fast.names:
+            assert fast.touched(name) == plain_touch(plain, name)
+            met.add(fast.touched(name))
+    assert len(met) >= 3, "hardly anything was met: no test"
+
+
+def plain_frames(joints: np.ndarray) -> np.ndarray:
+    """Multiply the transforms of Craig's convention one by one."""
+    frames, frame = [], np.eye(4)
+    for k, joint in enumerate(kinematics.franka.JOINTS):
+        c, s, ca, sa = (
+            np.cos(joints[k]),
+            np.sin(joints[k]),
+            np.cos(joint.alpha),
+            np.sin(joint.alpha),
+        )
+        step = np.array(
+            [
+                [c, -s, 0.0, joint.a],
+                [s * ca, c * ca, -sa, -joint.d * sa],
+                [s * sa, c * sa, ca, joint.d * ca],
+                [0.0, 0.0, 0.0, 1.0],
+            ]
+        )
+        frame = step if k == 0 else frame @ step
+        frames.append(frame)
+    return np.array(frames)
+
+
+def plain_ik_step(joints: np.ndarray, position: np.ndarray, rotation: np.ndarray) -> np.ndarray:
+    """The formula of ``ik_step``'s docstring."""
+    frames = link_frames(joints)
+    turn = kinematics.rotation_vector(rotation @ frames[7, :3, :3].T)
+    error = np.concatenate([position - frames[7, :3, 3], turn])
+    full = jacobian(joints)
+    damping = 1e-5 + 1e-2 * min(1.0, float(error @ error))
+    free = np.ones(7, bool)
+    for _ in range(3):
+        jac = full * free
+        inverse = np.linalg.solve(jac @ jac.T + damping * np.eye(6), jac).T
+        rest = 0.05 * (HOME - joints) * free
+        step = inverse @ error + rest - inverse @ (jac @ rest)
+        step *= min(1.0, 0.2 / max(float(np.abs(step).max()), 1e-9))
+        new = joints + step
+        out = free & ((new < LOWER + 0.02) & (step < 0) | (new > UPPER - 0.02) & (step > 0))
+        if not out.any():
+            break
+        free &= ~out
+    return np.clip(new, LOWER + 0.02, UPPER - 0.02)
+
+
+def test_inverse_kinematics_follows_its_formula() -> None:
+    rng = np.random.default_rng(0)
+    for _ in range(200):
+        joints = rng.uniform(LOWER, UPPER)
+        assert np.array_equal(link_frames(joints)[:7], plain_frames(joints))
+        tool, rotation = kinematics.forward(rng.uniform(LOWER, UPPER))
+        found = ik_step(joints, tool, rotation)
+        assert np.array_equal(found[0], plain_ik_step(joints, tool, rotation))
+        assert found[1] == np.linalg.norm(tool - link_frames(joints)[7, :3, 3])
+
+
+@pytest.mark.parametrize("name", ["PickPlace", "Swap", "Sequence"])
+def test_goals_agree_as_their_definition_says(name) -> None:
+    task = task_named(name)
+    env = make_env(toy_scene(), task=task, observation="goal")
+    rng = np.random.default_rng(0)
+    for seed in range(10):
+        desired = env.reset(seed=seed)[0]["desired_goal"]
+        achieved = desired.copy()
+        goals = achieved.reshape(-1, 8)
+        goals[:, :3] += rng.normal(0, 0.03, (len(goals), 3))
+        goals[:, 7] = rng.integers(0, 2, len(goals))
+        met = [plain_met(a, d) for a, d in zip(goals, desired.reshape(-1, 8), strict=True)]
+        for first, second in task.aside.items():
+            met[first] |= met[second]
+        agreement = task.agreement(achieved, desired)
+        assert agreement.met.tolist() == met
+        used = [k for k, d in enumerate(desired.reshape(-1, 8)) if d[3] > 0]
+        assert agreement.active == next((k for k in used if not met[k]), used[-1])
+
+
+def plain_met(achieved: np.ndarray, desired: np.ndarray) -> bool:
+    """Whether a point is in the upright elliptic cylinder, in the state asked for."""
+    if desired[3] <= 0:
+        return True
+    x, y, z = achieved[:3].astype(float) - desired[:3].astype(float)
+    c, s = np.cos(float(desired[5])), np.sin(float(desired[5]))
+    u, v = (c * x + s * y) / desired[3], (c * y - s * x) / desired[4]
+    return bool(np.hypot(u, v) <= 1 and abs(z) <= desired[6] and achieved[7] >= desired[7])
+
+
+def test_what_can_be_grasped_is_what_grasps_are_planned_for() -> None:
+    walls = [
+        toy_object(f"wall_{k}", (0.05, 0.3, 0.2), (x, 0.0)) for k, x in enumerate((-0.045, 0.045))
+    ]
+    scene = toy_scene((toy_object("pen_1", (0.02, 0.02, 0.05), (0.0, 0.0)), *walls))
+    world = World(scene, Panda())
+    world.reset()
+    found = {name: is_graspable(world, name) for name in world.names}
+    assert found == {name: bool(plan_grasps(world, name)) for name in world.names}
+    assert set(found.values()) == {True, False}

@@ -1,0 +1,250 @@
+"""The vector environment: bit for bit the single ones, Gymnasium's contract, clear errors."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+import pytest
+from gymnasium.vector import AutoresetMode, SyncVectorEnv
+from toy import toy_objects, toy_scene
+
+from generator.errors import InputError
+from tabletopgen_env.env import make_env
+from tabletopgen_env.robot.panda import Panda
+from tabletopgen_env.scenes import resolve
+from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.worlds import Masters
+
+ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
+MODES = [mode.value for mode in AutoresetMode]
+
+
+def scenes() -> list:
+    return [toy_scene(), toy_scene(toy_objects()[:4], name="four")]
+
+
+def same(a: Any, b: Any) -> bool:
+    """Whether two nests of dicts, tuples, arrays and values are equal to the bit."""
+    if isinstance(a, dict):
+        return a.keys() == b.keys() and all(same(a[k], b[k]) for k in a)
+    if isinstance(a, tuple | list):
+        return len(a) == len(b) and all(map(same, a, b))
+    if isinstance(a, np.ndarray) and a.dtype == object:
+        return a.shape == b.shape and all(map(same, a.tolist(), b.tolist()))
+    if isinstance(a, np.ndarray):
+        return a.dtype == b.dtype and np.array_equal(a, b)
+    return type(a) is type(b) and a == b
+
+
+def rollout(envs: Any, steps: int = 11, seed: int = 5, masked: bool = False) -> list:
+    """Everything a few steps over several episodes give."""
+    rng = np.random.default_rng(0)
+    seen: list[Any] = [envs.reset(seed=seed)]
+    for _ in range(steps):
+        actions = rng.uniform(-1, 1, envs.action_space.shape).astype(np.float32)
+        seen.append(envs.step(actions))
+        ended = seen[-1][2] | seen[-1][3]
+        if masked and ended.any():
+            seen.append(envs.reset(options={"reset_mask": ended}))
+    envs.close()
+    return seen
+
+
+@pytest.mark.parametrize("observation", ["state", "goal"])
+@pytest.mark.parametrize("mode", MODES)
+def test_it_is_gymnasiums_serial_vector_to_the_bit(mode, observation) -> None:
+    setting = {"scenes": scenes(), "observation": observation, "max_episode_steps": 4}
+    serial = gym.make_vec(
+        ID,
+        num_envs=3,
+        vectorization_mode="sync",
+        vector_kwargs={"autoreset_mode": AutoresetMode(mode)},
+        **setting,
+    )
+    own = gym.make_vec(ID, num_envs=3, autoreset_mode=mode, threads=2, **setting)
+    assert isinstance(own, TabletopVectorEnv)
+    assert own.metadata["autoreset_mode"] == serial.metadata["autoreset_mode"]
+    assert own.observation_space == serial.observation_space
+    masked = mode == "Disabled"
+    a, b = rollout(serial, masked=masked), rollout(own, masked=masked)
+    assert same(a, b)
+    assert any("final_obs" in info for *_, info in b) == (mode == "SameStep")
+
+
+def test_the_number_of_threads_changes_nothing() -> None:
+    runs = [
+        rollout(TabletopVectorEnv(5, scenes=scenes(), threads=n, max_episode_steps=4))
+        for n in (1, 2, 5)
+    ]
+    assert same(runs[0], runs[1]) and same(runs[0], runs[2])
+
+
+def test_slots_are_single_environments_with_their_seeds() -> None:
+    envs = TabletopVectorEnv(2, scenes=scenes(), threads=2)
+    together, _ = envs.reset(seed=[7, 3])
+    steps = [envs.step(np.full((2, 5), 0.3)) for _ in range(10)]
+    for k, seed in enumerate((7, 3)):
+        alone = make_env(scenes())
+        assert np.array_equal(alone.reset(seed=seed)[0], together[k])
+        for seen, reward, *_, info in steps:
+            expected = alone.step(np.full(5, 0.3))
+            assert np.array_equal(expected[0], seen[k]) and expected[1] == reward[k]
+            assert expected[4]["instruction"] == info["instruction"][k]
+    envs.close()
+
+
+def test_what_was_returned_is_not_written_to_again() -> None:
+    envs = TabletopVectorEnv(2, scenes=toy_scene())
+    first = envs.reset(seed=0)
+    kept = first[0].copy()
+    envs.step(np.ones((2, 5)))
+    assert np.array_equal(first[0], kept)
+    envs.close()
+
+
+@pytest.mark.parametrize("mode", ["sync", "async", "vector_entry_point"])
+def test_it_can_be_made_in_every_way(mode) -> None:
+    envs = gym.make_vec(ID, num_envs=2, vectorization_mode=mode, scenes=toy_scene())
+    seen, _ = envs.reset(seed=0)
+    assert envs.observation_space.contains(seen)
+    assert envs.step(envs.action_space.sample())[1].shape == (2,)
+    envs.close()
+
+
+def test_attributes_are_called_got_and_set() -> None:
+    envs = TabletopVectorEnv(3, scenes=scenes(), max_episode_steps=9)
+    envs.reset(seed=0)
+    assert envs.get_attr("reward") == ("dense",) * 3
+    envs.set_attr("reward", ["sparse", "dense", "sparse"])
+    assert envs.call("get_wrapper_attr", "reward") == ("sparse", "dense", "sparse")
+    rewards = envs.step(np.zeros((3, 5)))[1]
+    assert rewards[0] == rewards[2] == -1.0 < rewards[1]
+    worlds = envs.get_attr("world")
+    assert len({id(world.model) for world in worlds}) == 3, "models are written to"
+    envs.close()
+
+
+def test_options_reach_every_slot_and_a_mask_resets_some() -> None:
+    envs = TabletopVectorEnv(2, scenes=toy_scene())
+    with pytest.raises(InputError, match="Reset all slots"):
+        envs.reset(options={"reset_mask": np.array([True, False])})
+    options = {"target": "cube_1", "goal": "bowl_1"}
+    _, info = envs.reset(seed=0, options=options)
+    assert list(info["target"]) == ["cube_1"] * 2
+    before = envs.step(np.ones((2, 5)))[0]
+    mask = {"reset_mask": np.array([False, True])}
+    after, info = envs.reset(options=mask)
+    assert np.array_equal(before[0], after[0]) and not np.array_equal(before[1], after[1])
+    assert info["_target"].tolist() == [False, True] and "reset_mask" in mask
+    envs.close()
+
+
+def test_slots_share_compiled_scenes_but_no_models() -> None:
+    (ref,) = resolve(toy_scene()).refs
+    loads = []
+    counted = type(ref)(ref.key, lambda: loads.append(1) or ref.load())
+    masters = Masters(Panda())
+    first, second = masters.twin(counted), masters.twin(counted)
+    assert len(loads) == 1 and first.model is not second.model
+    first.show_marker(np.array([0.1, 0.0, 0.74]), 0.2)
+    first.step(10)
+    assert second.model.geom_size[second._marker_geom, 0] != 0.2 and second.data.time == 0.0
+
+
+def test_masters_keep_the_scenes_used_last() -> None:
+    loads = []
+    refs = [resolve(toy_scene(toy_objects()[:1], name=str(k))).refs[0] for k in range(3)]
+    refs = [type(r)(r.key, lambda r=r: loads.append(r.key) or r.load()) for r in refs]
+    masters = Masters(Panda(), size=2)
+    for k in (0, 1, 0, 2, 0, 1):
+        masters.twin(refs[k])
+    assert [r.key for r in (refs[0], refs[1], refs[2], refs[1])] == loads
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"num_envs": 0}, "at least 1"),
+        ({"threads": 0}, "at least 1"),
+        ({"autoreset_mode": "samestep"}, "Did you mean 'SameStep'"),
+        ({"observation": "stat"}, "Did you mean 'state'"),
+    ],
+)
+def test_wrong_settings_are_explained(settings, message) -> None:
+    with pytest.raises(InputError, match=message):
+        TabletopVectorEnv(**{"num_envs": 2, "scenes": toy_scene(), **settings})
+
+
+def test_wrong_calls_are_explained() -> None:
+    envs = TabletopVectorEnv(2, scenes=toy_scene(), max_episode_steps=1, autoreset_mode="Disabled")
+    with pytest.raises(InputError, match=r"Call reset\(\)"):
+        envs.step(np.zeros((2, 5)))
+    with pytest.raises(InputError, match="2 slots need one seed or 2, got 3"):
+        envs.reset(seed=[1, 2, 3])
+    for mask in (np.array([0, 1]), np.zeros(2, bool), np.ones(3, bool)):
+        with pytest.raises(InputError, match="reset_mask must be an array of 2 bools"):
+            envs.reset(options={"reset_mask": mask})
+    with pytest.raises(InputError, match="Unknown reset option") as caught:
+        envs.reset(options={"colour": 1})
+    assert "slot 0" in caught.value.__notes__[0]
+    envs.reset(seed=0)
+    with pytest.raises(InputError, match="need as many actions, got 1"):
+        envs.step(np.zeros((1, 5)))
+    with pytest.raises(InputError, match="must be finite") as caught:
+        envs.step(np.array([[0.0] * 5, [np.nan] * 5]))
+    assert "slot 1" in caught.value.__notes__[0]
+    envs.reset(seed=0)
+    envs.step(np.zeros((2, 5)))
+    with pytest.raises(InputError, match=r"slots \[0, 1\] are over"):
+        envs.step(np.zeros((2, 5)))
+    envs.close()
+    envs.close()
+    with pytest.raises(InputError, match="closed"):
+        envs.step(np.zeros((2, 5)))
+
+
+def test_pictures_come_from_several_threads() -> None:
+    settings: dict[str, Any] = {
+        "scenes": toy_scene(),
+        "observation": "pixels",
+        "image_size": 24,
+        "render_mode": "rgb_array",
+        "render_size": (20, 30),
+    }
+    envs = TabletopVectorEnv(3, threads=2, **settings)
+    seen, _ = envs.reset(seed=0)
+    seen = envs.step(np.ones((3, 5)))[0]
+    pictures = envs.render()
+    assert [p.shape for p in pictures] == [(20, 30, 3)] * 3
+    alone = make_env(**settings)
+    for k in range(3):
+        alone.reset(seed=k)
+        expected = alone.step(np.ones(5))[0]
+        assert all(np.array_equal(expected[key], seen[key][k]) for key in expected)
+        assert np.array_equal(alone.render(), pictures[k])
+    envs.close()
+    alone.close()
+
+
+def test_a_program_that_forgets_to_close_it_ends() -> None:
+    code = (
+        "import sys; sys.path.insert(0, 'tests')\n"
+        "from toy import toy_scene\n"
+        "from tabletopgen_env.vector import TabletopVectorEnv\n"
+        "envs = TabletopVectorEnv(2, threads=2, scenes=toy_scene(), observation='pixels',"
+        " image_size=16)\n"
+        "envs.reset(seed=0)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_it_is_a_vector_environment_of_the_registered_kind() -> None:
+    envs = gym.make_vec(ID, num_envs=2, scenes=toy_scene())
+    assert isinstance(envs, SyncVectorEnv) and envs.spec.id == "TabletopGen/PickPlace-v0"
+    assert envs.envs[0].get_wrapper_attr("_max_episode_steps") == 200
+    envs.close()
