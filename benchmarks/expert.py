@@ -203,7 +203,7 @@ def summary(rows: Sequence[Row], command: str) -> str:
         for task in TASKS:
             counts = Counter(r[field] or "-" for r in failed if r["task"] == task)
             of = Counter(r[field] or "-" for r in run if r["task"] == task)
-            told = (f"{n} {k}" + (f" of {of[k]}" if field == "category" else "")
+            told = (f"{n} {k}" + (f" of {of[n]}" if field == "category" else "")
                     for n, k in counts.most_common())  # fmt: skip
             if counts:
                 lines.append(f"| {task} | {', '.join(told)} |")

@@ -1,6 +1,7 @@
 """Picking up and putting down, planned from what is seen now; a phase ends when its aim is met.
 
 =========  =====================================================================================
+wait       let go and rise, until the object lies still
 approach   rise over what is in the way, go above the grasp, turn the hand
 descend    straight down with the fingers opened as far as there is room
 close      until the fingers stand still
@@ -34,18 +35,21 @@ from .grasps import TIP, Grasp, plan_grasps
 from .placing import plan_place
 
 Phase = Literal[
-    "approach", "descend", "close", "lift", "hold", "carry", "lower", "release", "retreat", "stuck"
-]
+    "wait", "approach", "descend", "close", "lift", "hold", "carry", "lower", "release", "retreat",
+    "stuck",
+]  # fmt: skip
 
 _HOVER = 0.06
 _LIFT = 0.06
-_FINE, _TURNED = 0.005, 0.05
+_FINE, _TURNED = (0.0015, 0.005), 0.05
+_SHORT = 0.012  # metres above the grasp at which fingers that come no lower have failed
 _SLIP = 0.03
 _MOVED = 0.015
+_MOVING = 0.05  # metres a second
 _LET_GO = 0.024  # metres by which the fingers open wider than what they held
 _RISE = 0.15  # metres by which the hand retreats
 _PATIENCE: dict[Phase, int] = {
-    "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80, "lower": 45,
+    "wait": 20, "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80, "lower": 45,
     "release": 8, "retreat": 60, "stuck": 60,
 }  # fmt: skip
 
@@ -100,6 +104,7 @@ class Picker(Expert):
         self._steps += 1
         late = self._steps > _PATIENCE[self.phase]
         phases: dict[Phase, Callable[[bool], Float[np.ndarray, "5"]]] = {
+            "wait": self._wait,
             "approach": self._approach,
             "descend": self._descend,
             "close": self._close,
@@ -113,12 +118,21 @@ class Picker(Expert):
         }
         return phases[self.phase](late)
 
+    def _wait(self, late: bool) -> Float[np.ndarray, "5"]:
+        if late or not self._is_moving():
+            return self._retry(failed=False)
+        return self._act(up(0.02), 0.0, 2 * franka.FINGER_STROKE)
+
     def _approach(self, late: bool) -> Float[np.ndarray, "5"]:
+        if self._is_moving():
+            return self._enter("wait")
         if late or self._has_moved():
             return self._retry(failed=late)
         grasp = self._plan.grasp
         above = grasp.point + up(_HOVER)
-        near = np.linalg.norm((self._tool - above)[:2]) < _FINE
+        spare = (grasp.opening - grasp.width) / 2
+        fine = float(np.clip(spare - 0.002, *_FINE))
+        near = np.linalg.norm((self._tool - above)[:2]) < fine
         if near and abs(self._turn_left()) < _TURNED and self._tool[2] < above[2] + NEAR:
             return self._enter("descend")
         return self._travel(above, grasp.opening, depth=TIP)
@@ -127,8 +141,10 @@ class Picker(Expert):
         grasp = self._plan.grasp
         if self._has_moved():
             return self._retry(failed=False)
-        low = self._tool[2] - grasp.point[2] < 0.004
-        if low or late:
+        above = self._tool[2] - grasp.point[2]
+        if late and above > _SHORT:
+            return self._retry()
+        if late or above < 0.004:
             return self._enter("close")
         return self._go(grasp.point, grasp.opening, slow=0.7)
 
@@ -137,7 +153,7 @@ class Picker(Expert):
         still = abs(gap - self._last_gap) < 2e-4 and self._steps > 4
         self._last_gap = gap
         if still or late:
-            self._held = self._object - self._tool
+            self._held = self._in_hand()
             return self._enter("lift")
         return self._go(self._plan.grasp.point, 0.0)
 
@@ -151,6 +167,7 @@ class Picker(Expert):
                 return self._enter("hold")
             opening = self._release_opening
             self._place = plan_place(self._env.world, self._goal, self._yaw, opening)
+            self._shift = np.zeros(3)
             return self._enter("carry")
         return self._go(target, 0.0, slow=0.7)
 
@@ -224,9 +241,10 @@ class Picker(Expert):
         place, world = self._place, self._env.world
         turn = self._turn_to(place.yaw, place.tool)
         offset = rotation_z(turn)[:2, :2] @ (self._object - self._tool)[:2]
-        shift = self._goal.region(world).center - place.seen
+        if self.phase == "carry":  # later on it moves because it is pushed
+            self._shift = self._goal.region(world).center - place.seen
         sunk = self._tool[2] - world.lowest(self._target) - place.hanging
-        return np.array([*(place.target - offset), place.tool[2] + sunk]) + shift
+        return np.array([*(place.target - offset), place.tool[2] + sunk]) + self._shift
 
     # ----------------------------------------------------------------------------------- sensing
 
@@ -260,9 +278,19 @@ class Picker(Expert):
     def _has_moved(self) -> bool:
         return bool(np.linalg.norm(self._object - self._plan.seen) > _MOVED)
 
+    def _is_moving(self) -> bool:
+        world = self._env.world
+        speed = world.velocities()[world.index(self._target)]
+        return bool(np.linalg.norm(speed[:3]) > _MOVING)
+
+    def _in_hand(self) -> Float[np.ndarray, "3"]:
+        """Return where the object is in the hand's frame, metres."""
+        world = self._env.world
+        return (self._object - self._tool) @ world.data.site_xmat[world.tcp].reshape(3, 3)
+
     def _has_slipped(self) -> bool:
         """Return whether the object has left the hand since the fingers closed."""
-        return bool(np.linalg.norm(self._object - self._tool - self._held) > _SLIP)
+        return bool(np.linalg.norm(self._in_hand() - self._held) > _SLIP)
 
     def _missed(self) -> bool:
         """Return whether the released object lies outside the goal."""

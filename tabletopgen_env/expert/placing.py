@@ -125,6 +125,8 @@ def _base(world: World, goal: Goal, region: Region) -> float:
 
 
 def _surroundings(world: World, target: str, region: Region, held: Underside) -> HeightMap:
+    from scipy import ndimage
+
     parts = [
         part
         for obj in world.scene.objects
@@ -134,7 +136,9 @@ def _surroundings(world: World, target: str, region: Region, held: Underside) ->
     reach = float(region.semi[:2].max() + 2 * np.linalg.norm(held.at, axis=1).max() + 0.15)
     low, high = region.center[:2] - reach, region.center[:2] + reach
     found = height_map(parts, low, high, _CELL)
-    return HeightMap(found.origin, _CELL, np.maximum(found.heights, world.scene.table.height))
+    # Each surface is taken a cell wider: so much room is left beside it.
+    heights = ndimage.maximum_filter(found.heights, 3)
+    return HeightMap(found.origin, _CELL, np.maximum(heights, world.scene.table.height))
 
 
 def _held(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:

@@ -22,7 +22,7 @@ from generator.errors import SceneError
 from ..tasks.goals import Pushed
 from .driver import Expert, up
 from .grasps import TIP
-from .strokes import HOVER, mass_center, plan_stroke, push_height
+from .strokes import HOVER, mass_center, plan_stroke
 
 Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 
@@ -106,7 +106,7 @@ class Pusher(Expert):
         side = to_mass - ahead * (ahead @ to_mass)
         speed = float(np.clip(0.25 * left, _SLOW, _FAST))
         speed *= float(np.clip(1.3 - np.linalg.norm(side) / 0.02, 0.3, 1.0))
-        rise = push_height(self._env.world, self._goal.target) - self._tool[2]
+        rise = self._stroke.start[2] - self._tool[2]
         move = np.array([*(speed * ahead + 0.8 * side), 0.3 * rise])
         return self._act(move / 0.3, self._turn_to(self._stroke.yaw, self._tool), 0.0, slow=0.6)
 
@@ -120,8 +120,8 @@ class Pusher(Expert):
     def _retreat(self, late: bool) -> Float[np.ndarray, "5"]:
         if self._steps > 10 and np.linalg.norm(self._way) > _ENOUGH:
             return self._begin()
-        high = push_height(self._env.world, self._goal.target) + 0.15
-        return self._act(up(max(high - self._tool[2], 0.0)), 0.0, 0.0)
+        rise = self._stroke.start[2] + 0.15 - self._tool[2]
+        return self._act(up(max(rise, 0.0)), 0.0, 0.0)
 
     def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
         return self._begin() if late else self._act(np.zeros(3), 0.0, 0.0)

@@ -13,6 +13,7 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.geometry import wrap
+from generator.scene import ConvexPart
 
 from .arm import stretch, wrist_is_free
 from .grasps import TIP
@@ -32,6 +33,7 @@ _HALF_STRIP = 0.012  # half the breadth of what the fingers meet, metres
 _FINGERS = (0.027, 0.011)  # half their breadth and thickness, shafts and all
 _PALM = (0.106, 0.036)
 _PALM_Z = 0.044  # the palm above the fingertips, metres
+_PAD = 0.03  # how far up the fingers push, metres
 _LOWEST, _HIGHEST = 0.014, 0.07
 _CELL = 0.006
 _TURNS = np.deg2rad([0.0, 180.0, 30.0, -30.0, 150.0, -150.0, 60.0, -60.0, 120.0, -120.0, 90.0])
@@ -67,14 +69,6 @@ def mass_center(world: World, target: str) -> Float[np.ndarray, "3"]:
     return world.position(target) + world.rotation(target) @ world.scene.object(target).com
 
 
-def push_height(world: World, target: str) -> float:
-    """Return the tool's height in a stroke: off the table, and the palm over the object."""
-    low = world.lowest(target)
-    tall = 2 * (float(world.position(target)[2]) - low)
-    over = tall + 0.006 + TIP - _PALM_Z
-    return world.scene.table.height + float(np.clip(max(0.4 * tall, over), _LOWEST, _HIGHEST))
-
-
 def plan_stroke(
     world: World,
     target: str,
@@ -94,48 +88,78 @@ def plan_stroke(
     way = spot - world.position(target)[:2]
     length = float(np.linalg.norm(way))
     ahead = way / max(length, 1e-9)
-    height = push_height(world, target)
-    com = mass_center(world, target)[:2]
-    front = com + (_behind(world, target, com, ahead) - _THICK) * ahead
-    start = np.array([*(front - BEHIND * ahead), height])
-    end = np.array([*(front + length * ahead), height])
-    others = others or surroundings(world, target)
-    steps = np.linspace(0.0, length + BEHIND, max(int((length + BEHIND) / 0.015), 2))
-    line = start[:2] + steps[:, None] * ahead
-    if not (bold or wrist_is_free(world, others, line, height - TIP)):
-        return None
     bearing = float(np.arctan2(ahead[1], ahead[0]))
-    best: tuple[float, float] | None = None
+    parts = moved(world.scene.object(target).parts, world.position(target), world.rotation(target))
+    com = mass_center(world, target)[:2]
+    others = others or surroundings(world, target)
+    best: tuple[float, Stroke] | None = None
     for k, turn in enumerate(_TURNS):
-        # The fingers open along the hand's y axis; side by side they are broadest.
         if best is not None and k > 1:
-            break
-        if not (bold or _is_free(others, line, bearing + turn + np.pi / 2, height - TIP)):
+            break  # the hand and its opposite are compared, the others are makeshifts
+        # The fingers open along the hand's y axis; side by side they are broadest.
+        opening = bearing + turn + np.pi / 2
+        found = _contact(parts, com, ahead, opening, world.scene.table.height)
+        if found is None:
             continue
+        front, height = found
+        steps = np.linspace(-BEHIND, length, max(int((length + BEHIND) / 0.015), 2))
+        line = front + steps[:, None] * ahead
+        tip = height - TIP
+        if not bold and not (
+            _is_free(others, line, opening, tip) and wrist_is_free(world, others, line, tip)
+        ):
+            continue
+        start, end = (np.array([*at, height]) for at in line[[0, -1]])
         yaw = wrap(bearing + turn - world.mount.yaw)
-        above = start + np.array([0.0, 0.0, HOVER])
-        far = stretch(world, (start, end, above), yaw)
+        far = stretch(world, (start, end, start + np.array([0.0, 0.0, HOVER])), yaw)
         if far is not None and (best is None or far < best[0]):
-            best = far, yaw
-    return None if best is None else Stroke(start, ahead, best[1])
+            best = far, Stroke(start, ahead, yaw)
+    return None if best is None else best[1]
+
+
+def _contact(
+    parts: tuple[ConvexPart, ...],
+    com: Float[np.ndarray, "2"],
+    ahead: Float[np.ndarray, "2"],
+    opening: float,
+    floor: float,
+) -> tuple[Float[np.ndarray, "2"], float] | None:
+    """Return where the tool (x, y) and how high it is when the fingers touch, world frame.
+
+    As low as may be, with the palm over the object; None if the fingers would miss it.
+    """
+    low, high = (f([p.bounds[k] for p in parts], axis=0) for k, f in ((0, np.min), (1, np.max)))
+    own = height_map(parts, low[:2] - _CELL, high[:2] + _CELL, _CELL)
+    palm = _rectangle(_PALM, opening)
+    lowest = float(np.clip(0.4 * (high[2] - low[2]), _LOWEST, 0.04))
+    for height in floor + np.arange(lowest, _HIGHEST, 0.006):
+        tip = height - TIP
+        met = [p for p in parts if p.bounds[1, 2] >= tip + 0.003 and p.bounds[0, 2] <= tip + _PAD]
+        behind = _behind(met, com, ahead)
+        if behind is None:
+            continue
+        front = com + (behind - _THICK) * ahead
+        if own.at(front + palm).max() <= tip + _PALM_Z:
+            return front, float(height)
+    return None
 
 
 def _behind(
-    world: World, target: str, com: Float[np.ndarray, "2"], ahead: Float[np.ndarray, "2"]
-) -> float:
-    """Return where along ``ahead`` from the centre of mass the fingers meet the object, metres.
+    parts: list[ConvexPart], com: Float[np.ndarray, "2"], ahead: Float[np.ndarray, "2"]
+) -> float | None:
+    """Return where along ``ahead`` from the centre of mass the fingers meet parts, metres.
 
-    What they meet is the part of its outline in their way: the outline of each collision part is
-    cut to the strip that they sweep.
+    What they meet is the part of the outline in their way: the outline of each part is cut to the
+    strip that they sweep. None if that is nothing.
     """
     across = np.array([-ahead[1], ahead[0]])
-    first = 0.0
-    for part in world.scene.object(target).parts:
-        flat = (part.vertices @ world.rotation(target).T + world.position(target))[:, :2] - com
+    found: list[float] = []
+    for part in parts:
+        flat = part.vertices[:, :2] - com
         u, v = flat @ ahead, flat @ across
         if v.min() <= _HALF_STRIP and v.max() >= -_HALF_STRIP:
-            first = min(first, _first_in_strip(u, v))
-    return first
+            found.append(_first_in_strip(u, v))
+    return min(found, default=None)
 
 
 def _first_in_strip(u: Float[np.ndarray, "n"], v: Float[np.ndarray, "n"]) -> float:
@@ -156,11 +180,15 @@ def _is_free(
     others: HeightMap, line: Float[np.ndarray, "k 2"], opening: float, tip: float
 ) -> bool:
     """Return whether fingers and palm pass along a line with the hand opening along ``opening``."""
-    axis = np.array([np.cos(opening), np.sin(opening)])
-    axes = np.stack([axis, [-axis[1], axis[0]]])
     for half, height in ((_FINGERS, tip - 0.001), (_PALM, tip + _PALM_Z)):
-        sides = [np.linspace(-h, h, max(int(2 * h / 0.01), 2) + 1) for h in half]
-        grid = np.stack(np.meshgrid(*sides), -1).reshape(-1, 2) @ axes
-        if others.at(line[:, None] + grid).max() > height:
+        if others.at(line[:, None] + _rectangle(half, opening)).max() > height:
             return False
     return True
+
+
+def _rectangle(half: tuple[float, float], opening: float) -> Float[np.ndarray, "n 2"]:
+    """Return a grid over a rectangle whose first side lies along ``opening``, metres."""
+    axis = np.array([np.cos(opening), np.sin(opening)])
+    sides = [np.linspace(-h, h, max(int(2 * h / 0.01), 2) + 1) for h in half]
+    grid = np.stack(np.meshgrid(*sides), -1).reshape(-1, 2)
+    return grid @ np.stack([axis, [-axis[1], axis[0]]])
