@@ -74,8 +74,10 @@ def work(job: Job, composed: bool) -> list[Row]:
         scene = compose(job.text, job.seed) if composed else load(Path(job.text))
         env = made(scene, job.task)
         try:
-            for number in range(job.episodes):
-                rows.append(base | {"episode": number} | episode(env, _seed(job, number), scene))
+            rows.extend(
+                base | {"episode": number} | episode(env, _seed(job, number), scene)
+                for number in range(job.episodes)
+            )
         finally:
             env.close()
     except TabletopError as error:
@@ -199,7 +201,7 @@ def summary(rows: Sequence[Row], command: str) -> str:
     ]  # fmt: skip
     failed = [r for r in run if not int(r["success"])]
     for field in ("phase", "category"):
-        lines += [f"| task | failed in {field} |", "|---|---|"]
+        lines += [f"| task | failed in {field} |", "|---|---|"] if failed else []
         for task in TASKS:
             counts = Counter(r[field] or "-" for r in failed if r["task"] == task)
             of = Counter(r[field] or "-" for r in run if r["task"] == task)

@@ -348,7 +348,9 @@ def _decoded(payload: dict[str, Any]) -> Certificate:
     listed = _of(payload["instances"], list)
     if len(listed) > _MOST_INSTANCES:
         raise ValueError(f"it lists more than {_MOST_INSTANCES} instances")
-    return Certificate(scene, seed, versions, tuple(_decoded_instance(_of(i, dict)) for i in listed))
+    return Certificate(
+        scene, seed, versions, tuple(_decoded_instance(_of(i, dict)) for i in listed)
+    )
 
 
 def _decoded_instance(entry: dict[str, Any]) -> Instance:

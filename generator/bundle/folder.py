@@ -161,7 +161,8 @@ def verify(path: str | Path) -> list[str]:
         return [str(error)]
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
     return [
-        f"{folder} holds {name}, which scene.json does not list" for name in sorted(found - listed - BESIDE)
+        f"{folder} holds {name}, which scene.json does not list"
+        for name in sorted(found - listed - BESIDE)
     ]
 
 

@@ -61,9 +61,7 @@ def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) 
     return most
 
 
-def easiest(
-    world: World, points: tuple[Float[np.ndarray, "3"], ...], angle: float
-) -> float | None:
+def easiest(world: World, points: tuple[Float[np.ndarray, "3"], ...], angle: float) -> float | None:
     """Return which of two opposite yaws reaches all points most comfortably, None if neither."""
     yaws = (wrap(angle), wrap(angle + np.pi))
     found = [(far, yaw) for yaw in yaws if (far := stretch(world, points, yaw)) is not None]
@@ -77,7 +75,9 @@ def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
     range.
     """
     axis = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)[:, 0]
-    relative = float(np.arctan2(axis[1], axis[0])) - _bearing(world, world.data.site_xpos[world.tcp])
+    relative = float(np.arctan2(axis[1], axis[0])) - _bearing(
+        world, world.data.site_xpos[world.tcp]
+    )
     middle = _ROLL + float(HOME[6])  # the last joint at zero
     by_joint = middle - float(world.data.qpos[world.arm_qpos[6]])
     now = by_joint + wrap(relative - by_joint)
@@ -90,7 +90,7 @@ def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
 def around(
     world: World, start: Float[np.ndarray, "3"], end: Float[np.ndarray, "3"]
 ) -> Float[np.ndarray, "2"]:
-    """Return where (x, y, world) to head from ``start`` for ``end``: around the base, not over it."""
+    """Return where (x, y, world) to head for from ``start``: to ``end``, but around the base."""
     a, b = (world.to_base(point)[:2] for point in (start, end))
     way = b - a
     along = float(np.clip(-(a @ way) / max(float(way @ way), 1e-9), 0.0, 1.0))

@@ -142,7 +142,7 @@ def _along(
             point = np.array([*(middle + center * across + v[row] * along), tip + TIP])
             away = float(np.linalg.norm(point[:2] - com[:2]))
             score = quality - 12.0 * away + 40.0 * min(room - width, 0.02)
-            yield Grasp(point, angle, room, float(width), score)
+            yield Grasp(point, angle, room, float(width), float(score))
 
 
 def _runs(

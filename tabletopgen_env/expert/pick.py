@@ -49,8 +49,8 @@ _MOVING = 0.05  # metres a second
 _LET_GO = 0.024  # metres by which the fingers open wider than what they held
 _RISE = 0.15  # metres by which the hand retreats
 _PATIENCE: dict[Phase, int] = {
-    "wait": 20, "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80, "lower": 45,
-    "release": 8, "retreat": 60, "stuck": 60,
+    "wait": 20, "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80,
+    "lower": 45, "release": 8, "retreat": 60, "stuck": 60,
 }  # fmt: skip
 
 

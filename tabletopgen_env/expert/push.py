@@ -29,7 +29,8 @@ Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 _THERE = 0.012  # metres from the goal's middle at which a stroke ends
 _ENOUGH = 0.03  # metres from the goal's middle at which no other stroke is begun
 _ASTRAY = 0.6  # radians off the way at which a stroke is begun anew
-_FAST, _SLOW = 0.02, 0.008  # metres a step
+_FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres a step: flat things, tall ones, at the end
+_TALL = 0.04  # metres from the tool in a stroke down to the table
 _PATIENCE: dict[Phase, int] = {
     "approach": 60, "descend": 20, "stroke": 50, "back": 5, "retreat": 1000, "stuck": 30
 }  # fmt: skip
@@ -104,7 +105,7 @@ class Pusher(Expert):
             return self._enter("back")
         # What is pushed turns away from the line: the hand keeps to its far side.
         side = to_mass - ahead * (ahead @ to_mass)
-        speed = float(np.clip(0.25 * left, _SLOW, _FAST))
+        speed = float(np.clip(0.25 * left, _SLOW, self._fast))
         speed *= float(np.clip(1.3 - np.linalg.norm(side) / 0.02, 0.3, 1.0))
         rise = self._stroke.start[2] - self._tool[2]
         move = np.array([*(speed * ahead + 0.8 * side), 0.3 * rise])
@@ -139,6 +140,12 @@ class Pusher(Expert):
             return self._enter("stuck")
         self._stroke = found
         return self._enter("approach")
+
+    @property
+    def _fast(self) -> float:
+        """The pace, metres a step: what is pushed high up might topple."""
+        high = self._stroke.start[2] - self._env.world.scene.table.height
+        return _STEADY if high > _TALL else _FAST
 
     @property
     def _way(self) -> Float[np.ndarray, "2"]:

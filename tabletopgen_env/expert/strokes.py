@@ -30,8 +30,8 @@ HOVER = 0.06
 
 _THICK = 0.013  # half the closed fingers' thickness, metres
 _HALF_STRIP = 0.012  # half the breadth of what the fingers meet, metres
-_FINGERS = (0.027, 0.011)  # half their breadth and thickness, shafts and all
-_PALM = (0.106, 0.036)
+_FINGERS = (0.03, 0.015)  # half their breadth and thickness, shafts and all, and some room
+_PALM = (0.11, 0.042)
 _PALM_Z = 0.044  # the palm above the fingertips, metres
 _PAD = 0.03  # how far up the fingers push, metres
 _LOWEST, _HIGHEST = 0.014, 0.07
@@ -176,9 +176,7 @@ def _first_in_strip(u: Float[np.ndarray, "n"], v: Float[np.ndarray, "n"]) -> flo
     return min(least)
 
 
-def _is_free(
-    others: HeightMap, line: Float[np.ndarray, "k 2"], opening: float, tip: float
-) -> bool:
+def _is_free(others: HeightMap, line: Float[np.ndarray, "k 2"], opening: float, tip: float) -> bool:
     """Return whether fingers and palm pass along a line with the hand opening along ``opening``."""
     for half, height in ((_FINGERS, tip - 0.001), (_PALM, tip + _PALM_Z)):
         if others.at(line[:, None] + _rectangle(half, opening)).max() > height:

@@ -138,7 +138,7 @@ def test_lift_asks_for_both_fingers_at_a_height() -> None:
     world, hand = env.world, env.world.data.site_xpos[env.world.tcp].copy()
     assert isinstance(env.goal, Raised)
     begin = world.position("cube_1")
-    env.world.teleport("cube_1", begin + [0.0, 0.0, sum(RAISED) / 2])
+    env.world.teleport("cube_1", begin + np.array([0.0, 0.0, sum(RAISED) / 2]))
     _, _, _, _, info = env.step(STILL)
     assert not info["success"], "in the air, but not held"
     near = replace(env.goal, start=hand - [0.0, 0.0, sum(RAISED) / 2])
