@@ -20,7 +20,7 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import gymnasium as gym
 from posing import tables
@@ -88,7 +88,7 @@ def work(job: Job, composed: bool) -> list[Row]:
 def made(scene: Scene, task: str) -> gym.Env:
     """Return the environment of a task's id at one table."""
     name, _, preset = task.partition(":")
-    more = {"preset": preset} if preset else {}
+    more: dict[str, Any] = {"preset": preset} if preset else {}
     return gym.make(f"tabletopgen_env:TabletopGen/{name}-v0", scenes=scene, **more)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -11,6 +12,9 @@ from jaxtyping import Bool, Float
 from generator.scene import ConvexPart
 
 from ..affordance import part_span, top_surface
+
+if TYPE_CHECKING:
+    from ..world import World
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +63,23 @@ def height_map(
     grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1)
     heights = top_surface(near, grid.reshape(-1, 2)).reshape(grid.shape[:2])
     return HeightMap(np.array([xs[0], ys[0]]), cell, heights)
+
+
+def surroundings(
+    world: World,
+    target: str,
+    low: Float[np.ndarray, "2"],
+    high: Float[np.ndarray, "2"],
+    cell: float,
+) -> HeightMap:
+    """Return the height map of every object but ``target``, where they are now."""
+    parts = [
+        part
+        for obj in world.scene.objects
+        if obj.name != target
+        for part in moved(obj.parts, world.position(obj.name), world.rotation(obj.name))
+    ]
+    return height_map(parts, low, high, cell)
 
 
 @dataclass(frozen=True, eq=False)

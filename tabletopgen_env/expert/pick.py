@@ -29,9 +29,10 @@ from generator.geometry import rotation_z
 
 from ..robot import franka
 from ..tasks.goals import RAISED, Goal, Raised, Region
-from .arm import easiest
+from .arm import easiest, wrist_is_free
 from .driver import NEAR, Expert, up
 from .grasps import TIP, Grasp, plan_grasps
+from .heights import surroundings
 from .placing import plan_place
 
 Phase = Literal[
@@ -41,7 +42,9 @@ Phase = Literal[
 
 _HOVER = 0.06
 _LIFT = 0.06
+_AROUND = 0.35  # metres about the object in which the wrist may hit something
 _FINE, _TURNED = (0.0015, 0.005), 0.05
+_CARRY = 0.7  # of the hand's speed while it holds something: round things slip
 _SHORT = 0.012  # metres above the grasp at which fingers that come no lower have failed
 _SLIP = 0.03
 _MOVED = 0.015
@@ -119,7 +122,7 @@ class Picker(Expert):
         return phases[self.phase](late)
 
     def _wait(self, late: bool) -> Float[np.ndarray, "5"]:
-        if late or not self._is_moving():
+        if late or (self._steps > 4 and not self._is_moving()):
             return self._retry(failed=False)
         return self._act(up(0.02), 0.0, 2 * franka.FINGER_STROKE)
 
@@ -184,7 +187,8 @@ class Picker(Expert):
         turned = abs(self._turn_to(self._place.yaw, self._place.tool)) < _TURNED
         if late or (turned and away < 0.008 and self._tool[2] < goal[2] + NEAR):
             return self._enter("lower")
-        return self._go(self._over(goal, self._hanging(), self._target, self._broad), 0.0)
+        over = self._over(goal, self._hanging(), self._target, self._broad)
+        return self._go(over, 0.0, slow=_CARRY)
 
     def _lower(self, late: bool) -> Float[np.ndarray, "5"]:
         if self._has_slipped():
@@ -213,7 +217,11 @@ class Picker(Expert):
         if failed:
             self._failed = (*self._failed, self._plan.grasp)
         self.attempts += 1
+        center = world.position(name)[:2]
+        others = surroundings(world, name, center - _AROUND, center + _AROUND, 0.01)
         for grasp in plan_grasps(world, name, self._failed)[:80]:
+            if not wrist_is_free(world, others, grasp.point[None, :2], grasp.point[2] - TIP):
+                continue
             points = (grasp.point, grasp.point + up(_HOVER))
             yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)
             if yaw is not None:

@@ -16,9 +16,9 @@ from jaxtyping import Float
 from generator.geometry import rotation_z, wrap
 
 from ..tasks.goals import Goal, Into, OnTop, Region
-from .arm import stretch
+from .arm import stretch, wrist_is_free
 from .grasps import TIP
-from .heights import HeightMap, height_map, moved, solid
+from .heights import HeightMap, moved, solid, surroundings
 
 if TYPE_CHECKING:
     from ..world import World
@@ -74,9 +74,12 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     held = _held(world, goal.target, tool)
     hand = _hand(opening, yaw + world.mount.yaw)
     offset = (world.position(goal.target) - tool)[:2]
+    lever = np.zeros(2)
+    if isinstance(goal, OnTop):  # there it has to balance
+        lever = (world.rotation(goal.target) @ world.scene.object(goal.target).com)[:2]
     region = goal.region(world)
     points = _points(goal, region)
-    others = _surroundings(world, goal.target, region, held)
+    others = _room(world, goal.target, region, held)
     base = _base(world, goal, region)
     found: list[tuple[float, float, Float[np.ndarray, "3"], Float[np.ndarray, "2"]]] = []
     for turn in _TURNS:
@@ -86,7 +89,8 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
         free, _ = _rest(others, tools, Underside(hand.at @ spin, hand.low))
         height = np.maximum(rest, free)
         above = rest + float(held.low.min()) - base
-        away = np.linalg.norm((points - region.center[:2]) / region.semi[:2], axis=1)
+        middles = points + lever @ spin - region.center[:2]
+        away = np.linalg.norm(middles / region.semi[:2], axis=1)
         cost = 30.0 * (height - rest) + 20.0 * np.maximum(above, 0.0) + 0.3 * away
         cost += 0.02 * abs(turn)
         if not isinstance(goal, Into):
@@ -96,11 +100,14 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
             found.append((float(cost[k]), float(turn), at, points[k]))
     found.sort(key=lambda place: place[0])
     hanging = -float(held.low.min())
-    chosen = next((f for f in found[:_TRIED] if _reached(world, f[2], yaw + f[1])), found[0])
+    reached = (f for f in found[:_TRIED] if _reached(world, others, f[2], yaw + f[1]))
+    chosen = next(reached, found[0])
     return Place(chosen[2], wrap(yaw + chosen[1]), chosen[3], hanging, region.center)
 
 
-def _reached(world: World, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
+def _reached(world: World, others: HeightMap, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
+    if not wrist_is_free(world, others, tool[None, :2], tool[2] - TIP):
+        return False
     above = tool + np.array([0.0, 0.0, _ABOVE])
     return stretch(world, (tool, above), wrap(yaw)) is not None
 
@@ -124,18 +131,12 @@ def _base(world: World, goal: Goal, region: Region) -> float:
     return world.scene.table.height if goal.spot is None else float(goal.spot[2])
 
 
-def _surroundings(world: World, target: str, region: Region, held: Underside) -> HeightMap:
+def _room(world: World, target: str, region: Region, held: Underside) -> HeightMap:
     from scipy import ndimage
 
-    parts = [
-        part
-        for obj in world.scene.objects
-        if obj.name != target
-        for part in moved(obj.parts, world.position(obj.name), world.rotation(obj.name))
-    ]
     reach = float(region.semi[:2].max() + 2 * np.linalg.norm(held.at, axis=1).max() + 0.15)
     low, high = region.center[:2] - reach, region.center[:2] + reach
-    found = height_map(parts, low, high, _CELL)
+    found = surroundings(world, target, low, high, _CELL)
     # Each surface is taken a cell wider: so much room is left beside it.
     heights = ndimage.maximum_filter(found.heights, 3)
     return HeightMap(found.origin, _CELL, np.maximum(heights, world.scene.table.height))

@@ -28,9 +28,13 @@ Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 
 _THERE = 0.012  # metres from the goal's middle at which a stroke ends
 _ENOUGH = 0.03  # metres from the goal's middle at which no other stroke is begun
-_ASTRAY = 0.6  # radians off the way at which a stroke is begun anew
+_ASIDE = 0.03  # metres off the way at which a stroke is begun anew
+_FURTHER = 0.07  # metres by which a stroke may be longer than the way
 _FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres a step: flat things, tall ones, at the end
 _TALL = 0.04  # metres from the tool in a stroke down to the table
+_NEAR = 0.025 * np.column_stack(
+    [np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)]
+)
 _PATIENCE: dict[Phase, int] = {
     "approach": 60, "descend": 20, "stroke": 50, "back": 5, "retreat": 1000, "stuck": 30
 }  # fmt: skip
@@ -100,11 +104,12 @@ class Pusher(Expert):
         left = float(np.linalg.norm(way))
         ahead = way / max(left, 1e-9)
         to_mass = (mass_center(self._env.world, self._goal.target) - self._tool)[:2]
-        off = np.arccos(np.clip(ahead @ to_mass / max(np.linalg.norm(to_mass), 1e-9), -1, 1))
-        if late or left < _THERE or ahead @ self._stroke.ahead < 0.3 or off > _ASTRAY:
+        side = to_mass - ahead * (ahead @ to_mass)
+        gone = float((self._tool - self._stroke.start)[:2] @ self._stroke.ahead)
+        astray = np.linalg.norm(side) > _ASIDE or gone > self._length
+        if late or left < _THERE or ahead @ self._stroke.ahead < 0.3 or astray:
             return self._enter("back")
         # What is pushed turns away from the line: the hand keeps to its far side.
-        side = to_mass - ahead * (ahead @ to_mass)
         speed = float(np.clip(0.25 * left, _SLOW, self._fast))
         speed *= float(np.clip(1.3 - np.linalg.norm(side) / 0.02, 0.3, 1.0))
         rise = self._stroke.start[2] - self._tool[2]
@@ -114,12 +119,12 @@ class Pusher(Expert):
     def _back(self, late: bool) -> Float[np.ndarray, "5"]:
         if not late:
             return self._act(np.array([*(-0.03 * self._stroke.ahead), 0.06]), 0.0, 0.0)
-        if np.linalg.norm(self._way) < _ENOUGH:
+        if self._is_there():
             return self._enter("retreat")
         return self._begin()
 
     def _retreat(self, late: bool) -> Float[np.ndarray, "5"]:
-        if self._steps > 10 and np.linalg.norm(self._way) > _ENOUGH:
+        if self._steps > 10 and not self._is_there():
             return self._begin()
         rise = self._stroke.start[2] + 0.15 - self._tool[2]
         return self._act(up(max(rise, 0.0)), 0.0, 0.0)
@@ -130,16 +135,26 @@ class Pusher(Expert):
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self) -> Float[np.ndarray, "5"]:
-        """Choose the next stroke, a bold one if there is no free one, and begin it."""
+        """Choose the next stroke, a bold one or to beside the spot if there is no other."""
         world, name, spot = self._env.world, self._goal.target, self._goal.spot[:2]
-        found = plan_stroke(world, name, spot)
-        if found is None and self.attempts > 0:
-            found = plan_stroke(world, name, spot, bold=True)
+        aims = [(spot, False)]
+        if self.attempts > 0:
+            aims += [(spot, True), *((spot + near, True) for near in _NEAR)]
+        found = None
+        for self._aim, bold in aims:
+            found = plan_stroke(world, name, self._aim, bold=bold)
+            if found is not None:
+                break
         self.attempts += 1
         if found is None:
             return self._enter("stuck")
         self._stroke = found
+        self._length = float(np.linalg.norm(self._way)) + _FURTHER
         return self._enter("approach")
+
+    def _is_there(self) -> bool:
+        away = self._goal.spot - self._env.world.position(self._goal.target)
+        return bool(np.linalg.norm(away[:2]) < _ENOUGH)
 
     @property
     def _fast(self) -> float:
@@ -149,7 +164,7 @@ class Pusher(Expert):
 
     @property
     def _way(self) -> Float[np.ndarray, "2"]:
-        return (self._goal.spot - self._env.world.position(self._goal.target))[:2]
+        return self._aim - self._env.world.position(self._goal.target)[:2]
 
     def _to(self, point: Float[np.ndarray, "3"], slow: float = 1.0) -> Float[np.ndarray, "5"]:
         turn = self._turn_to(self._stroke.yaw, self._stroke.start)

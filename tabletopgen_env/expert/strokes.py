@@ -17,7 +17,7 @@ from generator.scene import ConvexPart
 
 from .arm import stretch, wrist_is_free
 from .grasps import TIP
-from .heights import HeightMap, height_map, moved
+from .heights import HeightMap, height_map, moved, surroundings
 
 if TYPE_CHECKING:
     from ..world import World
@@ -52,16 +52,10 @@ class Stroke:
     yaw: float
 
 
-def surroundings(world: World, target: str) -> HeightMap:
+def beside(world: World, target: str) -> HeightMap:
     """Return the height map of everything but the target, as far as a stroke may lead."""
-    parts = [
-        part
-        for obj in world.scene.objects
-        if obj.name != target
-        for part in moved(obj.parts, world.position(obj.name), world.rotation(obj.name))
-    ]
     center = world.position(target)[:2]
-    return height_map(parts, center - _REACH, center + _REACH, _CELL)
+    return surroundings(world, target, center - _REACH, center + _REACH, _CELL)
 
 
 def mass_center(world: World, target: str) -> Float[np.ndarray, "3"]:
@@ -82,7 +76,7 @@ def plan_stroke(
         world: the world; live poses count.
         target: an object's name.
         spot: where its centre is to go (x, y, world).
-        others: its ``surroundings``, if known.
+        others: what is ``beside`` it, if known.
         bold: whether the hand may brush what stands beside the way.
     """
     way = spot - world.position(target)[:2]
@@ -91,7 +85,7 @@ def plan_stroke(
     bearing = float(np.arctan2(ahead[1], ahead[0]))
     parts = moved(world.scene.object(target).parts, world.position(target), world.rotation(target))
     com = mass_center(world, target)[:2]
-    others = others or surroundings(world, target)
+    others = others or beside(world, target)
     best: tuple[float, Stroke] | None = None
     for k, turn in enumerate(_TURNS):
         if best is not None and k > 1:

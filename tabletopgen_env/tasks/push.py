@@ -18,7 +18,7 @@ from generator.geometry import inside_margin
 from generator.scene import Object
 
 from ..affordance import grasp_width, resting_height
-from ..expert.strokes import plan_stroke, surroundings
+from ..expert.strokes import beside, plan_stroke
 from ..language import refer
 from .goals import SPOT, Pushed
 from .sampling import Reasons, blocked, drawn, given_point, on_table, rest_height
@@ -95,7 +95,7 @@ def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarra
     outline = world.footprints[obj.name]
     radius = float(np.linalg.norm(outline - begin, axis=1).max())
     table = world.scene.table
-    others = surroundings(world, obj.name)
+    others = beside(world, obj.name)
     plans = 0
     for _ in range(_TRIES):
         angle, way = rng.uniform(0, 2 * np.pi), rng.uniform(*WAY)
@@ -105,8 +105,8 @@ def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarra
             continue
         if (inside_margin(line[1:], table.outline) < min(radius, 0.1)).any():
             continue
-        beside = (world.footprints[o] for o in world.names if o != obj.name)
-        if any((inside_margin(line, other) > -(radius + 0.01)).any() for other in beside):
+        outlines = (world.footprints[o] for o in world.names if o != obj.name)
+        if any((inside_margin(line, other) > -(radius + 0.01)).any() for other in outlines):
             continue
         if plan_stroke(world, obj.name, line[-1], others) is not None:
             return line[-1]
