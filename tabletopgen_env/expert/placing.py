@@ -15,7 +15,7 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_z, wrap
 
-from ..tasks.goals import Goal, Into, OnTop, Region
+from ..tasks.goals import INSIDE, Goal, Into, OnTop, Region
 from .arm import stretch, wrist_is_free
 from .grasps import TIP
 from .heights import HeightMap, moved, solid, surroundings
@@ -91,9 +91,11 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
         above = rest + float(held.low.min()) - base
         middles = points + lever @ spin - region.center[:2]
         away = np.linalg.norm(middles / region.semi[:2], axis=1)
-        cost = 30.0 * (height - rest) + 20.0 * np.maximum(above, 0.0) + 0.3 * away
+        cost = 15.0 * (height - rest) + 25.0 * np.maximum(above, 0.0) + 0.3 * away
         cost += 0.02 * abs(turn)
-        if not isinstance(goal, Into):
+        if isinstance(goal, Into):
+            cost += 10.0 * (above > goal.opening.depth - INSIDE)
+        else:
             cost += 100.0 * (above > _LEVEL) + 1.0 * (1.0 - support)
         for k in np.argsort(cost)[:3]:
             at = np.array([*tools[k], height[k] + RELEASE])
