@@ -1,81 +1,264 @@
-"""The scripted expert over scenes: success by scene, steps, and what failed.
+"""The scripted expert over scenes and tasks: success, with what failed by phase and by category.
 
-python benchmarks/expert.py --episodes 100 --scenes starter
+    python benchmarks/expert.py --scenes composed --count 40 --workers 2
+    python benchmarks/expert.py --scenes composed --held-out --task Push --task Stack
+    python benchmarks/expert.py --scenes starter --episodes 24
+
+An episode is a success once ``info["success"]`` has held for ``HOLD`` steps within the time limit
+of the task's id. ``--scenes composed`` composes scenes from the texts of ``texts.json`` and
+``table78.json``: every second text with seeds from 0 to develop with, the others with seeds from
+``HELD_OUT`` for ``--held-out``. The presets of Sequence (``Sequence:kitchen``) are measured on
+composed tables of their own sentence. Scenes that offer nothing to do have a row without a
+success. Rows go to ``expert_<which>.csv`` as they come (a second run resumes), the summary to the
+``.md`` beside it.
 """
 
 from __future__ import annotations
 
 import argparse
-import datetime
-import os
-import platform
-import sys
-from collections import defaultdict
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from functools import partial
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import gymnasium as gym
-import numpy as np
+from posing import tables
+from posing.tables import Row
 
-from generator.errors import SceneError
+import assets_cache
+from generator.bundle import load
+from generator.compose import compose
+from generator.errors import SceneError, TabletopError
+from generator.scene import Scene
 from tabletopgen_env.expert.run import TaskExpert
+from tabletopgen_env.tasks import NAMES
 
 HERE = Path(__file__).parent
+KEY = ("task", "scene", "seed", "episode")
+FIELDS = (
+    *KEY, "rows", "success", "steps", "attempts", "phase", "goals", "target", "category", "goal",
+    "instruction", "phases", "error",
+)  # fmt: skip
+HOLD = 10
+"""Steps for which a success has to hold."""
+
+HELD_OUT = 1000
+"""First seed of the scenes that nothing was developed on."""
+
+PRESETS = {
+    "Sequence:kitchen": "A wooden kitchen table with a large bowl, a wide cutting board, a small "
+    "cucumber, a carrot and a salt shaker",
+    "Sequence:coffee_table": "A round coffee table with a cup, an apple and a book",
+}
+"""What tables the presets are measured on."""
+
+TASKS = (*NAMES, *PRESETS)
 
 
-def episode(env: gym.Env, seed: int, hold: int = 10) -> tuple[bool, int, str, str]:
-    """Run one episode; return success (held for ``hold`` steps), steps, scene and instruction."""
-    _, info = env.reset(seed=seed)
-    scene, instruction = info["scene"], info["instruction"]
-    expert = TaskExpert(env)
+class Job(NamedTuple):
+    """Episodes of one task at one table; ``text`` is a text to compose or a bundle's path."""
+
+    task: str
+    text: str
+    seed: int
+    episodes: int
+
+
+def work(job: Job, composed: bool) -> list[Row]:
+    """Run the episodes of a job; what cannot be run is a row too."""
+    base: Row = dict.fromkeys(FIELDS, "")
+    base |= {"task": job.task, "scene": _name(job.text), "seed": job.seed}
+    rows: list[Row] = []
     try:
-        expert.reset()
-    except SceneError:
-        return False, 0, scene, instruction
+        scene = compose(job.text, job.seed) if composed else load(Path(job.text))
+        env = made(scene, job.task)
+        try:
+            rows.extend(
+                base | {"episode": number} | episode(env, _seed(job, number), scene)
+                for number in range(job.episodes)
+            )
+        finally:
+            env.close()
+    except TabletopError as error:
+        rows = [base | {"episode": 0, "error": tables.failure(error)}]
+    return [row | {"rows": len(rows)} for row in rows]
+
+
+def made(scene: Scene, task: str) -> gym.Env:
+    """Return the environment of a task's id at one table."""
+    name, _, preset = task.partition(":")
+    more: dict[str, Any] = {"preset": preset} if preset else {}
+    return gym.make(f"tabletopgen_env:TabletopGen/{name}-v0", scenes=scene, **more)
+
+
+def episode(env: gym.Env, seed: int, scene: Scene) -> Row:
+    """Run one episode and return what it came to."""
+    _, info = env.reset(seed=seed)
+    expert = TaskExpert(env)
     held = steps = 0
     truncated = False
-    while held < hold and not truncated:
-        _, _, _, truncated, info = env.step(expert.act())
+    phases: list[list[str | int]] = []
+    error = ""
+    try:
+        expert.reset()
+    except SceneError as failed:
+        truncated, error = True, tables.failure(failed)
+    while held < HOLD and not truncated:
+        action = expert.act()
+        if not phases or phases[-1][0] != expert.phase:
+            phases.append([expert.phase, 0])
+        phases[-1][1] = int(phases[-1][1]) + 1
+        _, _, _, truncated, info = env.step(action)
         held = held + 1 if info["success"] else 0
         steps += 1
-    return held >= hold, steps, scene, instruction
+    target = info["target"]
+    return {
+        "success": int(held >= HOLD),
+        "steps": steps,
+        "attempts": expert.attempts if not error else "",
+        "phase": expert.phase,
+        "goals": "/".join(map(str, info["goals"])),
+        "target": target or "",
+        "category": scene.object(target).model.category if target else "",
+        "goal": info["goal"],
+        "instruction": info["instruction"],
+        "phases": " ".join(f"{name}{count}" for name, count in phases)[-400:],
+        "error": error,
+    }
+
+
+def _seed(job: Job, number: int) -> int:
+    return 1000 * job.seed + number
+
+
+def _name(text: str) -> str:
+    return Path(text).name if Path(text).is_absolute() else text
+
+
+def jobs(args: argparse.Namespace) -> Iterator[Job]:
+    """Yield what is asked for."""
+    tasks = args.task or TASKS
+    if args.scenes != "composed":
+        for path in assets_cache.find(args.scenes):
+            for task in tasks:
+                if task not in PRESETS or args.task:
+                    yield Job(task, str(path.resolve()), 0, args.episodes)
+        return
+    for task in tasks:
+        for text, seed in composed_scenes(task, args.count, args.held_out):
+            yield Job(task, text, seed, args.episodes)
+
+
+def composed_scenes(task: str, count: int, held_out: bool) -> list[tuple[str, int]]:
+    """Return the texts and seeds of ``count`` scenes of a task, to develop with or held out."""
+    first = HELD_OUT if held_out else 0
+    if task in PRESETS:
+        return [(PRESETS[task], first + k) for k in range(count)]
+    texts = [t for name in ("texts.json", "table78.json") for t in tables.texts_in(HERE / name)]
+    texts = texts[int(held_out) :: 2]
+    # A stride coprime to their number visits the themes in turn.
+    stride = next(s for s in (19, 17, 13, 1) if len(texts) % s)
+    return [(texts[k * stride % len(texts)], first + k // len(texts)) for k in range(count)]
+
+
+# ------------------------------------------------------------------------------------- reporting
+
+
+def say(rows: list[Row]) -> str:
+    run = [r for r in rows if r["success"] != ""]
+    solved = sum(int(r["success"]) for r in run)
+    told = f"{solved} of {len(run)}" if run else "nothing to do"
+    return f"{rows[0]['task']} at {rows[0]['scene'][:40]!r} seed {rows[0]['seed']}: {told}"
+
+
+def wilson(solved: int, count: int, z: float = 1.96) -> tuple[float, float]:
+    """Return Wilson's 95 % interval of a share."""
+    if not count:
+        return 0.0, 1.0
+    share, weight = solved / count, z * z / count
+    middle = (share + weight / 2) / (1 + weight)
+    half = z * (share * (1 - share) / count + weight / (4 * count)) ** 0.5 / (1 + weight)
+    return middle - half, middle + half
+
+
+def summary(rows: Sequence[Row], command: str) -> str:
+    """Return the table as Markdown."""
+    run = [r for r in rows if str(r["success"]) != ""]
+    solved = sum(int(r["success"]) for r in run)
+    lines = [
+        f"# Expert: {solved} of {len(run)} episodes",
+        f"`{command}`, {tables.where()}",
+        "",
+        f"Solved: success held for {HOLD} steps within the task's time limit. Feasible: scenes "
+        "that offer something to do. Interval: Wilson, 95 %.",
+        "",
+        "| task | solved | share | interval | median steps | feasible scenes |",
+        "|---|---|---|---|---|---|",
+        *(_line(task, [r for r in rows if r["task"] == task]) for task in TASKS
+          if any(r["task"] == task for r in rows)),
+        "",
+    ]  # fmt: skip
+    failed = [r for r in run if not int(r["success"])]
+    for field in ("phase", "category"):
+        lines += [f"| task | failed in {field} |", "|---|---|"] if failed else []
+        for task in TASKS:
+            counts = Counter(r[field] or "-" for r in failed if r["task"] == task)
+            of = Counter(r[field] or "-" for r in run if r["task"] == task)
+            told = (f"{n} {k}" + (f" of {of[n]}" if field == "category" else "")
+                    for n, k in counts.most_common())  # fmt: skip
+            if counts:
+                lines.append(f"| {task} | {', '.join(told)} |")
+        lines.append("")
+    lines += [f"- {_failure(r)}" for r in failed]
+    return "\n".join([*lines, ""])
+
+
+def _line(task: str, rows: Sequence[Row]) -> str:
+    run = [r for r in rows if str(r["success"]) != ""]
+    solved = [r for r in run if int(r["success"])]
+    low, high = wilson(len(solved), len(run))
+    steps = sorted(int(r["steps"]) for r in solved)
+    tables_, feasible = ({(r["scene"], r["seed"]) for r in some} for some in (rows, run))
+    share = f"{100 * len(solved) / max(len(run), 1):.1f} %"
+    middle = steps[len(steps) // 2] if steps else "-"
+    return (
+        f"| {task} | {len(solved)} of {len(run)} | {share} | {100 * low:.0f} to {100 * high:.0f} % "
+        f"| {middle} | {len(feasible)} of {len(tables_)} |"
+    )
+
+
+def _failure(row: Row) -> str:
+    where = f"{row['task']}, {row['scene'][:60]!r} seed {row['seed']}, episode {row['episode']}"
+    return f"{where}: {row['instruction']}: {row['error'] or row['phases'][-100:]}"
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--episodes", type=int, default=100)
-    parser.add_argument("--scenes", default="starter")
-    parser.add_argument("--first-seed", type=int, default=0)
-    parser.add_argument("--out", type=Path, default=HERE / "results" / "expert.md")
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    parser.add_argument("--task", action="append", choices=TASKS, help="one task; may be repeated")
+    parser.add_argument("--scenes", default="composed", help="'composed', or bundles as a glob")
+    parser.add_argument("--count", type=int, default=30, help="how many scenes to compose")
+    parser.add_argument("--held-out", action="store_true", help="scenes not developed on")
+    parser.add_argument("--episodes", type=int, default=7, help="of each task at each table")
+    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--name", help="name of the table; made of the scenes otherwise")
+    parser.add_argument("--out", type=Path, default=HERE / "results")
     args = parser.parse_args()
-
-    env = gym.make("tabletopgen_env:TabletopGen/PickPlace-v0", scenes=args.scenes)
-    by_scene: dict[str, list[bool]] = defaultdict(list)
-    lengths, failed = [], []
-    for seed in range(args.first_seed, args.first_seed + args.episodes):
-        success, steps, scene, instruction = episode(env, seed)
-        by_scene[scene].append(success)
-        if success:
-            lengths.append(steps)
-        else:
-            failed.append(f"seed {seed}, {scene}: {instruction}")
-    env.close()
-    solved = sum(map(sum, by_scene.values()))
-    command = "python benchmarks/" + " ".join([Path(sys.argv[0]).name, *sys.argv[1:]])
-    lines = [
-        f"# Expert: {solved} of {args.episodes} episodes",
-        f"`{command}`, {platform.machine()}, {os.cpu_count()} cores, {datetime.date.today()}",
-        "",
-        f"Median length of a solved episode: {np.median(lengths):.0f} steps of 50 ms.",
-        "",
-        "| scene | solved | episodes |",
-        "|---|---|---|",
-        *(f"| {name} | {sum(runs)} | {len(runs)} |" for name, runs in sorted(by_scene.items())),
-        "",
-        *(["Not solved:", *(f"- {line}" for line in failed), ""] if failed else []),
-    ]
-    args.out.parent.mkdir(parents=True, exist_ok=True)
-    args.out.write_text("\n".join(lines))
-    print("\n".join(lines))
+    composed = args.scenes == "composed"
+    which = "held_out" if args.held_out else "composed" if composed else Path(args.scenes).name
+    args.out.mkdir(parents=True, exist_ok=True)
+    path = args.out / f"expert_{args.name or which.replace('*', '').strip('-_') or 'scenes'}.csv"
+    rows = tables.resume(path, FIELDS, KEY[:3], of="rows")
+    asked = {(j.task, _name(j.text), j.seed): j for j in jobs(args)}
+    rows = [r for r in rows if (r["task"], r["scene"], int(r["seed"])) in asked]
+    done = {(r["task"], r["scene"], int(r["seed"])) for r in rows}
+    rows = tables.run(
+        path, FIELDS, KEY, rows, [j for k, j in asked.items() if k not in done],
+        partial(work, composed=composed), args.workers, say,
+    )  # fmt: skip
+    text = summary(rows, tables.command_line("--workers", "--out", "--name"))
+    path.with_suffix(".md").write_text(text, encoding="utf-8")
+    print(text)
 
 
 if __name__ == "__main__":

@@ -36,6 +36,9 @@ MOST_BYTES = 256 * 2**20
 
 MOST_FILES = 4096
 
+BESIDE = frozenset({"certificate.json"})
+"""Files that may lie in a bundle's folder without being listed."""
+
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
 _FOLDER = re.compile(r".*-([0-9a-f]{12})")
 _PICTURE = re.compile(r"[a-z][a-z0-9_]*")
@@ -158,7 +161,8 @@ def verify(path: str | Path) -> list[str]:
         return [str(error)]
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
     return [
-        f"{folder} holds {name}, which scene.json does not list" for name in sorted(found - listed)
+        f"{folder} holds {name}, which scene.json does not list"
+        for name in sorted(found - listed - BESIDE)
     ]
 
 

@@ -13,10 +13,10 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.errors import InputError
-from generator.geometry import wrap
 
 from ..actions import EE_STEP, EE_TURN, Servos
 from ..robot import franka
+from .arm import around, turn_left
 from .path import clear_height
 
 if TYPE_CHECKING:
@@ -66,30 +66,40 @@ class Expert(ABC):
         return world.data.site_xpos[world.tcp].copy()
 
     @property
+    def _yaw(self) -> float:
+        """The hand's yaw in the base frame, radians."""
+        world = self._env.world
+        axis = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)[:, 0]
+        return float(np.arctan2(axis[1], axis[0]))
+
+    @property
     def _gap(self) -> float:
         world = self._env.world
         return float(world.data.qpos[world.finger_qpos].sum())
 
-    def _turn_to(self, yaw: float) -> float:
-        """Return how far the hand has to turn to ``yaw`` (base frame), radians."""
-        world = self._env.world
-        axis = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)[:, 0]
-        return wrap(yaw - float(np.arctan2(axis[1], axis[0])))
+    def _turn_to(self, yaw: float, at: Float[np.ndarray, "3"]) -> float:
+        """Return how far the hand has to turn to be at ``yaw`` (base frame) there, radians."""
+        return turn_left(self._env.world, yaw, at)
 
     def _over(
-        self, point: Float[np.ndarray, "3"], depth: float, but: str | None
+        self, point: Float[np.ndarray, "3"], depth: float, but: str | None, broad: float = 0.0
     ) -> Float[np.ndarray, "3"]:
         """Return where to go now on the way to ``point``, over whatever is between.
 
-        ``depth`` is how far below the tool something reaches; ``but`` is not in the way.
+        ``depth`` is how far below the tool something reaches; ``but`` is not in the way and
+        what is held reaches ``broad`` aside.
         """
-        tool = self._tool
-        high = max(clear_height(self._env.world, but, tool, point) + depth, float(point[2]))
+        tool, world = self._tool, self._env.world
         if np.linalg.norm((point - tool)[:2]) < NEAR:
             return point
+        aim = np.array([*around(world, tool, point), point[2]])
+        high = clear_height(world, but, tool, aim, broad)
+        if not np.array_equal(aim, point):
+            high = max(high, clear_height(world, but, aim, point, broad))
+        high = max(high + depth, float(point[2]))
         if tool[2] < high - 0.02:
             return np.array([*tool[:2], high + 0.02])
-        return np.array([*point[:2], high])
+        return np.array([*aim[:2], high])
 
     def _act(
         self, move: Float[np.ndarray, "3"], turn: float, opening: float, slow: float = 1.0

@@ -16,7 +16,7 @@ import numpy as np
 from jaxtyping import Bool, Float
 
 from ..robot import franka
-from .heights import HeightMap, Solid, height_map, moved, solid
+from .heights import HeightMap, Solid, moved, solid, surroundings
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -35,7 +35,8 @@ _FINGER_HALF = 0.0105
 _PAD_DEPTH, _PAD_HEIGHT = 0.0125, 0.0188
 _SHAFT = (0.007, 0.0265)
 _PALM_U, _PALM_V, _PALM_Z = 0.112, 0.042, 0.042
-_DEPTHS = (0.041, 0.036, 0.03, 0.022, 0.015, 0.011)
+_PALM_REACH = 0.13
+_DEPTHS = (0.041, 0.036, 0.03, 0.026, 0.022, 0.0185, 0.015, 0.011)
 _LEAST_HOLD = 0.008
 _MARGIN = 0.011
 _ABOVE_TABLE = 0.003
@@ -84,25 +85,12 @@ def _candidates(world: World, target: str) -> Iterator[Grasp]:
     shape = solid(own, _STEP_U, _RISE)
     low = shape.origin
     high = low + np.array(shape.filled.shape[:2]) * shape.cell
-    others = _surroundings(world, target, low, high)
+    others = surroundings(world, target, low - _PALM_REACH, high + _PALM_REACH, _STEP_V)
     com = position + rotation @ world.scene.object(target).com
     floor = world.scene.table.height
     facing = np.arctan2(rotation[1, 0], rotation[0, 0])
     for angle in facing + np.arange(_TURNS) * np.pi / _TURNS:
         yield from _along(shape, others, com, float(angle), floor)
-
-
-def _surroundings(
-    world: World, target: str, low: Float[np.ndarray, "2"], high: Float[np.ndarray, "2"]
-) -> HeightMap:
-    """Return the height map of everything but the target, as far as the palm can reach."""
-    parts = [
-        part
-        for obj in world.scene.objects
-        if obj.name != target
-        for part in moved(obj.parts, world.position(obj.name), world.rotation(obj.name))
-    ]
-    return height_map(parts, low - 0.13, high + 0.13, _STEP_V)
 
 
 def _demoted(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
@@ -148,7 +136,7 @@ def _along(
             point = np.array([*(middle + center * across + v[row] * along), tip + TIP])
             away = float(np.linalg.norm(point[:2] - com[:2]))
             score = quality - 12.0 * away + 40.0 * min(room - width, 0.02)
-            yield Grasp(point, angle, room, float(width), score)
+            yield Grasp(point, angle, room, float(width), float(score))
 
 
 def _runs(

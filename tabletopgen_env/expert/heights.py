@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Bool, Float
@@ -11,6 +12,9 @@ from jaxtyping import Bool, Float
 from generator.scene import ConvexPart
 
 from ..affordance import part_span, top_surface
+
+if TYPE_CHECKING:
+    from ..world import World
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +65,23 @@ def height_map(
     return HeightMap(np.array([xs[0], ys[0]]), cell, heights)
 
 
+def surroundings(
+    world: World,
+    target: str,
+    low: Float[np.ndarray, "2"],
+    high: Float[np.ndarray, "2"],
+    cell: float,
+) -> HeightMap:
+    """Return the height map of every object but ``target``, where they are now."""
+    parts = [
+        part
+        for obj in world.scene.objects
+        if obj.name != target
+        for part in moved(obj.parts, world.position(obj.name), world.rotation(obj.name))
+    ]
+    return height_map(parts, low, high, cell)
+
+
 @dataclass(frozen=True, eq=False)
 class Solid:
     """An object as voxels, world frame.
@@ -86,12 +107,15 @@ class Solid:
 def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> Solid:
     """Return world-frame ``parts`` as voxels of ``cell`` by ``cell`` by ``rise`` metres."""
     bounds = np.stack([part.bounds for part in parts])
-    low, high = bounds[:, 0].min(0), bounds[:, 1].max(0)
-    xs, ys = (np.arange(low[k] - cell, high[k] + 2 * cell, cell) for k in (0, 1))
-    levels = np.arange(low[2] + rise / 2, high[2], rise)
+    first, last = bounds[:, 0].min(0), bounds[:, 1].max(0)
+    xs, ys = (np.arange(first[k] - cell, last[k] + 2 * cell, cell) for k in (0, 1))
+    levels = np.arange(first[2] + rise / 2, last[2], rise)
     points = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1).reshape(-1, 2)
     filled = np.zeros((len(points), len(levels)), bool)
     for part in parts:
         hit, ground, ceiling = part_span(part, points)
-        filled[hit] |= (levels >= ground[:, None]) & (levels <= ceiling[:, None])
+        # What is thinner than a voxel fills the one in whose middle it lies.
+        spare = np.maximum(rise - (ceiling - ground), 0.0)[:, None] / 2
+        low, high = ground[:, None] - spare, ceiling[:, None] + spare
+        filled[hit] |= (levels >= low) & (levels <= high)
     return Solid(np.array([xs[0], ys[0]]), cell, levels, filled.reshape(len(xs), len(ys), -1))

@@ -1,6 +1,7 @@
 """Picking up and putting down, planned from what is seen now; a phase ends when its aim is met.
 
 =========  =====================================================================================
+wait       let go and rise, until the object lies still
 approach   rise over what is in the way, go above the grasp, turn the hand
 descend    straight down with the fingers opened as far as there is room
 close      until the fingers stand still
@@ -18,36 +19,41 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import numpy as np
 from jaxtyping import Float
 
 from generator.errors import SceneError
-from generator.geometry import rotation_z, wrap
+from generator.geometry import rotation_z
 
 from ..robot import franka
-from ..robot.kinematics import HOME, LOWER, UPPER, solve_ik
-from ..tasks.goals import RAISED, Goal, Into, OnTop, Raised, Region
+from ..tasks.goals import RAISED, Goal, Raised, Region
+from .arm import easiest, wrist_is_free
 from .driver import NEAR, Expert, up
 from .grasps import TIP, Grasp, plan_grasps
-
-if TYPE_CHECKING:
-    from ..world import World
+from .heights import surroundings
+from .placing import plan_place
 
 Phase = Literal[
-    "approach", "descend", "close", "lift", "hold", "carry", "lower", "release", "retreat", "stuck"
-]
+    "wait", "approach", "descend", "close", "lift", "hold", "carry", "lower", "release", "retreat",
+    "stuck",
+]  # fmt: skip
 
 _HOVER = 0.06
 _LIFT = 0.06
-_FINE, _TURNED = 0.005, 0.05
+_AROUND = 0.35  # metres about the object in which the wrist may hit something
+_FINE, _TURNED = (0.0015, 0.005), 0.05
+_CARRY = 0.7  # of the hand's speed while it holds something: round things slip
+_SHORT = 0.012  # metres above the grasp at which fingers that come no lower have failed
 _SLIP = 0.03
 _MOVED = 0.015
+_MOVING = 0.05  # metres a second
+_LET_GO = 0.024  # metres by which the fingers open wider than what they held
 _RISE = 0.15  # metres by which the hand retreats
 _PATIENCE: dict[Phase, int] = {
-    "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80, "lower": 45,
-    "release": 8, "retreat": 60, "stuck": 60,
+    "wait": 20, "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80,
+    "lower": 45, "release": 8, "retreat": 60, "stuck": 60,
 }  # fmt: skip
 
 
@@ -101,6 +107,7 @@ class Picker(Expert):
         self._steps += 1
         late = self._steps > _PATIENCE[self.phase]
         phases: dict[Phase, Callable[[bool], Float[np.ndarray, "5"]]] = {
+            "wait": self._wait,
             "approach": self._approach,
             "descend": self._descend,
             "close": self._close,
@@ -114,12 +121,21 @@ class Picker(Expert):
         }
         return phases[self.phase](late)
 
+    def _wait(self, late: bool) -> Float[np.ndarray, "5"]:
+        if late or (self._steps > 4 and not self._is_moving()):
+            return self._retry(failed=False)
+        return self._act(up(0.02), 0.0, 2 * franka.FINGER_STROKE)
+
     def _approach(self, late: bool) -> Float[np.ndarray, "5"]:
+        if self._is_moving():
+            return self._enter("wait")
         if late or self._has_moved():
             return self._retry(failed=late)
         grasp = self._plan.grasp
         above = grasp.point + up(_HOVER)
-        near = np.linalg.norm((self._tool - above)[:2]) < _FINE
+        spare = (grasp.opening - grasp.width) / 2
+        fine = float(np.clip(spare - 0.002, *_FINE))
+        near = np.linalg.norm((self._tool - above)[:2]) < fine
         if near and abs(self._turn_left()) < _TURNED and self._tool[2] < above[2] + NEAR:
             return self._enter("descend")
         return self._travel(above, grasp.opening, depth=TIP)
@@ -128,8 +144,10 @@ class Picker(Expert):
         grasp = self._plan.grasp
         if self._has_moved():
             return self._retry(failed=False)
-        low = self._tool[2] - grasp.point[2] < 0.004
-        if low or late:
+        above = self._tool[2] - grasp.point[2]
+        if late and above > _SHORT:
+            return self._retry()
+        if late or above < 0.004:
             return self._enter("close")
         return self._go(grasp.point, grasp.opening, slow=0.7)
 
@@ -138,7 +156,7 @@ class Picker(Expert):
         still = abs(gap - self._last_gap) < 2e-4 and self._steps > 4
         self._last_gap = gap
         if still or late:
-            self._held = self._object - self._tool
+            self._held = self._in_hand()
             return self._enter("lift")
         return self._go(self._plan.grasp.point, 0.0)
 
@@ -148,7 +166,12 @@ class Picker(Expert):
         if self._has_slipped():
             return self._retry()
         if self._tool[2] > target[2] - NEAR or late:
-            return self._enter("hold" if raised else "carry")
+            if raised:
+                return self._enter("hold")
+            opening = self._release_opening
+            self._place = plan_place(self._env.world, self._goal, self._yaw, opening)
+            self._shift = np.zeros(3)
+            return self._enter("carry")
         return self._go(target, 0.0, slow=0.7)
 
     def _hold(self, late: bool) -> Float[np.ndarray, "5"]:
@@ -161,9 +184,11 @@ class Picker(Expert):
             return self._retry()
         goal = self._drop() + up(0.04)
         away = float(np.linalg.norm((self._tool - goal)[:2]))
-        if late or (away < 0.008 and self._tool[2] < goal[2] + NEAR):
+        turned = abs(self._turn_to(self._place.yaw, self._place.tool)) < _TURNED
+        if late or (turned and away < 0.008 and self._tool[2] < goal[2] + NEAR):
             return self._enter("lower")
-        return self._travel(goal, 0.0, depth=self._hanging())
+        over = self._over(goal, self._hanging(), self._target, self._broad)
+        return self._go(over, 0.0, slow=_CARRY)
 
     def _lower(self, late: bool) -> Float[np.ndarray, "5"]:
         if self._has_slipped():
@@ -174,15 +199,15 @@ class Picker(Expert):
         return self._go(goal, 0.0, slow=0.4)
 
     def _release(self, late: bool) -> Float[np.ndarray, "5"]:
-        if late or (self._gap > self._plan.grasp.opening - 0.004):
+        if late or (self._gap > self._release_opening - 0.004):
             return self._enter("retreat")
-        return self._act(np.zeros(3), 0.0, self._plan.grasp.opening)
+        return self._act(np.zeros(3), 0.0, self._release_opening)
 
     def _retreat(self, late: bool) -> Float[np.ndarray, "5"]:
-        if late or (self._steps > 25 and self._missed()):
+        if late or (self._steps > 18 and self._missed()):
             return self._retry()
         rise = self._placed[2] + _RISE - self._tool[2]
-        return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, self._plan.grasp.opening)
+        return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, self._release_opening)
 
     # ---------------------------------------------------------------------------------- planning
 
@@ -192,34 +217,19 @@ class Picker(Expert):
         if failed:
             self._failed = (*self._failed, self._plan.grasp)
         self.attempts += 1
+        center = world.position(name)[:2]
+        others = surroundings(world, name, center - _AROUND, center + _AROUND, 0.01)
         for grasp in plan_grasps(world, name, self._failed)[:80]:
-            yaw = self._reachable_yaw(grasp)
+            if not wrist_is_free(world, others, grasp.point[None, :2], grasp.point[2] - TIP):
+                continue
+            points = (grasp.point, grasp.point + up(_HOVER))
+            yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)
             if yaw is not None:
                 self._plan = Plan(grasp, yaw, world.position(name))
                 self._enter("approach")
                 return True
         self.phase, self._steps = "stuck", 0
         return False
-
-    def _reachable_yaw(self, grasp: Grasp) -> float | None:
-        """Return the hand's yaw (base frame) that reaches the grasp most comfortably, if any."""
-        world = self._env.world
-        angle = grasp.angle - world.mount.yaw + np.pi / 2
-        best: tuple[float, float] | None = None
-        for yaw in (wrap(angle), wrap(angle + np.pi)):
-            c, s = np.cos(yaw), np.sin(yaw)
-            down = np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])
-            stretch = 0.0
-            for height in (0.0, _HOVER):
-                found = solve_ik(world.to_base(grasp.point + up(height)), down, iterations=40)
-                inside = np.minimum(found.joints - LOWER, UPPER - found.joints).min()
-                if not found.solved or inside < 0.05:
-                    break
-                stretch = max(stretch, float(np.abs(found.joints - HOME).max()))
-            else:
-                if best is None or stretch < best[0]:
-                    best = stretch, yaw
-        return None if best is None else best[1]
 
     def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
         if late:
@@ -232,28 +242,17 @@ class Picker(Expert):
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
     def _drop(self) -> Float[np.ndarray, "3"]:
-        """Return where the tool has to be for the object to be let go, world frame."""
-        world, goal = self._env.world, self._goal
-        offset = self._object - self._tool
-        bottom = self._object[2] - world.lowest(self._target)
-        region = goal.region(world)
-        if isinstance(goal, Into):
-            hollow, base = goal.opening, world.position(goal.reference)[2]
-            aim = free_point(world, goal, region)
-            tool = np.array([*aim, base + hollow.floor + bottom + 0.006]) - offset
-            if not self._fingers_fit(2 * float(hollow.semi.min())):
-                tool[2] = max(tool[2], base + hollow.rim + TIP + 0.004)
-            return tool
-        if isinstance(goal, OnTop):
-            aim = free_point(world, goal, region)
-            return np.array([*aim, region.center[2] - goal.rest + bottom + 0.004]) - offset
-        assert goal.spot is not None
-        return np.array([*region.center[:2], goal.spot[2] + bottom + 0.004]) - offset
+        """Return where the tool has to be for the object to be let go, world frame.
 
-    def _fingers_fit(self, across: float) -> bool:
-        """Return whether the opened fingers go into a hollow ``across`` metres wide."""
-        away = float(np.linalg.norm((self._object - self._tool)[:2]))
-        return self._plan.grasp.opening + 2 * 0.028 + 2 * away < across
+        What has shifted in the hand since the place was planned, and the goal's own way, count.
+        """
+        place, world = self._place, self._env.world
+        turn = self._turn_to(place.yaw, place.tool)
+        offset = rotation_z(turn)[:2, :2] @ (self._object - self._tool)[:2]
+        if self.phase == "carry":  # later on it moves because it is pushed
+            self._shift = self._goal.region(world).center - place.seen
+        sunk = self._tool[2] - world.lowest(self._target) - place.hanging
+        return np.array([*(place.target - offset), place.tool[2] + sunk]) + self._shift
 
     # ----------------------------------------------------------------------------------- sensing
 
@@ -263,7 +262,21 @@ class Picker(Expert):
 
     def _turn_left(self) -> float:
         """Return the yaw still to turn, radians."""
-        return self._turn_to(self._plan.yaw)
+        if self.phase in ("carry", "lower"):
+            return self._turn_to(self._place.yaw, self._place.tool)
+        return self._turn_to(self._plan.yaw, self._plan.grasp.point)
+
+    @property
+    def _release_opening(self) -> float:
+        """How far the fingers open to let go, metres: neighbours may be near."""
+        return min(self._plan.grasp.opening, self._plan.grasp.width + _LET_GO)
+
+    @property
+    def _broad(self) -> float:
+        """How far the held object reaches from the tool along the table, metres."""
+        world = self._env.world
+        size = np.abs(world.rotation(self._target)) @ world.scene.object(self._target).scale / 2
+        return float(np.linalg.norm((self._object - self._tool)[:2]) + size[:2].max())
 
     def _hanging(self) -> float:
         """Return how far the held object, or the fingertips, reach below the tool."""
@@ -273,9 +286,19 @@ class Picker(Expert):
     def _has_moved(self) -> bool:
         return bool(np.linalg.norm(self._object - self._plan.seen) > _MOVED)
 
+    def _is_moving(self) -> bool:
+        world = self._env.world
+        speed = world.velocities()[world.index(self._target)]
+        return bool(np.linalg.norm(speed[:3]) > _MOVING)
+
+    def _in_hand(self) -> Float[np.ndarray, "3"]:
+        """Return where the object is in the hand's frame, metres."""
+        world = self._env.world
+        return (self._object - self._tool) @ world.data.site_xmat[world.tcp].reshape(3, 3)
+
     def _has_slipped(self) -> bool:
         """Return whether the object has left the hand since the fingers closed."""
-        return bool(np.linalg.norm(self._object - self._tool - self._held) > _SLIP)
+        return bool(np.linalg.norm(self._in_hand() - self._held) > _SLIP)
 
     def _missed(self) -> bool:
         """Return whether the released object lies outside the goal."""
@@ -304,32 +327,6 @@ class Picker(Expert):
         self, point: Float[np.ndarray, "3"], opening: float, slow: float = 1.0
     ) -> Float[np.ndarray, "5"]:
         return self._act(point - self._tool, self._turn_left(), opening, slow)
-
-
-def free_point(world: World, goal: Into | OnTop, region: Region) -> Float[np.ndarray, "2"]:
-    """Return where in a region (x, y, world) there is most room for the target.
-
-    The middle, unless something is there already.
-    """
-    outline = world.footprints[goal.target] - world.footprints[goal.target].mean(0)
-    radius = float(np.linalg.norm(outline, axis=1).max())
-    turn = rotation_z(region.yaw)[:2, :2]
-    low = region.center[2] - region.semi[2] - 0.02
-    others = [
-        world.position(name)
-        for name in world.names
-        if name not in (goal.target, goal.reference) and world.position(name)[2] > low
-    ]
-    inside = [p[:2] for p in others if _within(region, p[:2])]
-    if not inside:
-        return region.center[:2].copy()
-    into = isinstance(goal, Into)  # there the walls keep it within
-    reach = np.maximum(region.semi[:2] - (radius if into else 0.01), 0.0)
-    angles = np.arange(16) * np.pi / 8
-    ring = np.column_stack([np.cos(angles), np.sin(angles)])
-    points = region.center[:2] + np.concatenate([r * ring * reach for r in (0.5, 1.0)]) @ turn.T
-    room = np.linalg.norm(points[:, None] - np.array(inside), axis=2).min(1)
-    return points[int(room.argmax())]
 
 
 def _within(region: Region, point: Float[np.ndarray, "2"]) -> bool:

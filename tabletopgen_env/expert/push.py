@@ -1,10 +1,12 @@
 """Pushing along the table: behind the object, down, forward in a straight stroke, and again.
 
 =========  =====================================================================================
-approach   rise over what is in the way, go behind the object, turn the hand across the way
+approach   rise over what is in the way, go behind the object, turn the hand as planned
 descend    straight down beside it
-stroke     forward, steering the object towards the goal
-retreat    back a little, up, and stay; begin again if the object is not there yet
+stroke     forward, steering the object's centre of mass towards the goal
+back       up and away from the object; begin again if it is not there yet
+retreat    up, and stay
+stuck      stand still: no stroke can be made from where the object is
 =========  =====================================================================================
 """
 
@@ -16,22 +18,25 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.errors import SceneError
-from generator.geometry import wrap
 
-from ..robot.kinematics import LOWER, UPPER, solve_ik
 from ..tasks.goals import Pushed
 from .driver import Expert, up
 from .grasps import TIP
+from .strokes import HOVER, mass_center, plan_stroke
 
-Phase = Literal["approach", "descend", "stroke", "back", "retreat"]
+Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 
-_BEHIND = 0.035  # metres between the fingers and the object before a stroke
-_THICK = 0.012  # half the fingers' thickness along the stroke, metres
-_HOVER = 0.06
 _THERE = 0.012  # metres from the goal's middle at which a stroke ends
-_ASTRAY = 0.5  # radians off the way at which a stroke is begun anew
+_ENOUGH = 0.03  # metres from the goal's middle at which no other stroke is begun
+_ASIDE = 0.03  # metres off the way at which a stroke is begun anew
+_FURTHER = 0.07  # metres by which a stroke may be longer than the way
+_FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres a step: flat things, tall ones, at the end
+_TALL = 0.04  # metres from the tool in a stroke down to the table
+_NEAR = 0.025 * np.column_stack(
+    [np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)]
+)
 _PATIENCE: dict[Phase, int] = {
-    "approach": 70, "descend": 30, "stroke": 70, "back": 8, "retreat": 1000
+    "approach": 60, "descend": 20, "stroke": 50, "back": 5, "retreat": 1000, "stuck": 30
 }  # fmt: skip
 
 
@@ -50,24 +55,20 @@ class Pusher(Expert):
     @property
     def finished(self) -> bool:
         """Whether the hand is out of the way."""
-        return self.phase == "retreat"
+        return self.phase in ("retreat", "stuck")
 
     def reset(self) -> None:
         """Plan the first stroke.
 
         Raises:
-            SceneError: the arm cannot reach behind the object.
+            SceneError: the arm cannot reach behind the object, or its way is not free.
         """
         self.attempts = 0
         self._begin()
-        world = self._env.world
-        c, s = np.cos(self._yaw), np.sin(self._yaw)
-        down = np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])
-        found = solve_ik(world.to_base(self._start()), down)
-        if not found.solved or np.minimum(found.joints - LOWER, UPPER - found.joints).min() < 0.0:
+        if self.phase == "stuck":
             raise SceneError(
-                f"The expert cannot reach behind {self._goal.target!r} in scene "
-                f"{world.scene.name!r}; choose another target or goal."
+                f"The expert finds no way to push {self._goal.target!r} in scene "
+                f"{self._env.world.scene.name!r}; choose another target or goal."
             )
 
     def act(self) -> Float[np.ndarray, "5"]:
@@ -77,91 +78,97 @@ class Pusher(Expert):
         phases = {
             "approach": self._approach,
             "descend": self._descend,
-            "stroke": self._stroke,
+            "stroke": self._push,
             "back": self._back,
             "retreat": self._retreat,
+            "stuck": self._stuck,
         }
         return phases[self.phase](late)
 
     def _approach(self, late: bool) -> Float[np.ndarray, "5"]:
-        above = self._start() + up(_HOVER)
-        near = np.linalg.norm((self._tool - above)[:2]) < 0.006
-        turned = abs(self._turn_to(self._yaw)) < 0.06
-        if late or (near and turned and self._tool[2] < above[2] + 0.02):
+        above = self._stroke.start + up(HOVER)
+        near = np.linalg.norm((self._tool - above)[:2]) < 0.008
+        turned = abs(self._turn_to(self._stroke.yaw, above)) < 0.08
+        if late or (near and turned and self._tool[2] < above[2] + 0.03):
             return self._enter("descend")
-        return self._to(self._over(above, TIP, self._goal.target))
+        return self._to(self._over(above, TIP, None))
 
     def _descend(self, late: bool) -> Float[np.ndarray, "5"]:
-        low = self._start()
+        low = self._stroke.start
         if late or self._tool[2] < low[2] + 0.004:
             return self._enter("stroke")
         return self._to(low, slow=0.7)
 
-    def _stroke(self, late: bool) -> Float[np.ndarray, "5"]:
+    def _push(self, late: bool) -> Float[np.ndarray, "5"]:
         way = self._way
         left = float(np.linalg.norm(way))
         ahead = way / max(left, 1e-9)
-        to_object = (self._object - self._tool)[:2]
-        off = np.arccos(np.clip(ahead @ to_object / max(np.linalg.norm(to_object), 1e-9), -1, 1))
-        if left < _THERE or ahead @ self._ahead < 0.2:
-            return self._enter("back")
-        if late or off > _ASTRAY:
+        to_mass = (mass_center(self._env.world, self._goal.target) - self._tool)[:2]
+        side = to_mass - ahead * (ahead @ to_mass)
+        gone = float((self._tool - self._stroke.start)[:2] @ self._stroke.ahead)
+        astray = np.linalg.norm(side) > _ASIDE or gone > self._length
+        if late or left < _THERE or ahead @ self._stroke.ahead < 0.3 or astray:
             return self._enter("back")
         # What is pushed turns away from the line: the hand keeps to its far side.
-        side = to_object - ahead * (ahead @ to_object)
-        speed = 0.02 if left > 0.06 else 0.01
-        move = np.array([*(speed * ahead + 0.6 * side), 0.0])
-        move[2] = self._height() - self._tool[2]
-        return self._act(move / 0.3, self._turn_to(self._yaw), 0.0, slow=0.6)
+        speed = float(np.clip(0.25 * left, _SLOW, self._fast))
+        speed *= float(np.clip(1.3 - np.linalg.norm(side) / 0.02, 0.3, 1.0))
+        rise = self._stroke.start[2] - self._tool[2]
+        move = np.array([*(speed * ahead + 0.8 * side), 0.3 * rise])
+        return self._act(move / 0.3, self._turn_to(self._stroke.yaw, self._tool), 0.0, slow=0.6)
 
     def _back(self, late: bool) -> Float[np.ndarray, "5"]:
-        if late:
+        if not late:
+            return self._act(np.array([*(-0.03 * self._stroke.ahead), 0.06]), 0.0, 0.0)
+        if self._is_there():
             return self._enter("retreat")
-        return self._act(np.array([*(-0.05 * self._ahead), 0.0]), 0.0, 0.0)
+        return self._begin()
 
     def _retreat(self, late: bool) -> Float[np.ndarray, "5"]:
-        if self._steps > 6 and np.linalg.norm(self._way) > 0.03:
-            self._begin()
-        return self._act(up(max(self._height() + 0.15 - self._tool[2], 0.0)), 0.0, 0.0)
+        if self._steps > 10 and not self._is_there():
+            return self._begin()
+        rise = self._stroke.start[2] + 0.15 - self._tool[2]
+        return self._act(up(max(rise, 0.0)), 0.0, 0.0)
+
+    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
+        return self._begin() if late else self._act(np.zeros(3), 0.0, 0.0)
 
     # ---------------------------------------------------------------------------------- planning
 
-    def _begin(self) -> None:
-        """Choose the next stroke."""
+    def _begin(self) -> Float[np.ndarray, "5"]:
+        """Choose the next stroke, a bold one or to beside the spot if there is no other."""
+        world, name, spot = self._env.world, self._goal.target, self._goal.spot[:2]
+        aims = [(spot, False)]
+        if self.attempts > 0:
+            aims += [(spot, True), *((spot + near, True) for near in _NEAR)]
+        found = None
+        for self._aim, bold in aims:
+            found = plan_stroke(world, name, self._aim, bold=bold)
+            if found is not None:
+                break
         self.attempts += 1
-        self._ahead = self._way / max(float(np.linalg.norm(self._way)), 1e-9)
-        bearing = float(np.arctan2(self._ahead[1], self._ahead[0])) - self._env.world.mount.yaw
-        turns = [wrap(bearing + k * np.pi) for k in (0, 1)]  # the fingers side by side
-        self._yaw = min(turns, key=lambda yaw: abs(self._turn_to(yaw)))
-        self._enter("approach")
+        if found is None:
+            return self._enter("stuck")
+        self._stroke = found
+        self._length = float(np.linalg.norm(self._way)) + _FURTHER
+        return self._enter("approach")
 
-    def _start(self) -> Float[np.ndarray, "3"]:
-        """Return where the tool begins a stroke: behind the object, world frame."""
-        world = self._env.world
-        outline = world.scene.object(self._goal.target)
-        corners = np.concatenate([part.vertices for part in outline.parts])
-        flat = (corners @ world.rotation(self._goal.target).T)[:, :2]
-        behind = float((flat @ self._ahead).min()) - _BEHIND - _THICK
-        xy = self._object[:2] + behind * self._ahead
-        return np.array([*xy, self._height()])
-
-    def _height(self) -> float:
-        """Return the tool's height in a stroke: low, but off the table."""
-        world = self._env.world
-        top = world.scene.table.height
-        tall = 2 * (self._object[2] - world.lowest(self._goal.target))
-        return top + float(np.clip(0.4 * tall, 0.014, 0.04))
+    def _is_there(self) -> bool:
+        away = self._goal.spot - self._env.world.position(self._goal.target)
+        return bool(np.linalg.norm(away[:2]) < _ENOUGH)
 
     @property
-    def _object(self) -> Float[np.ndarray, "3"]:
-        return self._env.world.position(self._goal.target)
+    def _fast(self) -> float:
+        """The pace, metres a step: what is pushed high up might topple."""
+        high = self._stroke.start[2] - self._env.world.scene.table.height
+        return _STEADY if high > _TALL else _FAST
 
     @property
     def _way(self) -> Float[np.ndarray, "2"]:
-        return (self._goal.spot - self._object)[:2]
+        return self._aim - self._env.world.position(self._goal.target)[:2]
 
     def _to(self, point: Float[np.ndarray, "3"], slow: float = 1.0) -> Float[np.ndarray, "5"]:
-        return self._act(point - self._tool, self._turn_to(self._yaw), 0.0, slow)
+        turn = self._turn_to(self._stroke.yaw, self._stroke.start)
+        return self._act(point - self._tool, turn, 0.0, slow)
 
     def _enter(self, phase: Phase) -> Float[np.ndarray, "5"]:
         """Change to ``phase`` and stand still for this step."""

@@ -18,6 +18,7 @@ from generator.geometry import inside_margin
 from generator.scene import Object
 
 from ..affordance import grasp_width, resting_height
+from ..expert.strokes import beside, plan_stroke
 from ..language import refer
 from .goals import SPOT, Pushed
 from .sampling import Reasons, blocked, drawn, given_point, on_table, rest_height
@@ -35,8 +36,8 @@ HEAVIEST = 1.5
 SLENDER = 1.2
 """Tallest thing to push, in its own smallest widths: what is more slender topples."""
 
-_CLEAR = 0.06  # room for the hand behind the object, metres
 _TRIES = 200
+_PLANS = 25  # strokes planned at most to find one that the arm can make
 
 
 class Push(Task):
@@ -94,18 +95,22 @@ def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarra
     outline = world.footprints[obj.name]
     radius = float(np.linalg.norm(outline - begin, axis=1).max())
     table = world.scene.table
+    others = beside(world, obj.name)
+    plans = 0
     for _ in range(_TRIES):
         angle, way = rng.uniform(0, 2 * np.pi), rng.uniform(*WAY)
         ahead = np.array([np.cos(angle), np.sin(angle)])
-        steps = np.linspace(-radius - _CLEAR, way, 12)
-        line = begin + steps[:, None] * ahead
-        hand = np.column_stack([line[[0, -1]], np.full(2, table.height + 0.02)])
-        if not world.mount.reaches(hand).all():
+        line = begin + np.linspace(0.0, way, 8)[:, None] * ahead
+        if not world.mount.reaches(np.array([[*line[-1], table.height + 0.02]])).all():
             continue
         if (inside_margin(line[1:], table.outline) < min(radius, 0.1)).any():
             continue
-        others = (world.footprints[o] for o in world.names if o != obj.name)
-        room = np.where(steps < 0, 0.05, radius + 0.01)
-        if all((inside_margin(line, other) <= -room).all() for other in others):
+        outlines = (world.footprints[o] for o in world.names if o != obj.name)
+        if any((inside_margin(line, other) > -(radius + 0.01)).any() for other in outlines):
+            continue
+        if plan_stroke(world, obj.name, line[-1], others) is not None:
             return line[-1]
+        plans += 1
+        if plans == _PLANS:
+            break
     return None

@@ -116,6 +116,13 @@ class Sequence(Task):
         if self.preset.swap:
             first, second = (_labelled(world, label) for label in self.preset.swap)
             return Swap().sample(world, rng, first.name, second.name)
+        reasons = liftable(world)
+        for step in self.preset.steps:
+            name = _labelled(world, step.target).name
+            if reasons[name] is None and not world.has_grasp(name):
+                reasons[name] = "its neighbours leave no room for the hand"
+            if reasons[name] is not None:
+                raise nothing(world, {name: reasons[name]})
         goals = tuple(_goal(world, step) for step in self.preset.steps)
         return episode(world, goals, self.preset.instruction)
 

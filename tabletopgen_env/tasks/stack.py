@@ -63,15 +63,19 @@ class Stack(Task):
 
 
 def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[Object]:
-    """Yield what can carry an object: flat tops in reach on which nothing stands."""
+    """Yield what can carry an object: flat tops in reach on which nothing stands.
+
+    With its centre over the flat part's, its centre of mass lies over the flat part too.
+    """
     loaded = {o.placement.on for o in world.scene.objects}
+    lever = float(np.linalg.norm((quaternion_matrix(obj.pose.quaternion) @ obj.com)[:2]))
     for other in world.scene.objects:
         if other.name in {obj.name, obj.placement.on} or other.name in loaded:
             continue
         if wanted not in (None, other.name) or not on_table(other):
             continue
         top = world.plateaus[other.name]
-        if top is None or top.radius < max(LEAST_TOP, 0.3 * grasp_width(obj)):
+        if top is None or top.radius < max(LEAST_TOP, 0.3 * grasp_width(obj), lever):
             continue
         if resting_height(other) > TALLEST or other.mass < 0.3 * obj.mass:
             continue

@@ -1,0 +1,74 @@
+"""``python -m tabletopgen_env``: the commands that need the robot."""
+
+from __future__ import annotations
+
+import sys
+
+import tyro
+from tyro import conf
+
+import assets_cache
+from generator.errors import BundleError, InputError, SceneError, StorageError, TabletopError
+
+from .certify import certify as certified
+from .tasks import NAMES
+
+EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
+    (InputError, 2),
+    (BundleError, 4),
+    (StorageError, 5),
+    (SceneError, 6),
+)
+"""As those of the command ``tabletopgen``."""
+
+
+def certify(
+    bundles: conf.Positional[tuple[str, ...]],
+    /,
+    *,
+    tasks: tuple[str, ...] = NAMES,
+    episodes: int = 10,
+    most: int = 8,
+    seed: int = 0,
+    workers: int = 1,
+) -> None:
+    """Let the scripted expert play what bundles offer, and write a certificate beside each.
+
+    Args:
+        bundles: Names, digests, globs or paths.
+        tasks: Which tasks.
+        episodes: How many of each instance, from perturbed starts.
+        most: How many instances of each task at most.
+        seed: The same seed gives the same certificate.
+        workers: Processes.
+    """
+    if not bundles:
+        raise InputError("Name at least one bundle to certify.")
+    for path in [p for wanted in bundles for p in assets_cache.find(wanted)]:
+        for seen in certified(path, tasks, episodes, workers, seed, most).instances:
+            asked = ", ".join(f"{name} {value}" for name, value in seen.options.items())
+            print(f"{path.name}: {seen.task} ({asked or 'as drawn'}): "
+                  f"{seen.successes} of {seen.episodes}")  # fmt: skip
+
+
+app = tyro.extras.SubcommandApp()
+app.command(certify)
+
+
+def run(arguments: list[str]) -> int:
+    """Run the command line; every expected error becomes one line, and an exit code is returned."""
+    try:
+        app.cli(
+            prog="python -m tabletopgen_env",
+            description="Commands that need the robot.",
+            args=arguments,
+            use_underscores=False,
+        )
+    except TabletopError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(run(sys.argv[1:]))

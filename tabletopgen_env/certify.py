@@ -1,0 +1,394 @@
+"""Certificates: what the scripted expert has been seen to do at a table.
+
+For each *instance* (a task, its target and goal) that a bundle's scene offers, up to a bound, the
+expert plays some episodes from perturbed starts: the arm's joints are off by up to 0.06 rad, things
+that stand free by up to 3 mm and 3 degrees. ``certificate.json``, beside the bundle's own files,
+keeps how many it solved, with the digest of the scene, the seed and the versions it was made with.
+Bundles do not list it, so that they stay what they were.
+
+A success is ``info["success"]`` held for ``HOLD`` steps within the time limit of the task's id.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict, dataclass, replace
+from importlib import metadata
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from generator.bundle import MOST_BYTES, load, read_inside
+from generator.errors import BundleError, InputError, SceneError, StorageError, choices
+from generator.geometry import inside_margin, quaternion_matrix, yaw_quaternion
+
+from .tasks import NAMES
+
+if TYPE_CHECKING:
+    from .env import TabletopEnv
+    from .tasks.task import Episode
+    from .world import World
+
+FILE = "certificate.json"
+"""The certificate's name in a bundle's folder."""
+
+SCHEMA = 1
+"""Version of the file; others are refused."""
+
+HOLD = 10
+"""Steps for which a success has to hold."""
+
+JOINT_JITTER = 0.06
+"""How far the arm's joints are off at the start, radians."""
+
+SHIFT, TURN = 0.003, float(np.deg2rad(3.0))
+"""How far things that stand free are off at the start, metres and radians."""
+
+LEAST = 0.8
+"""Share of solved episodes from which an instance counts as certified."""
+
+_MOST_FILE = 2**20
+_MOST_INSTANCES = 4096
+_MOST_EPISODES = 10_000
+_DRAWS = 40
+_VERSIONS = ("tabletopgen", "mujoco", "numpy")
+
+Point = tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Instance:
+    """One thing to do at a table, as ``reset`` takes it, and how often the expert did it.
+
+    ``goal`` is an object's name, a point of the world frame (m) or None; ``target`` an object's
+    name or None, as the task's page says. The drawn Sequence is one instance without either.
+    """
+
+    task: str
+    target: str | None
+    goal: str | Point | None
+    successes: int = 0
+    episodes: int = 0
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """The options of ``reset`` that ask for it."""
+        both = {"target": self.target, "goal": self.goal}
+        return {name: value for name, value in both.items() if value is not None}
+
+    @property
+    def share(self) -> float:
+        """Share of the episodes that the expert solved; 0 without episodes."""
+        return self.successes / self.episodes if self.episodes else 0.0
+
+
+@dataclass(frozen=True)
+class Certificate:
+    """What was seen at one table.
+
+    ``scene`` is the sha256 of the bundle's ``scene.json``; ``seed`` and ``versions`` say how it can
+    be seen again.
+    """
+
+    scene: str
+    seed: int
+    versions: Mapping[str, str]
+    instances: tuple[Instance, ...]
+
+
+def certified_instances(path: str | Path, least: float = LEAST) -> tuple[Instance, ...]:
+    """Return the instances of a bundle of which the expert solved a share of at least ``least``.
+
+    None are certified where there is no certificate.
+
+    Raises:
+        BundleError: the certificate is damaged, or another scene's.
+    """
+    found = read_certificate(path)
+    return () if found is None else tuple(i for i in found.instances if i.share >= least)
+
+
+def certify(
+    path: str | Path,
+    tasks: Sequence[str] = NAMES,
+    episodes: int = 10,
+    workers: int = 1,
+    seed: int = 0,
+    most: int = 8,
+) -> Certificate:
+    """Let the expert play what a bundle's scene offers, write the certificate and return it.
+
+    Args:
+        path: the bundle.
+        tasks: names of tasks.
+        episodes: how many of each instance.
+        workers: processes.
+        seed: the same seed gives the same certificate.
+        most: how many instances of each task at most.
+
+    Raises:
+        InputError: an unknown task, or a number out of range.
+        BundleError: the bundle cannot be read.
+        StorageError: the certificate cannot be written.
+    """
+    _check(tasks, episodes, workers, most)
+    folder = Path(path)
+    load(folder)  # damaged bundles are not certified
+    found = [i for task in tasks for i in offered(folder, task, seed, most)]
+    jobs = [(folder, instance, episodes, (seed, k)) for k, instance in enumerate(found)]
+    if workers > 1 and len(jobs) > 1:
+        with ProcessPoolExecutor(workers) as pool:
+            seen = list(pool.map(_played, jobs))
+    else:
+        seen = [_played(job) for job in jobs]
+    versions = {name: metadata.version(name) for name in _VERSIONS}
+    certificate = Certificate(_digest(folder), seed, versions, tuple(seen))
+    _write(folder, certificate)
+    return certificate
+
+
+def read_certificate(path: str | Path) -> Certificate | None:
+    """Return a bundle's certificate, checked; None if it has none.
+
+    Raises:
+        BundleError: it is damaged, too large, of another schema, or another scene's.
+    """
+    folder = Path(path)
+    if not os.path.lexists(folder / FILE):
+        return None
+    raw = read_inside(folder, FILE, _MOST_FILE)
+    try:
+        payload = json.loads(raw, parse_constant=_refused)
+        if not isinstance(payload, dict) or payload.get("schema") != SCHEMA:
+            raise ValueError(f"it is not of schema {SCHEMA}")
+        found = _decoded(payload)
+    except (ValueError, TypeError, KeyError, RecursionError) as error:
+        raise BundleError(
+            f"{folder}: {FILE} is no sound certificate ({type(error).__name__}: {error}). "
+            "Remove it, or certify the bundle again."
+        ) from error
+    if found.scene != _digest(folder):
+        raise BundleError(
+            f"{folder}: {FILE} was made for another scene. Remove it, or certify the bundle again."
+        )
+    return found
+
+
+# ------------------------------------------------------------------------------------- instances
+
+
+def offered(folder: Path, task: str, seed: int, most: int) -> tuple[Instance, ...]:
+    """Return up to ``most`` different instances of a task that its sampling draws at a table."""
+    env = _env(folder, task)
+    found: dict[tuple[Any, ...], Instance] = {}
+    try:
+        for k in range(_DRAWS):
+            try:
+                env.reset(seed=_seed(seed, k))
+            except SceneError:
+                break
+            instance = _instance(task, env.episode)
+            kind = (instance.target, _kind(instance.goal))
+            if kind not in found and len(found) < most:
+                found[kind] = instance
+    finally:
+        env.close()
+    return tuple(found.values())
+
+
+def _kind(goal: str | Point | None) -> Any:
+    """Return what tells goals apart: points of the table are all alike, but 20 cm apart."""
+    return goal if goal is None or isinstance(goal, str) else tuple(round(v / 0.2) for v in goal)
+
+
+def _instance(task: str, episode: Episode) -> Instance:
+    """Return the instance that an episode plays."""
+    first = episode.goals[0]
+    if task == "Sequence":
+        return Instance(task, None, None)
+    if task == "Tidy":
+        return Instance(task, None, first.reference)
+    if task == "Swap":  # its goals: the second aside, the first there, the second here
+        return Instance(task, episode.goals[1].target, first.target)
+    if first.reference is not None:
+        return Instance(task, first.target, first.reference)
+    if first.spot is None:
+        return Instance(task, first.target, None)
+    point = first.spot if task == "Reach" else first.spot[:2]
+    return Instance(task, first.target, tuple(round(float(v), 4) for v in point))
+
+
+# --------------------------------------------------------------------------------------- playing
+
+
+def _played(job: tuple[Path, Instance, int, tuple[int, int]]) -> Instance:
+    """Return an instance with how often the expert solved it."""
+    folder, instance, episodes, seeds = job
+    env = _env(folder, instance.task)
+    rng = np.random.default_rng(seeds)
+    try:
+        solved = sum(_solved(env, instance, rng) for _ in range(episodes))
+    finally:
+        env.close()
+    return replace(instance, successes=solved, episodes=episodes)
+
+
+def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> bool:
+    """Play one episode from a perturbed start; return whether it was a success."""
+    from .expert.run import TaskExpert
+
+    try:
+        env.reset(seed=int(rng.integers(2**31)), options=instance.options)
+        perturb(env, rng)
+        expert = TaskExpert(env)
+        expert.reset()
+    except SceneError:
+        return False
+    held = 0
+    for _ in range(_limit(instance.task)):
+        held = held + 1 if env.step(expert.act())[4]["success"] else 0
+        if held >= HOLD:
+            return True
+    return False
+
+
+def perturb(env: TabletopEnv, rng: np.random.Generator) -> None:
+    """Put the arm and the things that stand free a little off, after ``reset``."""
+    import mujoco
+
+    world = env.world
+    joints = world.arm_qpos
+    world.data.qpos[joints] += rng.uniform(-JOINT_JITTER, JOINT_JITTER, len(joints))
+    world.data.ctrl[world.actuators[:7]] = world.data.qpos[joints]
+    for name in _standing_free(world):
+        obj = world.scene.object(name)
+        shift = np.array([*rng.uniform(-SHIFT, SHIFT, 2), 0.0])
+        turned = np.empty(4)
+        spin = yaw_quaternion(float(rng.uniform(-TURN, TURN)))
+        mujoco.mju_mulQuat(turned, spin, np.asarray(obj.pose.quaternion, float))
+        world.teleport(name, obj.pose.position + shift, turned)
+    mujoco.mj_forward(world.model, world.data)
+    env.controller.reset(world)
+
+
+def _standing_free(world: World) -> Iterator[str]:
+    """Yield the things on the table itself that carry nothing and touch nothing else."""
+    loaded = {o.placement.on for o in world.scene.objects}
+    for obj in world.scene.objects:
+        level = quaternion_matrix(obj.pose.quaternion)[2]
+        if obj.placement.on != "table" or obj.name in loaded or np.abs(level).max() < 0.999:
+            continue
+        own = world.footprints[obj.name]
+        radius = float(np.linalg.norm(own - obj.pose.position[:2], axis=1).max())
+        room = 2 * (SHIFT + TURN * radius)
+        edge = inside_margin(own, world.scene.table.outline).min() > room
+        others = (world.footprints[o] for o in world.names if o != obj.name)
+        if edge and all(
+            inside_margin(own, other).max() < -room
+            and inside_margin(np.asarray(other), own).max() < -room
+            for other in others
+        ):
+            yield obj.name
+
+
+def _env(folder: Path, task: str) -> TabletopEnv:
+    from .env import make_env
+
+    return make_env(folder, task=task)
+
+
+def _limit(task: str) -> int:
+    import gymnasium
+
+    limit = gymnasium.spec(f"TabletopGen/{task}-v0").max_episode_steps
+    assert limit is not None
+    return limit
+
+
+def _seed(seed: int, number: int) -> int:
+    return int(np.random.default_rng((seed, number)).integers(2**31))
+
+
+# -------------------------------------------------------------------------------------- the file
+
+
+def _digest(folder: Path) -> str:
+    return hashlib.sha256(read_inside(folder, "scene.json", MOST_BYTES)).hexdigest()
+
+
+def _write(folder: Path, certificate: Certificate) -> None:
+    """Write the certificate, whole or not at all."""
+    payload = {"schema": SCHEMA, **asdict(certificate)}
+    text = json.dumps(payload, indent=1, sort_keys=True, allow_nan=False) + "\n"
+    part = None
+    try:
+        with tempfile.NamedTemporaryFile("w", dir=folder, suffix=".part", delete=False) as file:
+            part = Path(file.name)
+            file.write(text)
+        part.chmod(0o644)
+        part.replace(folder / FILE)
+    except OSError as error:
+        if part is not None:
+            part.unlink(missing_ok=True)
+        raise StorageError(
+            f"The certificate cannot be written to {folder}: {error.strerror or error}. "
+            "Certify a copy of the bundle."
+        ) from error
+
+
+def _decoded(payload: dict[str, Any]) -> Certificate:
+    scene, seed = _of(payload["scene"], str), _of(payload["seed"], int)
+    versions = {_of(k, str): _of(v, str) for k, v in _of(payload["versions"], dict).items()}
+    listed = _of(payload["instances"], list)
+    if len(listed) > _MOST_INSTANCES:
+        raise ValueError(f"it lists more than {_MOST_INSTANCES} instances")
+    return Certificate(
+        scene, seed, versions, tuple(_decoded_instance(_of(i, dict)) for i in listed)
+    )
+
+
+def _decoded_instance(entry: dict[str, Any]) -> Instance:
+    target, goal = entry["target"], entry["goal"]
+    if target is not None:
+        _of(target, str)
+    if isinstance(goal, list):
+        goal = tuple(float(v) for v in goal if not isinstance(v, bool))
+        if len(goal) not in (2, 3) or not np.isfinite(goal).all():
+            raise ValueError(f"{entry['goal']!r} is no point")
+    elif goal is not None:
+        _of(goal, str)
+    task = _of(entry["task"], str)
+    if task not in NAMES:
+        raise ValueError(f"there is no task {task!r}")
+    solved, played = _of(entry["successes"], int), _of(entry["episodes"], int)
+    if not 0 <= solved <= played <= _MOST_EPISODES:
+        raise ValueError(f"{solved} of {played} episodes cannot be")
+    return Instance(task, target, goal, solved, played)
+
+
+def _of(value: Any, kind: type) -> Any:
+    if type(value) is not kind:
+        raise TypeError(f"{value!r} should be of type {kind.__name__}")
+    return value
+
+
+def _refused(constant: str) -> None:
+    raise ValueError(f"{constant} is not a finite number")
+
+
+def _check(tasks: Sequence[str], episodes: int, workers: int, most: int) -> None:
+    for task in tasks:
+        if task not in NAMES:
+            raise InputError(f"Unknown task {task!r}." + choices(str(task), NAMES))
+    for name, value, limit in (
+        ("episodes", episodes, _MOST_EPISODES), ("workers", workers, 1024),
+        ("most", most, _MOST_INSTANCES // len(NAMES)),
+    ):  # fmt: skip
+        if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= limit:
+            raise InputError(f"{name} must be a whole number from 1 to {limit}, got {value!r}.")

@@ -1,0 +1,123 @@
+"""What the arm can reach with the hand pointing down, and how the hand turns on the way.
+
+With the hand pointing straight down, its turn about the vertical *relative to the bearing of the
+tool* is the last joint's angle alone. Kept in that joint's range it tells the turn that can be
+made, which is not always the shorter one.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.geometry import wrap
+
+from ..robot.kinematics import HOME, LOWER, UPPER, forward, solve_ik
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from ..world import World
+    from .heights import HeightMap
+
+INSIDE = 0.05
+"""Radians that planned joints keep from their limits."""
+
+NARROW = 0.38
+"""Metres from the base's axis within which the hand does not pass: it would fold the arm."""
+
+_ROLL_MARGIN = 0.1
+_WRIST_BACK, _WRIST_RADIUS, _WRIST_Z = 0.088, 0.065, 0.15
+_ITERATIONS = 40
+_RING = np.column_stack([np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)])
+_HOME_AXES = forward(HOME)[1]
+_ROLL = float(np.arctan2(_HOME_AXES[1, 0], _HOME_AXES[0, 0]))
+"""The hand's yaw at home, where the tool is straight ahead."""
+
+
+def pointing_down(yaw: float) -> Float[np.ndarray, "3 3"]:
+    """Return the rotation of a hand that points straight down, its x axis at ``yaw``."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    return np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])
+
+
+def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
+    """Return how far from home the joints are at most at ``points``, None if one is out of reach.
+
+    Args:
+        world: says where the base is.
+        points: of the tool centre point, world frame.
+        yaw: of the hand, base frame, radians.
+    """
+    most = 0.0
+    for point in points:
+        found = solve_ik(world.to_base(point), pointing_down(yaw), iterations=_ITERATIONS)
+        inside = np.minimum(found.joints - LOWER, UPPER - found.joints).min()
+        if not found.solved or inside < INSIDE:
+            return None
+        most = max(most, float(np.abs(found.joints - HOME).max()))
+    return most
+
+
+def easiest(world: World, points: tuple[Float[np.ndarray, "3"], ...], angle: float) -> float | None:
+    """Return which of two opposite yaws reaches all points most comfortably, None if neither."""
+    yaws = (wrap(angle), wrap(angle + np.pi))
+    found = [(far, yaw) for yaw in yaws if (far := stretch(world, points, yaw)) is not None]
+    return min(found)[1] if found else None
+
+
+def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
+    """Return how far the hand has yet to turn to be at ``yaw`` (base frame) at a world point.
+
+    The turn is that of the last joint, so that a hand on its way keeps its place in that joint's
+    range.
+    """
+    axis = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)[:, 0]
+    relative = float(np.arctan2(axis[1], axis[0])) - _bearing(
+        world, world.data.site_xpos[world.tcp]
+    )
+    middle = _ROLL + float(HOME[6])  # the last joint at zero
+    by_joint = middle - float(world.data.qpos[world.arm_qpos[6]])
+    now = by_joint + wrap(relative - by_joint)
+    asked = middle + wrap(yaw - _bearing(world, at) - middle)
+    ways = [asked + 2 * np.pi * k for k in (-1, 0, 1)]
+    allowed = [w for w in ways if abs(w - middle) <= UPPER[6] - _ROLL_MARGIN]
+    return min((w - now for w in allowed or [asked]), key=abs)
+
+
+def around(
+    world: World, start: Float[np.ndarray, "3"], end: Float[np.ndarray, "3"]
+) -> Float[np.ndarray, "2"]:
+    """Return where (x, y, world) to head for from ``start``: to ``end``, but around the base."""
+    a, b = (world.to_base(point)[:2] for point in (start, end))
+    way = b - a
+    along = float(np.clip(-(a @ way) / max(float(way @ way), 1e-9), 0.0, 1.0))
+    nearest = float(np.linalg.norm(a + along * way))
+    turn = wrap(float(np.arctan2(b[1], b[0]) - np.arctan2(a[1], a[0])))
+    if along in (0.0, 1.0) or nearest >= NARROW or abs(turn) < 0.3:
+        return end[:2].copy()
+    bearing = float(np.arctan2(a[1], a[0])) + float(np.clip(turn, -0.4, 0.4))
+    radius = max(NARROW + 0.04, float(np.linalg.norm(a)))
+    aim = np.array([radius * np.cos(bearing), radius * np.sin(bearing), 0.0])
+    return world.to_world(aim)[:2]
+
+
+def wrist_is_free(
+    world: World, others: HeightMap, points: Float[np.ndarray, "k 2"], tip: float
+) -> bool:
+    """Return whether the wrist, over the hand and a little towards the base, hits nothing.
+
+    ``points`` (world) are where the tool is, ``tip`` the height of the fingertips.
+    """
+    back = world.base_position[:2] - points
+    back /= np.maximum(np.linalg.norm(back, axis=1, keepdims=True), 1e-9)
+    centers = points + _WRIST_BACK * back
+    around = np.concatenate([centers[:, None], centers[:, None] + _WRIST_RADIUS * _RING], 1)
+    return bool(others.at(around).max() <= tip + _WRIST_Z)
+
+
+def _bearing(world: World, point: Float[np.ndarray, "3"]) -> float:
+    x, y, _ = world.to_base(point)
+    return float(np.arctan2(y, x))

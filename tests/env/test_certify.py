@@ -1,0 +1,154 @@
+"""Certificates: made by the expert, kept beside a bundle, refused where they are not its own."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from toy import toy_object, toy_scene
+
+from generator.bundle import load, save, verify
+from generator.errors import BundleError, InputError
+from generator.physics.gate import judge
+from generator.scene import Scene
+from tabletopgen_env.__main__ import run
+from tabletopgen_env.certify import (
+    FILE,
+    Instance,
+    certified_instances,
+    certify,
+    perturb,
+    read_certificate,
+)
+from tabletopgen_env.env import make_env
+
+
+def scene() -> Scene:
+    things = (
+        toy_object("cube_1", (0.04, 0.04, 0.04), (-0.1, 0.0)),
+        toy_object("board_1", (0.16, 0.16, 0.02), (0.15, 0.0), mass=1.0),
+    )
+    made = toy_scene(things)
+    return made.replace(report=judge(made))
+
+
+@pytest.fixture(scope="module")
+def certified(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = save(scene(), tmp_path_factory.mktemp("store"))
+    certify(path, ["Lift", "Stack"], episodes=2, seed=3)
+    return path
+
+
+@pytest.fixture
+def bundle(certified: Path, tmp_path: Path) -> Path:
+    """A copy whose certificate may be spoilt."""
+    path = save(scene(), tmp_path)
+    (path / FILE).write_bytes((certified / FILE).read_bytes())
+    return path
+
+
+def test_it_lists_what_the_expert_did(certified: Path) -> None:
+    found = read_certificate(certified)
+    assert found is not None and found.seed == 3 and "mujoco" in found.versions
+    assert [(i.task, i.target, i.goal) for i in found.instances] == [
+        ("Lift", "cube_1", None), ("Stack", "cube_1", "board_1"),
+    ]  # fmt: skip
+    assert all(i.episodes == 2 for i in found.instances)
+    assert certified_instances(certified) == found.instances
+    assert certified_instances(certified, least=1.01) == ()
+
+
+def test_its_options_ask_for_the_instance(certified: Path) -> None:
+    instance = certified_instances(certified)[1]
+    env = make_env(certified, task=instance.task)
+    _, info = env.reset(seed=0, options=instance.options)
+    assert (info["target"], info["goal"]) == ("cube_1", "board_1")
+
+
+def test_the_same_seed_gives_the_same_certificate(certified: Path, bundle: Path) -> None:
+    again = certify(bundle, ["Stack"], episodes=2, seed=3)
+    assert again == certify(bundle, ["Stack"], episodes=2, seed=3, workers=2)
+    assert again.instances == certified_instances(certified)[1:]
+
+
+def test_the_bundle_stays_sound_and_keeps_it(bundle: Path) -> None:
+    assert verify(bundle) == []
+    assert [o.name for o in load(bundle).objects] == ["cube_1", "board_1"]
+    assert save(scene(), bundle.parent) == bundle
+    assert (bundle / FILE).is_file(), "publishing again does not remove it"
+
+
+def test_a_bundle_without_one_certifies_nothing(tmp_path: Path) -> None:
+    path = save(scene(), tmp_path)
+    assert read_certificate(path) is None
+    assert certified_instances(path) == ()
+
+
+def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
+    first, *rest = payload["instances"]
+    return payload | {"instances": [first | changes, *rest]}
+
+
+@pytest.mark.parametrize(
+    ("spoil", "reason"),
+    [
+        (lambda p: p | {"scene": "0" * 64}, "another scene"),
+        (lambda p: p | {"schema": 2}, "schema 1"),
+        (lambda p: p | {"versions": ["mujoco"]}, "type dict"),
+        (lambda p: spoilt(p, successes=9), "9 of 2"),
+        (lambda p: spoilt(p, successes=True), "type int"),
+        (lambda p: spoilt(p, task="Juggle"), "no task 'Juggle'"),
+        (lambda p: spoilt(p, goal=[0.1, "x"]), "no sound certificate"),
+        (lambda p: spoilt(p, goal=[0.1]), "no point"),
+        (lambda p: p | {"instances": p["instances"] * 3000}, "too many|bytes|more than"),
+    ],
+)
+def test_what_is_not_sound_is_refused(bundle: Path, spoil: Any, reason: str) -> None:
+    payload = json.loads((bundle / FILE).read_text())
+    (bundle / FILE).write_text(json.dumps(spoil(payload)))
+    with pytest.raises(BundleError, match=reason):
+        certified_instances(bundle)
+
+
+@pytest.mark.parametrize("raw", [b"{", b'{"schema": NaN}', b"\xff", b"[" * 5000])
+def test_what_is_no_json_is_refused(bundle: Path, raw: bytes) -> None:
+    (bundle / FILE).write_bytes(raw)
+    with pytest.raises(BundleError, match="no sound certificate"):
+        read_certificate(bundle)
+
+
+def test_a_link_is_not_followed(bundle: Path, tmp_path: Path) -> None:
+    (bundle / FILE).rename(tmp_path / "elsewhere.json")
+    (bundle / FILE).symlink_to(tmp_path / "elsewhere.json")
+    with pytest.raises(BundleError, match="is a link"):
+        read_certificate(bundle)
+
+
+def test_starts_are_a_little_off() -> None:
+    env = make_env(scene(), task="Lift")
+    env.reset(seed=0)
+    world = env.world
+    joints, cube = world.data.qpos[world.arm_qpos].copy(), world.position("cube_1")
+    perturb(env, np.random.default_rng(0))
+    assert 0.0 < np.abs(world.data.qpos[world.arm_qpos] - joints).max() <= 0.06
+    moved = np.abs(world.position("cube_1") - cube)
+    assert 0.0 < moved[:2].max() <= 0.003 and moved[2] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_wrong_requests_are_explained(bundle: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(InputError, match="Did you mean 'Stack'"):
+        certify(bundle, ["Stak"])
+    with pytest.raises(InputError, match="episodes must be a whole number from 1"):
+        certify(bundle, ["Lift"], episodes=0)
+    assert run(["certify", str(bundle), "--tasks", "Lift", "--episodes", "0"]) == 2
+    assert "error: episodes must be" in capsys.readouterr().err
+    assert run(["certify", str(bundle.parent / "none")]) == 4
+
+
+def test_shares_are_of_the_episodes() -> None:
+    assert Instance("Lift", "a", None, 3, 4).share == 0.75
+    assert Instance("Lift", "a", None).share == 0.0
+    assert Instance("Reach", None, (0.1, 0.2, 0.9)).options == {"goal": (0.1, 0.2, 0.9)}

@@ -1,0 +1,84 @@
+"""What the arm reaches, which way the hand turns, and the way around the base."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mujoco
+import numpy as np
+import pytest
+from toy import toy_object, toy_scene
+
+from tabletopgen_env.env import make_env
+from tabletopgen_env.expert.arm import NARROW, around, easiest, stretch, turn_left, wrist_is_free
+from tabletopgen_env.expert.heights import surroundings
+from tabletopgen_env.robot.kinematics import UPPER
+from tabletopgen_env.world import World
+
+TOP = 0.74
+
+
+@pytest.fixture(scope="module")
+def table() -> World:
+    env = make_env(toy_scene())
+    env.reset(seed=0)
+    return env.world
+
+
+@pytest.fixture
+def world(table: World) -> World:
+    table.reset()
+    return table
+
+
+def over(world: World, radius: float, bearing: float, height: float = 0.1) -> np.ndarray:
+    """A world point by its distance and bearing from the base."""
+    return world.to_world(np.array([radius * np.cos(bearing), radius * np.sin(bearing), height]))
+
+
+def test_points_beyond_the_arm_are_out_of_reach(world: World) -> None:
+    near = stretch(world, (over(world, 0.5, 0.0),), np.pi / 2)
+    assert near is not None
+    assert stretch(world, (over(world, 0.5, 0.0), over(world, 1.2, 0.0)), np.pi / 2) is None
+
+
+def test_of_two_opposite_yaws_the_one_nearer_home_is_taken(world: World) -> None:
+    points = (over(world, 0.5, 0.0),)
+    assert easiest(world, points, -np.pi / 2) == pytest.approx(np.pi / 2)
+    assert easiest(world, (over(world, 1.2, 0.0),), 0.0) is None
+
+
+def test_the_hand_turns_the_way_its_last_joint_can(world: World) -> None:
+    at_home = world.data.site_xpos[world.tcp].copy()
+    assert turn_left(world, np.pi / 2 + 0.4, at_home) == pytest.approx(0.4, abs=1e-6)
+    # Near its limit the joint cannot go on: half a turn more is half a turn back.
+    world.data.qpos[world.arm_qpos[6]] = UPPER[6] - 0.2
+    mujoco.mj_forward(world.model, world.data)
+    axis = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)[:, 0]
+    yaw = float(np.arctan2(axis[1], axis[0]))
+    assert turn_left(world, yaw - 1.5, at_home) == pytest.approx(2 * np.pi - 1.5, abs=1e-6)
+    assert turn_left(world, yaw + 1.5, at_home) == pytest.approx(1.5, abs=1e-6)
+
+
+def test_the_way_leads_around_the_base(world: World) -> None:
+    left, right = over(world, 0.5, 1.4), over(world, 0.5, -1.4)
+    aim = world.to_base(np.append(around(world, left, right), 0.0))
+    assert np.linalg.norm(aim[:2]) > NARROW
+    assert 0.8 < np.arctan2(aim[1], aim[0]) < 1.4
+    ahead, aside = over(world, 0.6, 0.3), over(world, 0.6, -0.3)
+    np.testing.assert_allclose(around(world, ahead, aside), aside[:2])
+
+
+def test_a_tower_behind_the_hand_stops_the_wrist() -> None:
+    def free(height: float) -> bool:
+        tower: Any = toy_object("tower", (0.08, 0.08, height), (0.0, 0.0))
+        env = make_env(toy_scene((tower, toy_object("cube", (0.04, 0.04, 0.04), (0.3, 0.2)))))
+        env.reset(seed=0, options={"target": "cube"})
+        world = env.world
+        outwards = -world.base_position[:2] / np.linalg.norm(world.base_position[:2])
+        at = 0.1 * outwards
+        others = surroundings(world, "cube", at - 0.3, at + 0.3, 0.01)
+        return wrist_is_free(world, others, at[None], TOP + 0.01)
+
+    assert free(0.1)
+    assert not free(0.25)

@@ -1,0 +1,77 @@
+"""Strokes: behind the centre of mass, with room for fingers and palm."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from toy import toy_object, toy_scene
+
+from generator.scene import Object
+from tabletopgen_env.env import make_env
+from tabletopgen_env.expert.run import TaskExpert
+from tabletopgen_env.expert.strokes import plan_stroke
+from tabletopgen_env.world import World
+
+TOP = 0.74
+BOOK = toy_object("book", (0.12, 0.12, 0.03), (0.0, 0.0))
+
+
+def at_table(*objects: Object) -> World:
+    env = make_env(toy_scene(objects), task="Push")
+    env.reset(seed=0, options={"target": objects[0].name, "goal": (0.1, 0.0)})
+    return env.world
+
+
+def test_a_stroke_begins_behind_the_object() -> None:
+    stroke = plan_stroke(at_table(BOOK), "book", np.array([0.15, 0.0]))
+    assert stroke is not None
+    np.testing.assert_allclose(stroke.ahead, [1.0, 0.0], atol=1e-6)
+    assert -0.13 < stroke.start[0] < -0.08
+    assert stroke.start[1] == pytest.approx(0.0, abs=1e-3)
+    assert TOP + 0.0088 < stroke.start[2] < TOP + 0.03
+
+
+def test_it_pushes_at_the_centre_of_mass() -> None:
+    heavy = toy_object("head", (0.03, 0.09, 0.03), (0.06, 0.0))
+    handle = toy_object("handle", (0.15, 0.02, 0.02), (0.0, 0.0))
+    offset = heavy.pose.position - handle.pose.position
+    hammer = replace(
+        handle,
+        parts=(*handle.parts, type(heavy.parts[0])(heavy.parts[0].vertices + offset)),
+        com=np.array([0.05, 0.0, 0.0]),
+    )
+    stroke = plan_stroke(at_table(hammer), "handle", np.array([0.0, 0.12]))
+    assert stroke is not None
+    assert stroke.start[0] == pytest.approx(0.05, abs=0.005)
+
+
+def test_a_wall_beside_the_way_stops_the_palm_unless_it_is_bold() -> None:
+    walls = [toy_object(f"wall_{k}", (0.3, 0.02, 0.2), (0.0, k * 0.09)) for k in (-1, 1)]
+    world = at_table(BOOK, *walls)
+    spot = np.array([0.15, 0.0])
+    assert plan_stroke(world, "book", spot) is None
+    assert plan_stroke(world, "book", spot, bold=True) is not None
+
+
+def test_the_fingers_meet_the_wall_of_a_hollow_thing_under_what_stands_out() -> None:
+    bowl = toy_object("bowl", (0.12, 0.12, 0.05), (0.0, 0.0), wall=0.01)
+    stick = toy_object("stick", (0.015, 0.015, 0.1), (0.0, 0.0))
+    rise = np.array([0.0, 0.0, 0.025])
+    mortar = replace(
+        bowl, parts=(*bowl.parts, type(stick.parts[0])(stick.parts[0].vertices + rise))
+    )
+    stroke = plan_stroke(at_table(mortar), "bowl", np.array([0.15, 0.0]))
+    assert stroke is not None
+    assert stroke.start[2] < TOP + 0.05, "over the wall the fingers would miss it"
+    assert stroke.start[0] < -0.06
+
+
+def test_it_pushes_a_long_thing_across_the_table() -> None:
+    bar = toy_object("bar", (0.2, 0.03, 0.03), (0.0, 0.0), mass=0.3)
+    env = make_env(toy_scene((bar,)), task="Push")
+    env.reset(seed=0, options={"target": "bar", "goal": (0.03, 0.13)})
+    expert = TaskExpert(env)
+    expert.reset()
+    assert any(env.step(expert.act())[4]["success"] for _ in range(120)), expert.phase
