@@ -33,6 +33,10 @@ _SCALED = 1.6  # how many times larger than by the tabletop's ends that scale ma
 _SHIFTED = 0.3  # of the table's longer side: how far from there that shift may be
 
 _ELSEWHERE = "the top view has it elsewhere; geometry put it back"
+_MOST = (
+    "The top view has {} of {} things on the table elsewhere than the picture; "
+    "geometry placed all of them."
+)
 _LACKS = "the top view lacks it; geometry put it in"
 
 Box = Float[np.ndarray, "4"]
@@ -92,22 +96,22 @@ def check_top_view(
         astray = sum(what == _ELSEWHERE for what in told.values())
         if 2 * astray > len(drawn):
             told = dict.fromkeys(placed, "")
-            warnings = (f"The top view has {astray} of {len(drawn)} things on the table elsewhere "
-                        "than the picture; geometry placed all of them.",)  # fmt: skip
+            warnings = (_MOST.format(astray, len(drawn)),)
         boxes |= {name: placed[name] for name in told}
     for thing in sorted(things, key=lambda i: stacking[i.name].order if i.name in stacking else 2):
-        name, lost = thing.name, thing.name not in boxes
-        below = boxes.get(on[name])
-        if not lost and (only_missing or below is None or _over(boxes[name], below)):
-            continue
-        boxes[name] = _put([placed.get(name), boxes.get(name), guesses[name]], below)
-        told[name] = _LACKS if below is None else (
-            f"it is on {on[name]}, and the top view {'lacks it' if lost else 'has it elsewhere'}; "
-            "it was put there"
-        )  # fmt: skip
+        name, below = thing.name, boxes.get(on[thing.name])
+        lost = name not in boxes
+        if lost or not (only_missing or below is None or _over(boxes[name], below)):
+            boxes[name] = _put([placed.get(name), boxes.get(name), guesses[name]], below)
+            told[name] = _LACKS if below is None else _on(on[name], lost)
     warnings += tuple(f"{name}: {what}." for name, what in told.items() if what)
     repaired = tuple(dict.fromkeys((*top.repaired, *told)))
     return replace(top, boxes=boxes, repaired=repaired), warnings
+
+
+def _on(below: str, lost: bool) -> str:
+    shown = "lacks it" if lost else "has it elsewhere"
+    return f"it is on {below}, and the top view {shown}; it was put there"
 
 
 def _length(box: Box) -> float:

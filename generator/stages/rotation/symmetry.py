@@ -29,9 +29,10 @@ def looks_round(
 
 
 def looks_order(objective: Objective, number: int, yaw: float, flat: float) -> int:
-    """Return into how many equal turns, 4 at most, a whole one falls that change an object's looks.
+    """Return by what share of a whole turn, 1 over 1 to 4, an object turns and looks the same.
 
-    Turned from ``yaw`` (radians) by any of them, its own render changes by less than ``flat``.
+    Turned from ``yaw`` (radians) by any number of these, its own render changes by less than
+    ``flat``.
     """
     shares = np.array([0, 1 / 4, 1 / 3, 1 / 2, 2 / 3, 3 / 4])
     same = _changes(objective, number, yaw + 2 * np.pi * shares) < flat
