@@ -190,7 +190,7 @@ def main() -> None:
         writer: csv.DictWriter[str] = csv.DictWriter(file, FIELDS)
         writer.writeheader()
         writer.writerows(rows)
-    text = summary(rows, tables.command_line("--note", "--venvs"), args.note)
+    text = summary(rows, tables.command_line("--note", "--venvs", "--out"), args.note)
     (args.out / f"{stem}.md").write_text(text, encoding="utf-8")
     print(text)
 
