@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
+from gymnasium import spaces
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 from gymnasium.vector.utils import concatenate, create_empty_array, iterate
 from gymnasium.wrappers import TimeLimit
@@ -25,6 +26,7 @@ from jaxtyping import Bool, Float
 
 from generator.errors import InputError, choices
 
+from .actions import checked
 from .env import make_env
 from .robot.panda import Panda
 from .worlds import Masters
@@ -97,6 +99,8 @@ class TabletopVectorEnv(SyncVectorEnv):
         super().__init__([slot] * num_envs, autoreset_mode=_mode(autoreset_mode))
         count = min(num_envs, threads or _cores())
         self._workers = [ThreadPoolExecutor(1, f"tabletop-{k}") for k in range(count)]
+        assert isinstance(self.single_action_space, spaces.Box)
+        self._actions = self.single_action_space
         self._over = np.zeros(num_envs, bool)
         self._seen: list[Any] = [None] * num_envs
 
@@ -152,7 +156,7 @@ class TabletopVectorEnv(SyncVectorEnv):
                 f"The episodes of the slots {over} are over and autoreset is disabled: call "
                 "reset(options={'reset_mask': ...}) first."
             )
-        chosen = list(iterate(self.action_space, actions))
+        chosen = [self._checked(k, a) for k, a in enumerate(iterate(self.action_space, actions))]
         turns = self._each(lambda k: self._turn(k, chosen[k]), range(self.num_envs))
         infos: dict[str, Any] = {}
         for k, turn in enumerate(turns):
@@ -191,6 +195,13 @@ class TabletopVectorEnv(SyncVectorEnv):
             worker.shutdown()
 
     # -------------------------------------------------------------------------------------- parts
+
+    def _checked(self, k: int, action: Any) -> Float[np.ndarray, "a"]:
+        """Return a sound action; all are looked at before any slot moves."""
+        try:
+            return checked(action, self._actions)
+        except InputError as error:
+            raise _noted(error, k) from None
 
     def _turn(self, k: int, action: Any) -> _Turn:
         """Step slot ``k``, or reset it if its episode is over."""
@@ -240,8 +251,12 @@ def _caught(work: Callable[[int], T], k: int) -> T | Exception:
     try:
         return work(k)
     except Exception as error:  # raised again by the caller's thread
-        error.add_note(f"(in slot {k} of the vector environment)")
-        return error
+        return _noted(error, k)
+
+
+def _noted(error: Exception, k: int) -> Exception:
+    error.add_note(f"(in slot {k} of the vector environment)")
+    return error
 
 
 def _mode(mode: str | AutoresetMode) -> AutoresetMode:

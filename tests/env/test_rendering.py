@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from toy import toy_scene
+from toy import toy_objects, toy_scene
 
 from generator.errors import BackendError, InputError
 from tabletopgen_env import rendering
@@ -156,4 +156,15 @@ def test_human_mode_without_a_display_says_so_once(monkeypatch) -> None:
         env.reset(seed=0)
         env.step(env.action_space.sample())
     assert len(caught) == 1
+    env.close()
+
+
+def test_what_leaves_the_cache_is_freed_on_the_graphics_side() -> None:
+    scenes = [toy_scene(toy_objects()[: k + 1], name=str(k)) for k in range(3)]
+    env = make_env(scenes, observation="pixels", image_size=16, cache=1)
+    for seed in range(8):
+        env.reset(seed=seed)
+        drawer = env._drawer("pixels")
+        held = getattr(drawer, "_held", None) or getattr(drawer, "_shapes", {})
+        assert len(held) == 1
     env.close()

@@ -197,7 +197,7 @@ def test_wrong_calls_are_explained() -> None:
     with pytest.raises(InputError, match="must be finite") as caught:
         envs.step(np.array([[0.0] * 5, [np.nan] * 5]))
     assert "slot 1" in caught.value.__notes__[0]
-    envs.reset(seed=0)
+    assert [world.data.time for world in envs.get_attr("world")] == [0.0, 0.0], "none has moved"
     envs.step(np.zeros((2, 5)))
     with pytest.raises(InputError, match=r"slots \[0, 1\] are over"):
         envs.step(np.zeros((2, 5)))
