@@ -156,7 +156,9 @@ def composed_scenes(task: str, count: int, held_out: bool) -> list[tuple[str, in
     if task in PRESETS:
         return [(PRESETS[task], first + k) for k in range(count)]
     texts = [t for name in ("texts.json", "table78.json") for t in tables.texts_in(HERE / name)]
-    texts = texts[int(held_out) :: 2]
+    shown = texts[::2]
+    texts = list(dict.fromkeys(t for t in texts[1::2] if t not in shown) if held_out
+                 else dict.fromkeys(shown))  # fmt: skip
     # A stride coprime to their number visits the themes in turn.
     stride = next(s for s in (19, 17, 13, 1) if len(texts) % s)
     return [(texts[k * stride % len(texts)], first + k // len(texts)) for k in range(count)]

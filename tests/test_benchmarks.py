@@ -184,3 +184,42 @@ def test_other_packages_are_timed_without_this_one() -> None:
     told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
     seen = json.loads(told)
     assert set(seen) == {"wall", "cpu", "reset"} and seen["wall"] > 0
+
+
+def test_the_expert_is_never_developed_on_held_out_scenes() -> None:
+    bench = script("expert")
+    shown = bench.composed_scenes("Lift", 60, held_out=False)
+    kept = bench.composed_scenes("Lift", 60, held_out=True)
+    assert len(set(shown)) == len(set(kept)) == 60
+    assert not {text for text, _ in shown} & {text for text, _ in kept}
+    assert min(seed for _, seed in kept) >= bench.HELD_OUT > max(seed for _, seed in shown)
+    presets = bench.composed_scenes("Sequence:kitchen", 3, held_out=True)
+    assert presets == [(bench.PRESETS["Sequence:kitchen"], bench.HELD_OUT + k) for k in range(3)]
+
+
+def test_wilsons_interval() -> None:
+    wilson = script("expert").wilson
+    assert wilson(95, 100) == pytest.approx((0.8882, 0.9785), abs=1e-3)
+    assert wilson(0, 0) == (0.0, 1.0)
+
+
+def test_the_expert_summary_counts_what_was_run() -> None:
+    bench = script("expert")
+    row = dict.fromkeys(bench.FIELDS, "") | {
+        "task": "Push", "scene": "a desk", "seed": 0, "episode": 0, "success": 1, "steps": 50,
+        "phase": "retreat", "category": "mug",
+    }  # fmt: skip
+    failed = row | {"episode": 1, "success": 0, "phase": "stroke", "steps": 120}
+    empty = row | {"scene": "a shelf", "success": "", "error": "nothing to do"}
+    text = bench.summary([row, failed, empty], "bench")
+    assert "# Expert: 1 of 2 episodes" in text
+    assert "| Push | 1 of 2 | 50.0 % | 9 to 91 % | 50 | 1 of 2 |" in text
+    assert "| Push | stroke 1 |" in text and "| Push | mug 1 of 2 |" in text
+
+
+def test_a_table_without_anything_to_do_is_a_row() -> None:
+    bench = script("expert")
+    rows = bench.work(bench.Job("Swap", "A die.", 0, 2), composed=True)
+    assert [(r["success"], r["rows"]) for r in rows] == [("", 1)]
+    assert "nothing to move" in rows[0]["error"]
+    assert bench.say(rows) == "Swap at 'A die.' seed 0: nothing to do"

@@ -284,3 +284,36 @@ def test_presets_find_their_things_by_what_they_are() -> None:
     assert is_done(env)
     with pytest.raises(SceneError, match=r"no cucumber.*it has bottle, bowl"):
         make_env(toy_scene(toy_objects()), task="Sequence", preset="kitchen").reset(seed=0)
+
+
+def test_presets_refuse_tables_where_a_thing_cannot_be_taken() -> None:
+    things = (
+        toy_object("cucumber_1", (0.14, 0.03, 0.03), (-0.2, 0.0)),
+        toy_object("carrot_1", (0.1, 0.03, 0.03), (0.0, -0.15)),
+        toy_object("salt_shaker_1", (0.04, 0.04, 0.07), (0.0, 0.2)),
+        toy_object("bowl_1", (0.2, 0.2, 0.06), (0.2, 0.1), wall=0.008),
+        toy_object("cutting_board_1", (0.2, 0.2, 0.02), (0.25, -0.15), mass=1.0),
+    )
+    walls = tuple(toy_object(f"wall_{k}", (0.2, 0.03, 0.2), (-0.2, 0.04 * k)) for k in (-1, 1))
+    for extra, told in (((), None), (walls, "cucumber_1: its neighbours")):
+        env = make_env(toy_scene(things + extra), task="Sequence", preset="kitchen")
+        if told is None:
+            env.reset(seed=0)
+            continue
+        with pytest.raises(SceneError, match=told):
+            env.reset(seed=0)
+
+
+def test_stacked_things_have_their_mass_over_the_top() -> None:
+    thing = replace(
+        toy_object("brush_1", (0.16, 0.03, 0.03), (-0.2, 0.0)), com=np.array([0.05, 0.0, 0.0])
+    )
+    small, large = (
+        toy_object(f"{name}_1", (size, size, 0.03), (0.1, 0.1 * k), mass=1.0)
+        for k, (name, size) in enumerate((("tin", 0.08), ("board", 0.16)))
+    )
+    with pytest.raises(SceneError, match="no flat top in reach that carries it"):
+        make_env(toy_scene((thing, small)), task="Stack").reset(seed=0)
+    env = make_env(toy_scene((thing, large)), task="Stack")
+    env.reset(seed=0, options={"target": "brush_1"})
+    assert env.goal.reference == "board_1"

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_scene, toy_table
 
-from generator.physics.gate import Limits, judge, names_in, reach, watched
+from generator.physics.gate import Limits, judge, reach, watched
 from generator.physics.simulation import Simulation
-from generator.scene import ConvexPart, Object, Pose, Scene
+from generator.scene import ConvexPart, Object, Pose, Scene, names_in
 
 
 def cube(name: str, x: float, y: float = 0.0, z: float = 0.0, **options) -> Object:
