@@ -93,6 +93,12 @@ class Randomizer:
             self._drawn["noise"] = {k: getattr(self.settings, k) for k in SWITCHES["noise"]}
         world.reset()
 
+    def __getstate__(self) -> dict[str, Any]:
+        return self.__dict__ | {"_originals": list(self._originals.items())}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, _originals=WeakKeyDictionary(state["_originals"]))
+
     def finish(self, world: World, keep: Collection[str]) -> None:
         """Take objects away, but none of ``keep``, those that the task needs."""
         if "distractors" not in self._on:

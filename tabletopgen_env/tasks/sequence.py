@@ -168,6 +168,8 @@ def _drawn(world: World, rng: np.random.Generator, count: int) -> Episode:
             return episode(world, tuple(goals), ", then ".join(texts))
     if len(goals) >= 2:
         return episode(world, tuple(goals), ", then ".join(texts))
+    for goal in goals:
+        reasons[str(goal.target)] = "the only thing that can be moved somewhere"
     raise nothing(world, reasons)
 
 

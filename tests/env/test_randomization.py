@@ -87,7 +87,7 @@ def test_off_it_changes_nothing_and_draws_nothing() -> None:
 
 def marked(world: World, env: TabletopEnv) -> World:
     """The world with the marker as ``env`` shows it."""
-    world.show_marker(env.episode.spot, env.task.marker_radius)
+    world.show_marker(env.goal.spot, env.task.marker_radius)
     return world
 
 
@@ -172,7 +172,7 @@ def test_pictures_are_those_of_the_unchanged_world_after_undoing() -> None:
         assert (seen[camera] != usual[camera]).mean() > 0.3
     env._randomizer.restore(env.world)
     env.world.reset()
-    env.world.show_marker(env.episode.spot, env.task.marker_radius)
+    env.world.show_marker(env.goal.spot, env.task.marker_radius)
     again = env._drawer("pixels")
     for camera, key in (("front", "front"), ("overhead", "top")):
         assert np.array_equal(again.rgb(env.world, camera), usual[key])

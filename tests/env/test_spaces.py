@@ -21,8 +21,13 @@ IDS = sorted(name for name in gym.registry if name.startswith("TabletopGen/"))
 
 def check(name: str, *ignored: str, **settings) -> None:
     """Run both checkers; every warning but those ``ignored`` is an error."""
-    cube = toy_object("cube_1", (0.04, 0.04, 0.04), (0.05, -0.1))
-    env = gym.make(name, scenes=toy_scene((cube,)), render_mode="rgb_array", **settings)
+    things = (
+        toy_object("cube_1", (0.04, 0.04, 0.04), (0.05, -0.1)),
+        toy_object("cube_2", (0.045, 0.045, 0.04), (-0.15, -0.15)),
+        toy_object("tray_1", (0.22, 0.22, 0.05), (-0.2, 0.1), wall=0.01),
+        toy_object("box_1", (0.16, 0.14, 0.05), (0.25, 0.1)),
+    )
+    env = gym.make(name, scenes=toy_scene(things), render_mode="rgb_array", **settings)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for message in (".*needs a display.*", *ignored):

@@ -15,7 +15,7 @@ from toy import toy_objects, toy_scene
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.scenes import resolve
+from tabletopgen_env.scenes import SceneRef, resolve
 from tabletopgen_env.vector import TabletopVectorEnv
 from tabletopgen_env.worlds import Masters
 
@@ -146,7 +146,7 @@ def test_options_reach_every_slot_and_a_mask_resets_some() -> None:
 def test_slots_share_compiled_scenes_but_no_models() -> None:
     (ref,) = resolve(toy_scene()).refs
     loads = []
-    counted = type(ref)(ref.key, lambda: loads.append(1) or ref.load())
+    counted = SceneRef(ref.key, lambda: loads.append(1) or ref.load())
     masters = Masters(Panda())
     first, second = masters.twin(counted), masters.twin(counted)
     assert len(loads) == 1 and first.model is not second.model
@@ -158,7 +158,7 @@ def test_slots_share_compiled_scenes_but_no_models() -> None:
 def test_masters_keep_the_scenes_used_last() -> None:
     loads = []
     refs = [resolve(toy_scene(toy_objects()[:1], name=str(k))).refs[0] for k in range(3)]
-    refs = [type(r)(r.key, lambda r=r: loads.append(r.key) or r.load()) for r in refs]
+    refs = [SceneRef(r.key, lambda r=r: loads.append(r.key) or r.load()) for r in refs]
     masters = Masters(Panda(), size=2)
     for k in (0, 1, 0, 2, 0, 1):
         masters.twin(refs[k])

@@ -15,6 +15,7 @@ from tabletopgen_env.point_cloud import ABOVE, point_cloud, unprojected
 from tabletopgen_env.rendering import drawer
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.software import model_camera
+from tabletopgen_env.tasks.sampling import into
 from tabletopgen_env.views import DEPTH_FAR, SLOTS, ObservationConfig, geom_labels, pictures
 from tabletopgen_env.world import World
 
@@ -31,7 +32,8 @@ def world() -> World:
 
 
 def order_of(world: World) -> list[str]:
-    return slot_order(world, "cube_1", "bowl_1")
+    goal = into(world, world.scene.object("cube_1"), world.scene.object("bowl_1"))
+    return slot_order(world, goal)
 
 
 @pytest.mark.parametrize("renderer", RENDERERS)

@@ -190,7 +190,7 @@ class Told:
 
 def finish(env) -> None:
     """Put the target where it is to go, and let it rest."""
-    spot, target = env.episode.spot, env.world.scene.object(env.episode.target)
+    spot, target = env.goal.spot, env.world.scene.object(env.goal.target)
     env.world.teleport(target.name, np.array([*spot[:2], spot[2] + target.scale[2] / 2]))
     for _ in range(8):
         env.step(np.zeros(env.action_space.shape))

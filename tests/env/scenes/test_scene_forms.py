@@ -79,7 +79,6 @@ def test_one_scene_in_memory_is_one_scene() -> None:
         ([], "list is empty"),
         (5, "scenes is of type int; pass .*'starter:train'"),
         ([5], "holds a int"),
-        (None, "scenes is of type NoneType"),
     ],
 )
 def test_what_is_no_scene_is_explained(scenes, message) -> None:
