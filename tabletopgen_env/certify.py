@@ -11,35 +11,35 @@ A success is ``info["success"]`` held for ``HOLD`` steps within the time limit o
 
 from __future__ import annotations
 
-import hashlib
-import json
-import os
-import tempfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import asdict, dataclass, replace
+from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from generator.bundle import MOST_BYTES, load, read_inside
-from generator.errors import BundleError, InputError, SceneError, StorageError, choices
+from generator.bundle import load
+from generator.errors import InputError, SceneError, choices
 from generator.geometry import inside_margin, quaternion_matrix, yaw_quaternion
 
+from .certificate import (
+    MOST_EPISODES,
+    MOST_INSTANCES,
+    Certificate,
+    Instance,
+    Point,
+    scene_digest,
+    write_certificate,
+)
+from .certificate import certified_instances as certified_instances
 from .tasks import NAMES
 
 if TYPE_CHECKING:
     from .env import TabletopEnv
     from .tasks.task import Episode
     from .world import World
-
-FILE = "certificate.json"
-"""The certificate's name in a bundle's folder."""
-
-SCHEMA = 1
-"""Version of the file; others are refused."""
 
 HOLD = 10
 """Steps for which a success has to hold."""
@@ -50,68 +50,8 @@ JOINT_JITTER = 0.06
 SHIFT, TURN = 0.003, float(np.deg2rad(3.0))
 """How far things that stand free are off at the start, metres and radians."""
 
-LEAST = 0.8
-"""Share of solved episodes from which an instance counts as certified."""
-
-_MOST_FILE = 2**20
-_MOST_INSTANCES = 4096
-_MOST_EPISODES = 10_000
 _DRAWS = 40
 _VERSIONS = ("tabletopgen", "mujoco", "numpy")
-
-Point = tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class Instance:
-    """One thing to do at a table, as ``reset`` takes it, and how often the expert did it.
-
-    ``goal`` is an object's name, a point of the world frame (m) or None; ``target`` an object's
-    name or None, as the task's page says. The drawn Sequence is one instance without either.
-    """
-
-    task: str
-    target: str | None
-    goal: str | Point | None
-    successes: int = 0
-    episodes: int = 0
-
-    @property
-    def options(self) -> dict[str, Any]:
-        """The options of ``reset`` that ask for it."""
-        both = {"target": self.target, "goal": self.goal}
-        return {name: value for name, value in both.items() if value is not None}
-
-    @property
-    def share(self) -> float:
-        """Share of the episodes that the expert solved; 0 without episodes."""
-        return self.successes / self.episodes if self.episodes else 0.0
-
-
-@dataclass(frozen=True)
-class Certificate:
-    """What was seen at one table.
-
-    ``scene`` is the sha256 of the bundle's ``scene.json``; ``seed`` and ``versions`` say how it can
-    be seen again.
-    """
-
-    scene: str
-    seed: int
-    versions: Mapping[str, str]
-    instances: tuple[Instance, ...]
-
-
-def certified_instances(path: str | Path, least: float = LEAST) -> tuple[Instance, ...]:
-    """Return the instances of a bundle of which the expert solved a share of at least ``least``.
-
-    None are certified where there is no certificate.
-
-    Raises:
-        BundleError: the certificate is damaged, or another scene's.
-    """
-    found = read_certificate(path)
-    return () if found is None else tuple(i for i in found.instances if i.share >= least)
 
 
 def certify(
@@ -148,36 +88,9 @@ def certify(
     else:
         seen = [_played(job) for job in jobs]
     versions = {name: metadata.version(name) for name in _VERSIONS}
-    certificate = Certificate(_digest(folder), seed, versions, tuple(seen))
-    _write(folder, certificate)
+    certificate = Certificate(scene_digest(folder), seed, versions, tuple(seen))
+    write_certificate(folder, certificate)
     return certificate
-
-
-def read_certificate(path: str | Path) -> Certificate | None:
-    """Return a bundle's certificate, checked; None if it has none.
-
-    Raises:
-        BundleError: it is damaged, too large, of another schema, or another scene's.
-    """
-    folder = Path(path)
-    if not os.path.lexists(folder / FILE):
-        return None
-    raw = read_inside(folder, FILE, _MOST_FILE)
-    try:
-        payload = json.loads(raw, parse_constant=_refused)
-        if not isinstance(payload, dict) or payload.get("schema") != SCHEMA:
-            raise ValueError(f"it is not of schema {SCHEMA}")
-        found = _decoded(payload)
-    except (ValueError, TypeError, KeyError, RecursionError) as error:
-        raise BundleError(
-            f"{folder}: {FILE} is no sound certificate ({type(error).__name__}: {error}). "
-            "Remove it, or certify the bundle again."
-        ) from error
-    if found.scene != _digest(folder):
-        raise BundleError(
-            f"{folder}: {FILE} was made for another scene. Remove it, or certify the bundle again."
-        )
-    return found
 
 
 # ------------------------------------------------------------------------------------- instances
@@ -315,80 +228,13 @@ def _seed(seed: int, number: int) -> int:
     return int(np.random.default_rng((seed, number)).integers(2**31))
 
 
-# -------------------------------------------------------------------------------------- the file
-
-
-def _digest(folder: Path) -> str:
-    return hashlib.sha256(read_inside(folder, "scene.json", MOST_BYTES)).hexdigest()
-
-
-def _write(folder: Path, certificate: Certificate) -> None:
-    """Write the certificate, whole or not at all."""
-    payload = {"schema": SCHEMA, **asdict(certificate)}
-    text = json.dumps(payload, indent=1, sort_keys=True, allow_nan=False) + "\n"
-    part = None
-    try:
-        with tempfile.NamedTemporaryFile("w", dir=folder, suffix=".part", delete=False) as file:
-            part = Path(file.name)
-            file.write(text)
-        part.chmod(0o644)
-        part.replace(folder / FILE)
-    except OSError as error:
-        if part is not None:
-            part.unlink(missing_ok=True)
-        raise StorageError(
-            f"The certificate cannot be written to {folder}: {error.strerror or error}. "
-            "Certify a copy of the bundle."
-        ) from error
-
-
-def _decoded(payload: dict[str, Any]) -> Certificate:
-    scene, seed = _of(payload["scene"], str), _of(payload["seed"], int)
-    versions = {_of(k, str): _of(v, str) for k, v in _of(payload["versions"], dict).items()}
-    listed = _of(payload["instances"], list)
-    if len(listed) > _MOST_INSTANCES:
-        raise ValueError(f"it lists more than {_MOST_INSTANCES} instances")
-    return Certificate(
-        scene, seed, versions, tuple(_decoded_instance(_of(i, dict)) for i in listed)
-    )
-
-
-def _decoded_instance(entry: dict[str, Any]) -> Instance:
-    target, goal = entry["target"], entry["goal"]
-    if target is not None:
-        _of(target, str)
-    if isinstance(goal, list):
-        goal = tuple(float(v) for v in goal if not isinstance(v, bool))
-        if len(goal) not in (2, 3) or not np.isfinite(goal).all():
-            raise ValueError(f"{entry['goal']!r} is no point")
-    elif goal is not None:
-        _of(goal, str)
-    task = _of(entry["task"], str)
-    if task not in NAMES:
-        raise ValueError(f"there is no task {task!r}")
-    solved, played = _of(entry["successes"], int), _of(entry["episodes"], int)
-    if not 0 <= solved <= played <= _MOST_EPISODES:
-        raise ValueError(f"{solved} of {played} episodes cannot be")
-    return Instance(task, target, goal, solved, played)
-
-
-def _of(value: Any, kind: type) -> Any:
-    if type(value) is not kind:
-        raise TypeError(f"{value!r} should be of type {kind.__name__}")
-    return value
-
-
-def _refused(constant: str) -> None:
-    raise ValueError(f"{constant} is not a finite number")
-
-
 def _check(tasks: Sequence[str], episodes: int, workers: int, most: int) -> None:
     for task in tasks:
         if task not in NAMES:
             raise InputError(f"Unknown task {task!r}." + choices(str(task), NAMES))
     for name, value, limit in (
-        ("episodes", episodes, _MOST_EPISODES), ("workers", workers, 1024),
-        ("most", most, _MOST_INSTANCES // len(NAMES)),
+        ("episodes", episodes, MOST_EPISODES), ("workers", workers, 1024),
+        ("most", most, MOST_INSTANCES // len(NAMES)),
     ):  # fmt: skip
         if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= limit:
             raise InputError(f"{name} must be a whole number from 1 to {limit}, got {value!r}.")

@@ -28,6 +28,7 @@ INSIDE = 0.05
 NARROW = 0.38
 """Metres from the base's axis within which the hand does not pass: it would fold the arm."""
 
+_NEAREST = 0.28  # metres from the base's axis: nearer the arm would have to fold otherwise
 _ROLL_MARGIN = 0.1
 _WRIST_BACK, _WRIST_RADIUS, _WRIST_Z = 0.088, 0.065, 0.15
 _ITERATIONS = 40
@@ -53,6 +54,8 @@ def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) 
     """
     most = 0.0
     for point in points:
+        if np.linalg.norm(world.to_base(point)[:2]) < _NEAREST:
+            return None
         found = solve_ik(world.to_base(point), pointing_down(yaw), iterations=_ITERATIONS)
         inside = np.minimum(found.joints - LOWER, UPPER - found.joints).min()
         if not found.solved or inside < INSIDE:

@@ -219,9 +219,12 @@ class Picker(Expert):
         self.attempts += 1
         center = world.position(name)[:2]
         others = surroundings(world, name, center - _AROUND, center + _AROUND, 0.01)
-        for grasp in plan_grasps(world, name, self._failed)[:80]:
-            if not wrist_is_free(world, others, grasp.point[None, :2], grasp.point[2] - TIP):
-                continue
+        found = plan_grasps(world, name, self._failed)[:80]
+        free = [
+            g for g in found if wrist_is_free(world, others, g.point[None, :2], g.point[2] - TIP)
+        ]
+        # Where the wrist has no room for any, it may yet come by.
+        for grasp in free or found:
             points = (grasp.point, grasp.point + up(_HOVER))
             yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)
             if yaw is not None:

@@ -15,7 +15,7 @@ from jaxtyping import Float
 from generator.geometry import wrap
 from generator.scene import ConvexPart
 
-from .arm import stretch, wrist_is_free
+from .arm import stretch, turn_left, wrist_is_free
 from .grasps import TIP
 from .heights import HeightMap, height_map, moved, surroundings
 
@@ -106,7 +106,10 @@ def plan_stroke(
         start, end = (np.array([*at, height]) for at in line[[0, -1]])
         yaw = wrap(bearing + turn - world.mount.yaw)
         far = stretch(world, (start, end, start + np.array([0.0, 0.0, HOVER])), yaw)
-        if far is not None and (best is None or far < best[0]):
+        if far is None:
+            continue
+        far += abs(turn_left(world, yaw, start))  # a quick turn is worth some stretching
+        if best is None or far < best[0]:
             best = far, Stroke(start, ahead, yaw)
     return None if best is None else best[1]
 

@@ -15,14 +15,8 @@ from generator.errors import BundleError, InputError
 from generator.physics.gate import judge
 from generator.scene import Scene
 from tabletopgen_env.__main__ import run
-from tabletopgen_env.certify import (
-    FILE,
-    Instance,
-    certified_instances,
-    certify,
-    perturb,
-    read_certificate,
-)
+from tabletopgen_env.certificate import FILE, Instance, read_certificate
+from tabletopgen_env.certify import certified_instances, certify, perturb
 from tabletopgen_env.env import make_env
 
 

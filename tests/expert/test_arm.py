@@ -40,6 +40,7 @@ def test_points_beyond_the_arm_are_out_of_reach(world: World) -> None:
     near = stretch(world, (over(world, 0.5, 0.0),), np.pi / 2)
     assert near is not None
     assert stretch(world, (over(world, 0.5, 0.0), over(world, 1.2, 0.0)), np.pi / 2) is None
+    assert stretch(world, (over(world, 0.22, 0.0),), np.pi / 2) is None, "beside the base"
 
 
 def test_of_two_opposite_yaws_the_one_nearer_home_is_taken(world: World) -> None:
