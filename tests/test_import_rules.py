@@ -194,6 +194,7 @@ def test_the_rules_can_fail() -> None:
 
 # Packages whose import has another name than their distribution.
 DISTRIBUTIONS = {
+    "stable_baselines3": "stable-baselines3",
     "PIL": "pillow",
     "cv2": "opencv-python-headless",
     "fast_simplification": "fast-simplification",
@@ -201,9 +202,10 @@ DISTRIBUTIONS = {
 INDIRECT = {"coacd", "mapbox-earcut"}  # run in a child process; called by trimesh
 
 
-def declared() -> set[str]:
+def declared(extra: str | None = None) -> set[str]:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    return {re.split(r"[^A-Za-z0-9-]", entry)[0] for entry in project["dependencies"]}
+    listed = project["optional-dependencies"][extra] if extra else project["dependencies"]
+    return {re.split(r"[^A-Za-z0-9-]", entry)[0] for entry in listed}
 
 
 def foreign(path: Path) -> set[str]:
@@ -220,8 +222,11 @@ def foreign(path: Path) -> set[str]:
 
 def test_what_is_imported_is_what_is_installed() -> None:
     """Every package imported is a dependency, and the other way round."""
-    used = {package for _, path in modules() for package in foreign(path)}
+    used, learning = set(), set()
+    for name, path in modules():
+        (learning if name.startswith("tabletopgen_env.learning") else used).update(foreign(path))
     assert used | INDIRECT == declared()
+    assert learning - declared() == declared("train")
     assert {line.split("==")[0] for line in constraints()} >= declared()
 
 
