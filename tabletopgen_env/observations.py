@@ -149,7 +149,7 @@ def robot_state(world: World, goal: Goal, noise: Noise | None = None) -> Float[n
     data = world.data
     joints = data.qpos[world.arm_qpos]
     tcp = world.to_base(data.site_xpos[world.tcp])
-    hand = world.base_rotation.T @ data.site_xmat[world.tcp].reshape(3, 3)
+    hand = world.hand
     at = world.to_base(center(world, goal))
     if noise is not None:
         (point, turned), (there, misread) = forward(joints), forward(joints + noise.joints)

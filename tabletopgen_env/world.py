@@ -309,6 +309,11 @@ class World:
 
     # -------------------------------------------------------------------------------- base frame
 
+    @property
+    def hand(self) -> Float[np.ndarray, "3 3"]:
+        """The rotation of the hand, that of the tool centre point's site, in the base frame."""
+        return self.base_rotation.T @ self.data.site_xmat[self.tcp].reshape(3, 3)
+
     def to_base(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
         """Carry world points into the base frame."""
         return (points - self.base_position) @ self.base_rotation

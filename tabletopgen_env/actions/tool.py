@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 from generator.geometry import wrap
 
 from ..robot.franka import JOINTS
-from ..robot.kinematics import HOME, forward, ik_step, rotation_vector
+from ..robot.kinematics import HOME, forward, ik_step, pointing_down, rotation_vector
 from ..world import World
 from .servos import Servos, box
 
@@ -89,10 +89,10 @@ class ToolDelta:
     def apply(self, world: World, action: Float[np.ndarray, "5"]) -> None:
         """Advance the commanded pose by ``action`` and the commanded joints after it."""
         self.arm.move(world, action[:3])
-        real, leash = _yaw(_hand(world)), YAW_LEASH * self.servos.slack
+        real, leash = _yaw(world.hand), YAW_LEASH * self.servos.slack
         ahead = wrap(self.yaw + EE_TURN * self.servos.share * action[3] - real)
         self.yaw = real + float(np.clip(ahead, -leash, leash))
-        self.arm.follow(world, _pointing_down(self.yaw), action[4])
+        self.arm.follow(world, pointing_down(self.yaw), action[4])
 
 
 class ToolDeltaPosition:
@@ -128,7 +128,7 @@ class ToolDelta6D:
     def apply(self, world: World, action: Float[np.ndarray, "7"]) -> None:
         """Advance the commanded pose by ``action`` and the commanded joints after it."""
         self._arm.move(world, action[:3])
-        real, leash = _hand(world), YAW_LEASH * self.servos.slack
+        real, leash = world.hand, YAW_LEASH * self.servos.slack
         turn = Rotation.from_rotvec(EE_TURN * self.servos.share * action[3:6]).as_matrix()
         ahead = rotation_vector(turn @ self._rotation @ real.T)
         ahead *= min(1.0, leash / max(float(np.linalg.norm(ahead)), 1e-9))
@@ -160,16 +160,5 @@ class ToolAbsolute:
         self._way.apply(world, np.array([*move, np.clip(turn, -1.0, 1.0), action[4]]))
 
 
-def _hand(world: World) -> Float[np.ndarray, "3 3"]:
-    """Return the hand's present rotation in the base frame."""
-    return world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)
-
-
 def _yaw(hand: Float[np.ndarray, "3 3"]) -> float:
     return float(np.arctan2(hand[1, 0], hand[0, 0]))
-
-
-def _pointing_down(yaw: float) -> Float[np.ndarray, "3 3"]:
-    """Return the rotation of a hand that points straight down, its x axis at ``yaw``."""
-    c, s = np.cos(yaw), np.sin(yaw)
-    return np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])

@@ -14,7 +14,7 @@ from jaxtyping import Float
 
 from generator.geometry import wrap
 
-from ..robot.kinematics import HOME, LOWER, UPPER, forward, solve_ik
+from ..robot.kinematics import HOME, LOWER, UPPER, forward, pointing_down, solve_ik
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -36,12 +36,6 @@ _RING = np.column_stack([np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) *
 _HOME_AXES = forward(HOME)[1]
 _ROLL = float(np.arctan2(_HOME_AXES[1, 0], _HOME_AXES[0, 0]))
 """The hand's yaw at home, where the tool is straight ahead."""
-
-
-def pointing_down(yaw: float) -> Float[np.ndarray, "3 3"]:
-    """Return the rotation of a hand that points straight down, its x axis at ``yaw``."""
-    c, s = np.cos(yaw), np.sin(yaw)
-    return np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])
 
 
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
@@ -77,7 +71,7 @@ def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
     The turn is that of the last joint, so that a hand on its way keeps its place in that joint's
     range.
     """
-    axis = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)[:, 0]
+    axis = world.hand[:, 0]
     relative = float(np.arctan2(axis[1], axis[0])) - _bearing(
         world, world.data.site_xpos[world.tcp]
     )

@@ -69,7 +69,7 @@ class Expert(ABC):
     def _yaw(self) -> float:
         """The hand's yaw in the base frame, radians."""
         world = self._env.world
-        axis = world.base_rotation.T @ world.data.site_xmat[world.tcp].reshape(3, 3)[:, 0]
+        axis = world.hand[:, 0]
         return float(np.arctan2(axis[1], axis[0]))
 
     @property

@@ -17,7 +17,7 @@ from jaxtyping import Float
 from stable_baselines3 import SAC
 from torch import Tensor, nn
 
-from generator.errors import InputError
+from generator.errors import require
 
 from .demonstrations import Demonstration, Policy, demonstrations
 
@@ -46,12 +46,11 @@ class CloningConfig:
     learning_rate: float = 1e-3
 
     def __post_init__(self) -> None:
-        if min(self.rounds, self.episodes, self.steps, self.last_steps, self.batch) < 1:
-            raise InputError(f"CloningConfig counts are at least 1, got {self}.")
-        if not (0 <= self.expert_share <= 1 and self.noise >= 0 and self.learning_rate > 0):
-            raise InputError(
-                f"CloningConfig needs 0 <= expert_share <= 1, noise >= 0, rate > 0; got {self}."
-            )
+        counts = ("rounds", "episodes", "steps", "last_steps", "batch")
+        require(self, *counts, least=1, whole=True)
+        require(self, "expert_share", least=0, most=1)
+        require(self, "noise", least=0)
+        require(self, "learning_rate", above=0)
 
 
 @dataclass(frozen=True)

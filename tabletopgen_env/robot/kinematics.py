@@ -128,6 +128,12 @@ def rotation_vector(rotation: Float[np.ndarray, "3 3"]) -> Float[np.ndarray, "3"
     return angle * axis * np.where(signs == 0, 1.0, signs)
 
 
+def pointing_down(yaw: float) -> Float[np.ndarray, "3 3"]:
+    """Return the rotation of a hand that points straight down, its x axis at ``yaw``."""
+    c, s = np.cos(yaw), np.sin(yaw)
+    return np.array([[c, s, 0.0], [s, -c, 0.0], [0.0, 0.0, -1.0]])
+
+
 def ik_step(
     joints: Float[np.ndarray, "7"],
     position: Float[np.ndarray, "3"],

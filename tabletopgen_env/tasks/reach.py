@@ -15,6 +15,7 @@ from generator.errors import InputError, SceneError
 
 from ..expert.path import clear_height
 from .goals import Reached
+from .sampling import coordinates
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -42,18 +43,9 @@ class Reach(Task):
         """Draw a point, or take the one given; see ``Task.sample``."""
         if target is not None:
             raise InputError("Reach has no target; leave the option 'target' out.")
-        point = free_point(world, rng) if goal is None else _given(goal)
+        wanted = "The goal of Reach is a point (x, y, z), world frame"
+        point = free_point(world, rng) if goal is None else coordinates(goal, 3, wanted)
         return episode(world, (Reached(point),), "move the hand to the marked point")
-
-
-def _given(goal: str | tuple[float, ...]) -> Float[np.ndarray, "3"]:
-    try:
-        point = np.asarray(goal, float)
-    except (TypeError, ValueError):
-        point = np.empty(0)
-    if point.shape != (3,) or not np.isfinite(point).all():
-        raise InputError(f"The goal of Reach is a point (x, y, z), world frame, got {goal!r}.")
-    return point
 
 
 def free_point(world: World, rng: np.random.Generator) -> Float[np.ndarray, "3"]:

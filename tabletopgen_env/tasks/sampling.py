@@ -121,18 +121,28 @@ def spot_of(
     return None if xy is None else np.array([*xy, world.scene.table.height])
 
 
+def coordinates(goal: object, count: int, wanted: str) -> Float[np.ndarray, "c"]:
+    """Return ``count`` finite numbers that a user gave; ``wanted`` says what they are.
+
+    Raises:
+        InputError: they are something else.
+    """
+    try:
+        point = np.asarray(goal, float)
+    except (TypeError, ValueError):
+        point = np.empty(0)
+    if point.shape != (count,) or not np.isfinite(point).all():
+        raise InputError(f"{wanted}, got {goal!r}.")
+    return point
+
+
 def given_point(world: World, goal: Iterable[float]) -> Float[np.ndarray, "2"]:
     """Return a point of the table that a user gave.
 
     Raises:
         InputError: it is no pair of finite numbers, or not on the table.
     """
-    try:
-        xy = np.asarray(goal, float)
-    except (TypeError, ValueError):
-        xy = np.empty(0)
-    if xy.shape != (2,) or not np.isfinite(xy).all():
-        raise InputError(f"A goal spot is two finite numbers (x, y), got {goal!r}.")
+    xy = coordinates(goal, 2, "A goal spot is two finite numbers (x, y)")
     if inside_margin(xy, world.scene.table.outline)[0] < 0:
         raise InputError(f"The goal spot {xy.tolist()} is not on the table.")
     return xy
@@ -167,6 +177,21 @@ def into(world: World, obj: Object, container: Object) -> Into:
 def on_spot(world: World, obj: Object, spot: Float[np.ndarray, "3"]) -> OnSpot:
     """Return the goal of ``obj`` standing on a spot."""
     return OnSpot(obj.name, spot, rest_height(world, obj.name))
+
+
+def given_object(
+    world: World, goal: str | tuple[float, ...] | None, use: str, wanted: str
+) -> str | None:
+    """Return the object that a goal option names, None without one.
+
+    ``use`` says what it is for, ``wanted`` what the option has to be.
+
+    Raises:
+        InputError: the option is a spot or a point, or the scene has no such object.
+    """
+    if goal is not None and named(goal) is None:
+        raise InputError(f"{wanted}, got {goal!r}.")
+    return None if goal is None else known(world, str(goal), use)
 
 
 def named(goal: str | tuple[float, ...] | None) -> str | None:

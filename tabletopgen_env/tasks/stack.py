@@ -19,7 +19,7 @@ from ..affordance import grasp_width, resting_height
 from ..language import refer
 from ..robot.mount import reachable
 from .goals import OnTop
-from .sampling import drawn, known, liftable, named, on_table, rest_height
+from .sampling import drawn, given_object, liftable, on_table, rest_height
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -47,9 +47,8 @@ class Stack(Task):
         goal: str | tuple[float, ...] | None = None,
     ) -> Episode:
         """Draw a target and a support, or take those given; see ``Task.sample``."""
-        if goal is not None and named(goal) is None:
-            raise InputError(f"The goal of Stack is an object's name, got {goal!r}.")
-        wanted = None if goal is None else known(world, str(goal), "to put things on")
+        asked = "The goal of Stack is an object's name"
+        wanted = given_object(world, goal, "to put things on", asked)
 
         def make(obj: Object) -> Episode | None:
             found = list(supports(world, obj, wanted))

@@ -13,14 +13,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from generator.errors import InputError
 from generator.geometry import inside_margin
 from generator.scene import Object
 
 from ..language import refer
 from ..workspace import FREE_MARGIN
 from .goals import OnSpot
-from .sampling import drawn, known, liftable, named, on_spot, on_table, spot_of
+from .sampling import drawn, given_object, liftable, on_spot, on_table, spot_of
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -44,9 +43,8 @@ class Swap(Task):
         goal: str | tuple[float, ...] | None = None,
     ) -> Episode:
         """Draw two objects, or take those given; see ``Task.sample``."""
-        if goal is not None and named(goal) is None:
-            raise InputError(f"The goal of Swap is the other object's name, got {goal!r}.")
-        wanted = None if goal is None else known(world, str(goal), "to swap with")
+        asked = "The goal of Swap is the other object's name"
+        wanted = given_object(world, goal, "to swap with", asked)
         reasons = liftable(world)
         for obj in world.scene.objects:
             if not on_table(obj):

@@ -16,7 +16,7 @@ from generator.scene import Object
 
 from ..language import refer
 from .goals import Into
-from .sampling import containers, into, known, liftable, named, nothing
+from .sampling import containers, given_object, into, liftable, nothing
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -44,9 +44,8 @@ class Tidy(Task):
         """Draw a container, or take the one given; see ``Task.sample``."""
         if target is not None:
             raise InputError("Tidy takes all things that fit; leave the option 'target' out.")
-        if goal is not None and named(goal) is None:
-            raise InputError(f"The goal of Tidy is a container's name, got {goal!r}.")
-        wanted = None if goal is None else known(world, str(goal), "to put things into")
+        asked = "The goal of Tidy is a container's name"
+        wanted = given_object(world, goal, "to put things into", asked)
         reasons = liftable(world)
         small = [o for o in world.scene.objects if reasons[o.name] is None]
         loads: dict[str, list[Object]] = {}
