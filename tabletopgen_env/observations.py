@@ -28,6 +28,7 @@ index   meaning                                                        range    
 269-271 centre of the goal region                                      [-3, 3]     m
 272-275 its semi-axes x', y', its yaw, its semi-axis z                 [-4, 4]     m, rad
 276-278 centre of the goal region minus target                         [-3, 3]     m
+279-286 with ``grasp_hint=True``: a grasp of the target, see ``grasp_hint``
 ======  =============================================================  ==========  ========
 
 An object slot: 0-2 centre of its box [m], 3-8 rotation, 9-11 half its extent [m], 12-14 linear
@@ -38,10 +39,10 @@ not shown.
 The modes
 ---------
 =====================  ========================================================================
-``state``              the flat state (279 entries)
+``state``              the flat state (279 entries; 287 with the hint)
 ``goal``               a dict for hindsight replay: ``observation`` is the flat state without the
-                       goal (entries 0-267), ``achieved_goal`` and ``desired_goal`` are the task's
-                       goal vectors
+                       goal (entries 0-267, and the hint), ``achieved_goal`` and ``desired_goal``
+                       are the task's goal vectors
 ``pixels``             a dict of pictures, see ``views``
 ``pixels+state``       the same with ``state``
 ``point_cloud``        a dict of points, see ``point_cloud``
@@ -61,6 +62,7 @@ from scipy.spatial.transform import Rotation
 
 from generator.errors import InputError, choices
 
+from .grasp_hint import HINT_BOUNDS
 from .point_cloud import point_cloud_spaces
 from .robot.kinematics import forward
 from .robot.panda import HOME_CTRL
@@ -94,22 +96,29 @@ def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
     return spaces.Box(-high, high, dtype=np.float32)
 
 
-def observation_space(mode: str, config: ObservationConfig, goals: int = 1) -> spaces.Space[Any]:
+def observation_space(
+    mode: str, config: ObservationConfig, goals: int = 1, hint: bool = False
+) -> spaces.Space[Any]:
     """Return the space of an observation mode.
 
-    ``goals`` is how many goals a goal vector has room for.
+    ``goals`` is how many goals a goal vector has room for, ``hint`` whether the state ends with a
+    grasp of the target.
 
     Raises:
         InputError: no such mode.
     """
     if mode not in MODES:
         raise InputError(f"Unknown observation mode {mode!r}." + choices(str(mode), MODES))
+    full, bare = (
+        np.concatenate([bounds, HINT_BOUNDS]) if hint else bounds
+        for bounds in (_FULL_BOUNDS, _BARE_BOUNDS)
+    )
     if mode == "state":
-        return _box(_FULL_BOUNDS)
+        return _box(full)
     if mode == "goal":
         return spaces.Dict(
             {
-                "observation": _box(_BARE_BOUNDS),
+                "observation": _box(bare),
                 "achieved_goal": _box(np.tile(GOAL_VECTOR_BOUNDS, goals)),
                 "desired_goal": _box(np.tile(GOAL_VECTOR_BOUNDS, goals)),
             }
@@ -117,7 +126,7 @@ def observation_space(mode: str, config: ObservationConfig, goals: int = 1) -> s
     pixels = mode.startswith("pixels")
     entries = config.picture_spaces() if pixels else point_cloud_spaces(config.points)
     if mode.endswith("+state"):
-        entries["state"] = _box(_FULL_BOUNDS)
+        entries["state"] = _box(full)
     return spaces.Dict(entries)
 
 
@@ -205,6 +214,7 @@ def flat_state(
     goal: Goal,
     bare: bool = False,
     noise: Noise | None = None,
+    hint: Float[np.ndarray, "8"] | None = None,
 ) -> Float[np.ndarray, "n"]:
     """Return the flat state; ``bare`` leaves the goal's entries out.
 
@@ -214,6 +224,7 @@ def flat_state(
         goal: the active goal.
         bare: return entries 0-267 alone.
         noise: of this reading; None is none.
+        hint: the entries of ``grasp_hint``, the last ones; None for a state without.
     """
     slots = object_slots(world, order, noise)
     parts = [robot_state(world, goal, noise), slots.ravel()]
@@ -226,4 +237,9 @@ def flat_state(
         parts.append(np.array([carried, *middle, *region.semi[:2], yaw, region.semi[2]]))
         parts.append(middle - at)
     bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
+    if hint is not None:
+        if noise is not None and hint[-1]:
+            hint = hint + np.append(noise.positions[0], np.zeros(len(hint) - 3))
+        parts.append(hint)
+        bounds = np.concatenate([bounds, HINT_BOUNDS])
     return np.clip(np.concatenate(parts), -bounds, bounds).astype(np.float32)
