@@ -87,7 +87,12 @@ GOAL_VECTOR_BOUNDS = np.array([3.0] * 3 + [4.0] * 4 + [1.0])
 
 _BARE_BOUNDS = np.concatenate([ROBOT_BOUNDS, np.tile(SLOT_BOUNDS, SLOTS)])
 _FULL_BOUNDS = np.concatenate([_BARE_BOUNDS, GOAL_BOUNDS])
-for _constant in (ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, _BARE_BOUNDS, _FULL_BOUNDS):
+_HINTED_BARE_BOUNDS = np.concatenate([_BARE_BOUNDS, HINT_BOUNDS])
+_HINTED_BOUNDS = np.concatenate([_FULL_BOUNDS, HINT_BOUNDS])
+for _constant in (
+    ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, GOAL_VECTOR_BOUNDS,
+    _BARE_BOUNDS, _FULL_BOUNDS, _HINTED_BARE_BOUNDS, _HINTED_BOUNDS,
+):  # fmt: skip
     _constant.setflags(write=False)
 
 
@@ -110,8 +115,8 @@ def observation_space(
     if mode not in MODES:
         raise InputError(f"Unknown observation mode {mode!r}." + choices(str(mode), MODES))
     full, bare = (
-        np.concatenate([bounds, HINT_BOUNDS]) if hint else bounds
-        for bounds in (_FULL_BOUNDS, _BARE_BOUNDS)
+        _HINTED_BOUNDS if hint else _FULL_BOUNDS,
+        (_HINTED_BARE_BOUNDS if hint else _BARE_BOUNDS),
     )
     if mode == "state":
         return _box(full)
@@ -167,21 +172,18 @@ def robot_state(world: World, goal: Goal, noise: Noise | None = None) -> Float[n
         at = tcp if goal.target is None else at + noise.positions[0]
     command = data.ctrl[world.actuators]
     left, right, _ = (False,) * 3 if goal.target is None else world.touched(goal.target)
-    half = np.ptp(world.scene.table.outline, axis=0) / 2
-    top = world.scene.table.height - world.base_position[2]
-    return np.concatenate(
-        [
-            joints,
-            data.qvel[world.arm_dof],
-            [data.qpos[world.finger_qpos].sum()],
-            tcp,
-            hand[:, :2].T.ravel(),
-            command[:7] - joints,
-            [2 * command[7] / HOME_CTRL[7] - 1, left, right],
-            at - tcp,
-            [top, half.max(), half.min()],
-        ]
-    )
+    state = np.empty(len(ROBOT_BOUNDS))
+    state[0:7] = joints
+    state[7:14] = data.qvel[world.arm_dof]
+    state[14] = data.qpos[world.finger_qpos].sum()
+    state[15:18] = tcp
+    state[18:21], state[21:24] = hand[:, 0], hand[:, 1]
+    state[24:31] = command[:7] - joints
+    state[31:34] = 2 * command[7] / HOME_CTRL[7] - 1, left, right
+    state[34:37] = at - tcp
+    state[37] = world.scene.table.height - world.base_position[2]
+    state[38:40] = world.half_top
+    return state
 
 
 def object_slots(
@@ -226,20 +228,25 @@ def flat_state(
         noise: of this reading; None is none.
         hint: the entries of ``grasp_hint``, the last ones; None for a state without.
     """
-    slots = object_slots(world, order, noise)
-    parts = [robot_state(world, goal, noise), slots.ravel()]
+    bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
+    if hint is not None:
+        bounds = _HINTED_BARE_BOUNDS if bare else _HINTED_BOUNDS
+    robot, slots = robot_state(world, goal, noise), object_slots(world, order, noise)
+    state = np.empty(len(bounds))
+    state[: len(robot)] = robot
+    state[len(robot) : len(_BARE_BOUNDS)] = slots.ravel()
     if not bare:
         region = goal.region(world)
         middle = world.to_base(region.center)
-        at = parts[0][15:18] if goal.target is None else slots[0, :3]
-        yaw = region.yaw - world.mount.yaw
-        carried = float(goal.reference is not None)
-        parts.append(np.array([carried, *middle, *region.semi[:2], yaw, region.semi[2]]))
-        parts.append(middle - at)
-    bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
+        shown = state[len(_BARE_BOUNDS) :]
+        shown[0] = goal.reference is not None
+        shown[1:4] = middle
+        shown[4:6] = region.semi[:2]
+        shown[6:8] = region.yaw - world.mount.yaw, region.semi[2]
+        shown[8:11] = middle - (robot[15:18] if goal.target is None else slots[0, :3])
     if hint is not None:
+        state[-len(hint) :] = hint
         if noise is not None and hint[-1]:
-            hint = hint + np.append(noise.positions[0], np.zeros(len(hint) - 3))
-        parts.append(hint)
-        bounds = np.concatenate([bounds, HINT_BOUNDS])
-    return np.clip(np.concatenate(parts), -bounds, bounds).astype(np.float32)
+            state[-len(hint) : 3 - len(hint)] += noise.positions[0]
+    np.minimum(np.maximum(state, -bounds, out=state), bounds, out=state)
+    return state.astype(np.float32)

@@ -200,6 +200,12 @@ class World:
     # ---------------------------------------------------------------------------------- objects
 
     @cached_property
+    def half_top(self) -> Float[np.ndarray, "2"]:
+        """Half the extents of the table top's outline, the longer one first, metres."""
+        half = np.ptp(self.scene.table.outline, axis=0) / 2
+        return np.array([half.max(), half.min()])
+
+    @cached_property
     def openings(self) -> Mapping[str, Opening | None]:
         """The hollow of each object, None where it has none."""
         return {o.name: opening(o) for o in self.scene.objects}

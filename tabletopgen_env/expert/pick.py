@@ -42,7 +42,8 @@ _LIFT = 0.06
 _FINE, _TURNED = (0.0015, 0.005), 0.05
 _CARRY = 0.7  # of the hand's speed while it holds something: round things slip
 _SHORT = 0.012  # metres above the grasp at which fingers that come no lower have failed
-_ASTRAY = 0.02  # metres beside the grasp at which the hand has to come down anew
+_DOWN = 0.008  # metres above the grasp at which the fingers begin to close, still going down
+_FUNNEL = 0.004  # metres beside a good aim at which the hand stays all of HOVER above
 _CLOSING = 0.002  # metres by which the fingers are told to be closer than they are
 _SLIP = 0.03
 _MOVED = 0.015
@@ -120,34 +121,48 @@ class Picker(Expert):
             return self._enter("wait")
         if late or self._has_moved():
             return self._retry(failed=late)
-        grasp = self._plan.grasp
-        above = grasp.point + up(HOVER)
-        spare = (grasp.opening - grasp.width) / 2
-        fine = float(np.clip(spare - 0.002, *_FINE))
-        near = np.linalg.norm((self._tool - above)[:2]) < fine
-        if near and abs(self._turn_left()) < _TURNED and self._tool[2] < above[2] + NEAR:
-            return self._enter("descend")
-        return self._travel(above, grasp.opening, depth=TIP)
+        hover = self._hover()
+        if hover == 0 and self._tool[2] < self._plan.grasp.point[2] + HOVER + NEAR:
+            self._enter("descend")
+            return self._descend(False)
+        return self._come_down(hover)
 
     def _descend(self, late: bool) -> Float[np.ndarray, "5"]:
         grasp = self._plan.grasp
         if self._has_moved():
             return self._retry(failed=False)
         above = self._tool[2] - grasp.point[2]
-        if above > _SHORT and np.linalg.norm((self._tool - grasp.point)[:2]) > _ASTRAY:
-            return self._enter("approach")
         if late and above > _SHORT:
             return self._retry()
-        if late or above < 0.004:
-            return self._enter("close")
-        return self._go(grasp.point, grasp.opening, slow=0.7)
+        if late or above < _DOWN:
+            self._enter("close")
+            return self._close(False)
+        if above > _SHORT and np.linalg.norm((self._tool - grasp.point)[:2]) > NEAR:
+            return self._enter("approach")
+        return self._come_down(self._hover())
+
+    def _hover(self) -> float:
+        """Return how far above the grasp the hand still has to be: it comes down as it is aimed."""
+        grasp = self._plan.grasp
+        spare = (grasp.opening - grasp.width) / 2
+        fine = float(np.clip(spare - 0.002, *_FINE))
+        aside = float(np.linalg.norm((self._tool - grasp.point)[:2])) - fine
+        turn = abs(self._turn_left()) - _TURNED
+        return HOVER * float(np.clip(max(aside / _FUNNEL, turn / _TURNED), 0.0, 1.0))
+
+    def _come_down(self, hover: float) -> Float[np.ndarray, "5"]:
+        grasp = self._plan.grasp
+        over = self._over(grasp.point + up(hover), TIP, self._target)
+        aside = np.linalg.norm((self._tool - grasp.point)[:2])
+        return self._go(over, grasp.opening, slow=0.7 if aside < NEAR else 1.0)
 
     def _close(self, late: bool) -> Float[np.ndarray, "5"]:
         gap = self._gap
         told = self._commanded_gap < gap - _CLOSING  # else the hand is another's, who lingers
-        still = told and abs(gap - self._last_gap) < 2e-4 and self._steps > 4
+        left, right, _ = self._env.world.touched(self._target)
+        taken = left and right or abs(gap - self._last_gap) < 2e-4
         self._last_gap = gap
-        if still or late:
+        if (told and taken) or late:
             self._held = self._in_hand()
             return self._enter("lift")
         return self._go(self._plan.grasp.point, 0.0)
@@ -303,12 +318,6 @@ class Picker(Expert):
         self._placed = self._tool
         closed = phase in ("close", "lift", "hold", "carry", "lower")
         return self._act(np.zeros(3), 0.0, 0.0 if closed else self._plan.grasp.opening)
-
-    def _travel(
-        self, point: Float[np.ndarray, "3"], opening: float, depth: float
-    ) -> Float[np.ndarray, "5"]:
-        """Go to ``point`` over whatever is in the way of something ``depth`` below the tool."""
-        return self._go(self._over(point, depth, self._target), opening)
 
     def _go(
         self, point: Float[np.ndarray, "3"], opening: float, slow: float = 1.0

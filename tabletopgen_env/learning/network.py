@@ -27,7 +27,7 @@ _FLAT = _ROBOT + SLOTS * _SLOT + _GOAL
 _TOOL = slice(15, 18)
 _WAYS = (34, 35, 36, 276, 277, 278)
 _HINTED_WAYS = (*_WAYS, *range(_FLAT, _FLAT + 4))
-_FINE = 0.02
+_FINE = (0.02, 0.005)
 """What ways still to go, metres or radians, are divided by to be seen closely."""
 
 _ROBOT_SCALE = np.array(
@@ -43,8 +43,8 @@ class TableExtractor(BaseFeaturesExtractor):
     """Features of the flat state, with the grasp hint or without (see ``observations``).
 
     Robot, target, goal object, goal and hint are scaled to about 1 each and clipped at 8. The ways
-    still to go (tool to target, target to goal, tool and turn to the hinted grasp) come a second
-    time, squashed, so that millimetres count when they are short. The other objects are seen from
+    still to go (tool to target, target to goal, tool and turn to the hinted grasp) come again,
+    squashed, so that millimetres count when they are short. The other objects are seen from
     the tool, by one network, and pooled to ``width`` features.
 
     Raises:
@@ -65,7 +65,9 @@ class TableExtractor(BaseFeaturesExtractor):
             )
         self.ways = list(_HINTED_WAYS if hinted else _WAYS)
         rest = np.concatenate([_GOAL_SCALE, _HINT_SCALE]) if hinted else _GOAL_SCALE
-        super().__init__(observation_space, _ROBOT + 2 * _SLOT + len(rest) + len(self.ways) + width)
+        super().__init__(
+            observation_space, _ROBOT + 2 * _SLOT + len(rest) + len(_FINE) * len(self.ways) + width
+        )
         self.each = nn.Sequential(nn.Linear(_SLOT + 3, width), nn.ReLU(), nn.Linear(width, width))
         for name, scale in (("robot", _ROBOT_SCALE), ("slot", _SLOT_SCALE), ("rest", rest)):
             values = torch.as_tensor(1 / scale, dtype=torch.float32)
@@ -83,5 +85,5 @@ class TableExtractor(BaseFeaturesExtractor):
         own = torch.cat([
             robot * self.per_robot, (slots[:, :2] * self.per_slot).flatten(1), rest * self.per_rest
         ], 1)  # fmt: skip
-        near = torch.tanh(observations[:, self.ways] / _FINE)
-        return torch.cat([own.clamp(-8, 8), near, pooled], 1)
+        near = [torch.tanh(observations[:, self.ways] / scale) for scale in _FINE]
+        return torch.cat([own.clamp(-8, 8), *near, pooled], 1)
