@@ -2,7 +2,7 @@
 
 Two to four things that fit together beside what is in it already, the nearest to it first.
 ``reset`` option: ``goal`` the container's name. Goals: `Into`. Few tables have a container for
-several things: the task's own are the bundles ``SCENES``.
+several things; the task's own tables (``SCENES``) have.
 """
 
 from __future__ import annotations
