@@ -50,6 +50,7 @@ SECTIONS = (
     ("Goals and success", "tabletopgen_env.tasks.goals"),
     ("Reward", "tabletopgen_env.tasks.task"),
     ("Observations", "tabletopgen_env.observations"),
+    ("The grasp hint", "tabletopgen_env.grasp_hint"),
     ("Pictures", "tabletopgen_env.views"),
     ("Point clouds", "tabletopgen_env.point_cloud"),
     ("Actions", "tabletopgen_env.actions"),

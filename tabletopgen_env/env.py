@@ -11,6 +11,7 @@ from generator.errors import InputError, SceneError, choices
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
+from .grasp_hint import GraspHint
 from .observations import ObservationMode, flat_state, observation_space, slot_order
 from .point_cloud import point_cloud
 from .randomization import Randomization, Randomizer
@@ -52,6 +53,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         kinds: what pixel observations hold of each: some of "rgb", "depth", "segmentation".
         image_size: their height and width in pixels, or one number for both.
         points: points of a point cloud.
+        grasp_hint: whether the state ends with a grasp of the target; see ``grasp_hint``.
         action: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
             "joint_target"; see ``actions``.
         gripper: "continuous" or "binary"; what the last entry of an action means.
@@ -88,6 +90,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         kinds: Sequence[Kind] = ("rgb",),
         image_size: int | tuple[int, int] = 128,
         points: int = 1024,
+        grasp_hint: bool = False,
         action: ActionMode = "ee_delta",
         gripper: GripperMode = "continuous",
         control_hz: int = CONTROL_HZ,
@@ -115,7 +118,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self.task = task or PickPlace()
         self._randomizer = Randomizer(randomization)
         self._views = ObservationConfig(cameras, kinds, image_size, points)
-        self.observation_space = observation_space(observation, self._views, self.task.most)
+        self.hint = GraspHint() if grasp_hint else None
+        self.observation_space = observation_space(
+            observation, self._views, self.task.most, grasp_hint
+        )
         self.action_mode: ActionMode = action
         self.controller = controller(action, gripper, control_hz)
         self.action_space = self.controller.space
@@ -243,6 +249,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         if agreement.active != self._active:
             self._active = agreement.active
             self._order = slot_order(world, self.goal)
+            if self.hint is not None:
+                self.hint.begin(world, self.goal)
             world.show_marker(self.goal.spot, self.task.marker_radius)
         return achieved, desired, self.task.terms(world, episode, agreement)
 
@@ -286,15 +294,20 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     def _observe(self, achieved: np.ndarray, desired: np.ndarray) -> Any:
         world = self.world
         noise = self._randomizer.noise()
-        if self._observation == "goal":
-            state = flat_state(world, self._order, self.goal, bare=True, noise=noise)
-            return {"observation": state, "achieved_goal": achieved, "desired_goal": desired}
+        hint = None if self.hint is None else self.hint.entries(world, self.goal)
+        bare = self._observation == "goal"
+
+        def state() -> np.ndarray:
+            return flat_state(world, self._order, self.goal, bare, noise, hint)
+
         if self._observation == "state":
-            return flat_state(world, self._order, self.goal, noise=noise)
+            return state()
+        if bare:
+            return {"observation": state(), "achieved_goal": achieved, "desired_goal": desired}
         look = pictures if self._observation.startswith("pixels") else point_cloud
         seen = look(self._views, world, self._drawer("pixels"), self._order)
         if self._observation.endswith("+state"):
-            seen["state"] = flat_state(world, self._order, self.goal, noise=noise)
+            seen["state"] = state()
         return seen
 
     def _info(self, terms: dict[str, float]) -> dict[str, Any]:

@@ -28,6 +28,7 @@ index   meaning                                                        range    
 269-271 centre of the goal region                                      [-3, 3]     m
 272-275 its semi-axes x', y', its yaw, its semi-axis z                 [-4, 4]     m, rad
 276-278 centre of the goal region minus target                         [-3, 3]     m
+279-286 with ``grasp_hint=True``: a grasp of the target, see ``grasp_hint``
 ======  =============================================================  ==========  ========
 
 An object slot: 0-2 centre of its box [m], 3-8 rotation, 9-11 half its extent [m], 12-14 linear
@@ -38,10 +39,10 @@ not shown.
 The modes
 ---------
 =====================  ========================================================================
-``state``              the flat state (279 entries)
+``state``              the flat state (279 entries; 287 with the hint)
 ``goal``               a dict for hindsight replay: ``observation`` is the flat state without the
-                       goal (entries 0-267), ``achieved_goal`` and ``desired_goal`` are the task's
-                       goal vectors
+                       goal (entries 0-267, and the hint), ``achieved_goal`` and ``desired_goal``
+                       are the task's goal vectors
 ``pixels``             a dict of pictures, see ``views``
 ``pixels+state``       the same with ``state``
 ``point_cloud``        a dict of points, see ``point_cloud``
@@ -61,6 +62,7 @@ from scipy.spatial.transform import Rotation
 
 from generator.errors import InputError, choices
 
+from .grasp_hint import HINT_BOUNDS
 from .point_cloud import point_cloud_spaces
 from .robot.kinematics import forward
 from .robot.panda import HOME_CTRL
@@ -85,7 +87,12 @@ GOAL_VECTOR_BOUNDS = np.array([3.0] * 3 + [4.0] * 4 + [1.0])
 
 _BARE_BOUNDS = np.concatenate([ROBOT_BOUNDS, np.tile(SLOT_BOUNDS, SLOTS)])
 _FULL_BOUNDS = np.concatenate([_BARE_BOUNDS, GOAL_BOUNDS])
-for _constant in (ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, _BARE_BOUNDS, _FULL_BOUNDS):
+_HINTED_BARE_BOUNDS = np.concatenate([_BARE_BOUNDS, HINT_BOUNDS])
+_HINTED_BOUNDS = np.concatenate([_FULL_BOUNDS, HINT_BOUNDS])
+for _constant in (
+    ROBOT_BOUNDS, SLOT_BOUNDS, GOAL_BOUNDS, GOAL_VECTOR_BOUNDS,
+    _BARE_BOUNDS, _FULL_BOUNDS, _HINTED_BARE_BOUNDS, _HINTED_BOUNDS,
+):  # fmt: skip
     _constant.setflags(write=False)
 
 
@@ -94,22 +101,29 @@ def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
     return spaces.Box(-high, high, dtype=np.float32)
 
 
-def observation_space(mode: str, config: ObservationConfig, goals: int = 1) -> spaces.Space[Any]:
+def observation_space(
+    mode: str, config: ObservationConfig, goals: int = 1, hint: bool = False
+) -> spaces.Space[Any]:
     """Return the space of an observation mode.
 
-    ``goals`` is how many goals a goal vector has room for.
+    ``goals`` is how many goals a goal vector has room for, ``hint`` whether the state ends with a
+    grasp of the target.
 
     Raises:
         InputError: no such mode.
     """
     if mode not in MODES:
         raise InputError(f"Unknown observation mode {mode!r}." + choices(str(mode), MODES))
+    full, bare = (
+        _HINTED_BOUNDS if hint else _FULL_BOUNDS,
+        (_HINTED_BARE_BOUNDS if hint else _BARE_BOUNDS),
+    )
     if mode == "state":
-        return _box(_FULL_BOUNDS)
+        return _box(full)
     if mode == "goal":
         return spaces.Dict(
             {
-                "observation": _box(_BARE_BOUNDS),
+                "observation": _box(bare),
                 "achieved_goal": _box(np.tile(GOAL_VECTOR_BOUNDS, goals)),
                 "desired_goal": _box(np.tile(GOAL_VECTOR_BOUNDS, goals)),
             }
@@ -117,7 +131,7 @@ def observation_space(mode: str, config: ObservationConfig, goals: int = 1) -> s
     pixels = mode.startswith("pixels")
     entries = config.picture_spaces() if pixels else point_cloud_spaces(config.points)
     if mode.endswith("+state"):
-        entries["state"] = _box(_FULL_BOUNDS)
+        entries["state"] = _box(full)
     return spaces.Dict(entries)
 
 
@@ -158,21 +172,18 @@ def robot_state(world: World, goal: Goal, noise: Noise | None = None) -> Float[n
         at = tcp if goal.target is None else at + noise.positions[0]
     command = data.ctrl[world.actuators]
     left, right, _ = (False,) * 3 if goal.target is None else world.touched(goal.target)
-    half = np.ptp(world.scene.table.outline, axis=0) / 2
-    top = world.scene.table.height - world.base_position[2]
-    return np.concatenate(
-        [
-            joints,
-            data.qvel[world.arm_dof],
-            [data.qpos[world.finger_qpos].sum()],
-            tcp,
-            hand[:, :2].T.ravel(),
-            command[:7] - joints,
-            [2 * command[7] / HOME_CTRL[7] - 1, left, right],
-            at - tcp,
-            [top, half.max(), half.min()],
-        ]
-    )
+    state = np.empty(len(ROBOT_BOUNDS))
+    state[0:7] = joints
+    state[7:14] = data.qvel[world.arm_dof]
+    state[14] = data.qpos[world.finger_qpos].sum()
+    state[15:18] = tcp
+    state[18:21], state[21:24] = hand[:, 0], hand[:, 1]
+    state[24:31] = command[:7] - joints
+    state[31:34] = 2 * command[7] / HOME_CTRL[7] - 1, left, right
+    state[34:37] = at - tcp
+    state[37] = world.scene.table.height - world.base_position[2]
+    state[38:40] = world.half_top
+    return state
 
 
 def object_slots(
@@ -205,6 +216,7 @@ def flat_state(
     goal: Goal,
     bare: bool = False,
     noise: Noise | None = None,
+    hint: Float[np.ndarray, "8"] | None = None,
 ) -> Float[np.ndarray, "n"]:
     """Return the flat state; ``bare`` leaves the goal's entries out.
 
@@ -214,16 +226,27 @@ def flat_state(
         goal: the active goal.
         bare: return entries 0-267 alone.
         noise: of this reading; None is none.
+        hint: the entries of ``grasp_hint``, the last ones; None for a state without.
     """
-    slots = object_slots(world, order, noise)
-    parts = [robot_state(world, goal, noise), slots.ravel()]
+    bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
+    if hint is not None:
+        bounds = _HINTED_BARE_BOUNDS if bare else _HINTED_BOUNDS
+    robot, slots = robot_state(world, goal, noise), object_slots(world, order, noise)
+    state = np.empty(len(bounds))
+    state[: len(robot)] = robot
+    state[len(robot) : len(_BARE_BOUNDS)] = slots.ravel()
     if not bare:
         region = goal.region(world)
         middle = world.to_base(region.center)
-        at = parts[0][15:18] if goal.target is None else slots[0, :3]
-        yaw = region.yaw - world.mount.yaw
-        carried = float(goal.reference is not None)
-        parts.append(np.array([carried, *middle, *region.semi[:2], yaw, region.semi[2]]))
-        parts.append(middle - at)
-    bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
-    return np.clip(np.concatenate(parts), -bounds, bounds).astype(np.float32)
+        shown = state[len(_BARE_BOUNDS) :]
+        shown[0] = goal.reference is not None
+        shown[1:4] = middle
+        shown[4:6] = region.semi[:2]
+        shown[6:8] = region.yaw - world.mount.yaw, region.semi[2]
+        shown[8:11] = middle - (robot[15:18] if goal.target is None else slots[0, :3])
+    if hint is not None:
+        state[-len(hint) :] = hint
+        if noise is not None and hint[-1]:
+            state[-len(hint) : 3 - len(hint)] += noise.positions[0]
+    np.minimum(np.maximum(state, -bounds, out=state), bounds, out=state)
+    return state.astype(np.float32)

@@ -47,6 +47,8 @@ from .robot.panda import (
 if TYPE_CHECKING:
     import mujoco
 
+    from .expert.choosing import Plan
+
 
 _CONTACT = 1e-4
 """Metres between surfaces of things at rest that still count as touching."""
@@ -109,6 +111,7 @@ class World:
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
         self._graspable: dict[str, bool] = {}
+        self._plans: dict[tuple[str, frozenset[str]], Plan | None] = {}
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
 
     def twin(self) -> World:
@@ -145,6 +148,7 @@ class World:
         self.scene = scene
         self._start = self._start_qpos()
         self._graspable = {}
+        self._plans = {}
         self.__dict__.pop("footprints", None)
 
     def reset(self) -> None:
@@ -196,6 +200,12 @@ class World:
     # ---------------------------------------------------------------------------------- objects
 
     @cached_property
+    def half_top(self) -> Float[np.ndarray, "2"]:
+        """Half the extents of the table top's outline, the longer one first, metres."""
+        half = np.ptp(self.scene.table.outline, axis=0) / 2
+        return np.array([half.max(), half.min()])
+
+    @cached_property
     def openings(self) -> Mapping[str, Opening | None]:
         """The hollow of each object, None where it has none."""
         return {o.name: opening(o) for o in self.scene.objects}
@@ -221,6 +231,15 @@ class World:
 
             self._graspable[name] = is_graspable(self, name)
         return self._graspable[name]
+
+    def first_plan(self, name: str) -> Plan | None:
+        """Return the expert's grasp of an object at the start of an episode; remembered."""
+        key = (name, self.absent)
+        if key not in self._plans:
+            from .expert.choosing import choose
+
+            self._plans[key] = choose(self, name)
+        return self._plans[key]
 
     @cached_property
     def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:

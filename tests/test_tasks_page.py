@@ -41,6 +41,11 @@ def rows(text: str, first: str) -> list[list[str]]:
     return [row for row in found if re.fullmatch(first, row[0])]
 
 
+def state_rows(text: str) -> list[list[str]]:
+    """Return the rows of the table of the flat state: index, meaning, range, unit."""
+    return [row for row in rows(text, r"\d+(-\d+)?") if len(row) == 4]
+
+
 def test_the_page_is_made_of_the_code_as_it_is(text: str) -> None:
     assert script("make_tasks_page").page() == text, "Run python docs/make_tasks_page.py."
 
@@ -57,10 +62,12 @@ def test_weights_and_time_limits_are_those_of_the_tasks(text: str) -> None:
 
 
 def test_the_table_of_the_state_covers_its_entries_with_their_ranges(text: str) -> None:
-    space = observation_space("state", ObservationConfig())
-    assert isinstance(space, gymnasium.spaces.Box)
+    plain, space = (
+        observation_space("state", ObservationConfig(), hint=hint) for hint in (False, True)
+    )
+    assert isinstance(space, gymnasium.spaces.Box) and plain.shape is not None
     end = 0
-    for index, _, limits, *_ in rows(text, r"\d+(-\d+)?"):
+    for index, _, limits, _ in state_rows(text):
         first, _, last = index.partition("-")
         assert int(first) == end
         end = int(last or first) + 1
@@ -68,7 +75,7 @@ def test_the_table_of_the_state_covers_its_entries_with_their_ranges(text: str) 
             high = float(limits.strip("[]{}").split(",")[1])
             np.testing.assert_allclose(space.high[int(first) : end], high)
     assert space.shape == (end,)
-    assert f"the flat state ({end} entries)" in text
+    assert f"the flat state ({plain.shape[0]} entries; {end} with the hint)" in text
 
 
 def test_the_table_of_actions_has_every_mode_and_its_size(text: str) -> None:

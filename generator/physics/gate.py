@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float
 
+from ..errors import require
 from ..geometry import inside_margin
 from ..scene import Report, Scene
 from .settling import has_toppled
@@ -26,6 +27,9 @@ class Limits:
     seconds: how long it is watched.
     lean: the same must hold with gravity leaning by this angle to each of four sides; 0 leaves
         that out.
+
+    Raises:
+        InputError: not a number, negative, or no time at all.
     """
 
     penetration: float = 5e-4
@@ -34,6 +38,11 @@ class Limits:
     gap: float = 1e-3
     seconds: float = 5.0
     lean: float = float(np.deg2rad(2.0))
+
+    def __post_init__(self) -> None:
+        require(self, "penetration", "drift", "tilt", "gap", least=0)
+        require(self, "seconds", above=0)
+        require(self, "lean", least=0, most=1)
 
 
 _STRIDE = 0.25  # seconds between two looks

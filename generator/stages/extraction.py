@@ -13,7 +13,7 @@ import numpy as np
 from jaxtyping import Bool
 
 from ..backends.protocols import Imager, Reasoner, Segmenter
-from ..errors import SceneError
+from ..errors import SceneError, require
 from ..geometry import main_parts, mask_box
 from ..scene import TABLE, Detection, Instance, Reference
 
@@ -28,9 +28,16 @@ _APART = 1_000_003  # between the seeds of two drawings
 
 @dataclass(frozen=True)
 class ExtractionConfig:
-    """``drawings``: how often a plan is drawn at most, until all that it asks for shows."""
+    """``drawings``: how often a plan is drawn at most, until all that it asks for shows.
+
+    Raises:
+        InputError: not a whole number from 1.
+    """
 
     drawings: int = 3
+
+    def __post_init__(self) -> None:
+        require(self, "drawings", least=1, whole=True)
 
 
 def extract(

@@ -98,7 +98,7 @@ class Servos:
         """
         lead = SERVO_LEAD / self.period * (joints - before)
         low, high = world.model.actuator_ctrlrange[world.actuators[:7]].T
-        world.data.ctrl[world.actuators[:7]] = np.clip(joints + lead, low, high)
+        world.data.ctrl[world.actuators[:7]] = np.minimum(np.maximum(joints + lead, low), high)
         if self.gripper == "binary":
             gripper = 1.0 if gripper >= 0 else -1.0
         world.data.ctrl[world.actuators[7]] = GRIPPER_CTRL * (gripper + 1) / 2
@@ -133,7 +133,7 @@ def checked(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:
         raise InputError(f"An action must have shape {space.shape}, got {array.shape}.")
     if not np.isfinite(array).all():
         raise InputError(f"An action must be finite, got {array.tolist()}.")
-    return np.clip(array, space.low, space.high)
+    return np.minimum(np.maximum(array, space.low), space.high)
 
 
 def box(size: int) -> spaces.Box:

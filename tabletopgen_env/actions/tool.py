@@ -59,8 +59,8 @@ class Arm:
         real = world.to_base(world.data.site_xpos[world.tcp])
         leash = EE_LEASH * self._servos.slack
         wanted = self.point + EE_STEP * self._servos.share * action
-        self.point = real + np.clip(wanted - real, -leash, leash)
-        self.point = np.clip(self.point, WORKSPACE[0], WORKSPACE[1])
+        near = real + np.minimum(np.maximum(wanted - real, -leash), leash)
+        self.point = np.minimum(np.maximum(near, WORKSPACE[0]), WORKSPACE[1])
 
     def follow(self, world: World, rotation: Float[np.ndarray, "3 3"], gripper: float) -> None:
         """Command the joints after the commanded point and ``rotation``."""
@@ -91,7 +91,7 @@ class ToolDelta:
         self.arm.move(world, action[:3])
         real, leash = _yaw(world.hand), YAW_LEASH * self.servos.slack
         ahead = wrap(self.yaw + EE_TURN * self.servos.share * action[3] - real)
-        self.yaw = real + float(np.clip(ahead, -leash, leash))
+        self.yaw = real + min(max(ahead, -leash), leash)
         self.arm.follow(world, pointing_down(self.yaw), action[4])
 
 

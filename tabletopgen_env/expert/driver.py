@@ -16,6 +16,7 @@ from generator.errors import InputError
 
 from ..actions import EE_STEP, EE_TURN, Servos
 from ..robot import franka
+from ..robot.panda import HOME_CTRL
 from .arm import around, turn_left
 from .path import clear_height
 
@@ -34,14 +35,20 @@ class Expert(ABC):
     Call ``reset()`` after the environment's, then ``act()`` before each step. ``phase`` says what
     it is doing.
 
+    Args:
+        env: the environment, wrapped or not.
+        patience: how much longer than usual each phase may take: more than 1 where another acts,
+            who is to be advised and not given up on.
+
     Raises:
         InputError: the environment has another action mode, rate or gripper.
     """
 
     phase: str = ""
 
-    def __init__(self, env: Any) -> None:
+    def __init__(self, env: Any, patience: float = 1.0) -> None:
         self._env: TabletopEnv = env.unwrapped
+        self._patience = patience
         if self._env.action_mode != "ee_delta" or self._env.controller.servos != Servos():
             raise InputError(
                 "The expert acts in 'ee_delta' at 20 Hz with a continuous gripper; make the "
@@ -76,6 +83,13 @@ class Expert(ABC):
     def _gap(self) -> float:
         world = self._env.world
         return float(world.data.qpos[world.finger_qpos].sum())
+
+    @property
+    def _commanded_gap(self) -> float:
+        """What the fingers are told to be open, metres."""
+        world = self._env.world
+        share = float(world.data.ctrl[world.actuators[7]]) / HOME_CTRL[7]
+        return 2 * franka.FINGER_STROKE * share
 
     def _turn_to(self, yaw: float, at: Float[np.ndarray, "3"]) -> float:
         """Return how far the hand has to turn to be at ``yaw`` (base frame) there, radians."""

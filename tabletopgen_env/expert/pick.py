@@ -18,7 +18,6 @@ stuck      stand still: the object has come to lie where no grasp reaches it
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
@@ -29,10 +28,9 @@ from generator.geometry import rotation_z
 
 from ..robot import franka
 from ..tasks.goals import RAISED, Goal, Raised, Region
-from .arm import easiest, wrist_is_free
+from .choosing import HOVER, choose
 from .driver import NEAR, Expert, up
-from .grasps import TIP, Grasp, plan_grasps
-from .heights import surroundings
+from .grasps import TIP, Grasp
 from .placing import plan_place
 
 Phase = Literal[
@@ -40,12 +38,13 @@ Phase = Literal[
     "stuck",
 ]  # fmt: skip
 
-_HOVER = 0.06
 _LIFT = 0.06
-_AROUND = 0.35  # metres about the object in which the wrist may hit something
 _FINE, _TURNED = (0.0015, 0.005), 0.05
 _CARRY = 0.7  # of the hand's speed while it holds something: round things slip
 _SHORT = 0.012  # metres above the grasp at which fingers that come no lower have failed
+_DOWN = 0.008  # metres above the grasp at which the fingers begin to close, still going down
+_FUNNEL = 0.004  # metres beside a good aim at which the hand stays all of HOVER above
+_CLOSING = 0.002  # metres by which the fingers are told to be closer than they are
 _SLIP = 0.03
 _MOVED = 0.015
 _MOVING = 0.05  # metres a second
@@ -57,23 +56,14 @@ _PATIENCE: dict[Phase, int] = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False)
-class Plan:
-    """A grasp that can be reached: the hand's yaw in the base frame, and where the object was."""
-
-    grasp: Grasp
-    yaw: float
-    seen: Float[np.ndarray, "3"]
-
-
 class Picker(Expert):
     """Takes the target of a goal and puts it where that asks for, or holds it up.
 
     ``phase`` says what it is doing, ``attempts`` how many grasps it has begun.
     """
 
-    def __init__(self, env: Any, goal: Goal) -> None:
-        super().__init__(env)
+    def __init__(self, env: Any, goal: Goal, patience: float = 1.0) -> None:
+        super().__init__(env, patience)
         assert goal.target is not None
         self._goal = goal
         self._target: str = goal.target
@@ -105,7 +95,7 @@ class Picker(Expert):
     def act(self) -> Float[np.ndarray, "5"]:
         """Return the next action, ``float32`` in [-1, 1]."""
         self._steps += 1
-        late = self._steps > _PATIENCE[self.phase]
+        late = self._steps > self._patience * _PATIENCE[self.phase]
         phases: dict[Phase, Callable[[bool], Float[np.ndarray, "5"]]] = {
             "wait": self._wait,
             "approach": self._approach,
@@ -131,14 +121,11 @@ class Picker(Expert):
             return self._enter("wait")
         if late or self._has_moved():
             return self._retry(failed=late)
-        grasp = self._plan.grasp
-        above = grasp.point + up(_HOVER)
-        spare = (grasp.opening - grasp.width) / 2
-        fine = float(np.clip(spare - 0.002, *_FINE))
-        near = np.linalg.norm((self._tool - above)[:2]) < fine
-        if near and abs(self._turn_left()) < _TURNED and self._tool[2] < above[2] + NEAR:
-            return self._enter("descend")
-        return self._travel(above, grasp.opening, depth=TIP)
+        hover = self._hover()
+        if hover == 0 and self._tool[2] < self._plan.grasp.point[2] + HOVER + NEAR:
+            self._enter("descend")
+            return self._descend(False)
+        return self._come_down(hover)
 
     def _descend(self, late: bool) -> Float[np.ndarray, "5"]:
         grasp = self._plan.grasp
@@ -147,15 +134,35 @@ class Picker(Expert):
         above = self._tool[2] - grasp.point[2]
         if late and above > _SHORT:
             return self._retry()
-        if late or above < 0.004:
-            return self._enter("close")
-        return self._go(grasp.point, grasp.opening, slow=0.7)
+        if late or above < _DOWN:
+            self._enter("close")
+            return self._close(False)
+        if above > _SHORT and np.linalg.norm((self._tool - grasp.point)[:2]) > NEAR:
+            return self._enter("approach")
+        return self._come_down(self._hover())
+
+    def _hover(self) -> float:
+        """Return how far above the grasp the hand still has to be: it comes down as it is aimed."""
+        grasp = self._plan.grasp
+        spare = (grasp.opening - grasp.width) / 2
+        fine = float(np.clip(spare - 0.002, *_FINE))
+        aside = float(np.linalg.norm((self._tool - grasp.point)[:2])) - fine
+        turn = abs(self._turn_left()) - _TURNED
+        return HOVER * float(np.clip(max(aside / _FUNNEL, turn / _TURNED), 0.0, 1.0))
+
+    def _come_down(self, hover: float) -> Float[np.ndarray, "5"]:
+        grasp = self._plan.grasp
+        over = self._over(grasp.point + up(hover), TIP, self._target)
+        aside = np.linalg.norm((self._tool - grasp.point)[:2])
+        return self._go(over, grasp.opening, slow=0.7 if aside < NEAR else 1.0)
 
     def _close(self, late: bool) -> Float[np.ndarray, "5"]:
         gap = self._gap
-        still = abs(gap - self._last_gap) < 2e-4 and self._steps > 4
+        told = self._commanded_gap < gap - _CLOSING  # else the hand is another's, who lingers
+        left, right, _ = self._env.world.touched(self._target)
+        taken = left and right or abs(gap - self._last_gap) < 2e-4
         self._last_gap = gap
-        if still or late:
+        if (told and taken) or late:
             self._held = self._in_hand()
             return self._enter("lift")
         return self._go(self._plan.grasp.point, 0.0)
@@ -213,24 +220,16 @@ class Picker(Expert):
 
     def _begin(self, failed: bool = False) -> bool:
         """Choose the best grasp that the arm can reach and approach it, or be stuck."""
-        world, name = self._env.world, self._target
         if failed:
             self._failed = (*self._failed, self._plan.grasp)
         self.attempts += 1
-        center = world.position(name)[:2]
-        others = surroundings(world, name, center - _AROUND, center + _AROUND, 0.01)
-        found = plan_grasps(world, name, self._failed)[:80]
-        free = [
-            g for g in found if wrist_is_free(world, others, g.point[None, :2], g.point[2] - TIP)
-        ]
-        # Where the wrist has no room for any, it may yet come by.
-        for grasp in free or found:
-            points = (grasp.point, grasp.point + up(_HOVER))
-            yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)
-            if yaw is not None:
-                self._plan = Plan(grasp, yaw, world.position(name))
-                self._enter("approach")
-                return True
+        hint = self._env.hint
+        plan = hint.plan(self._env.world) if hint is not None and len(self._failed) < 2 else None
+        plan = plan or choose(self._env.world, self._target, self._failed)
+        if plan is not None:
+            self._plan = plan
+            self._enter("approach")
+            return True
         self.phase, self._steps = "stuck", 0
         return False
 
@@ -319,12 +318,6 @@ class Picker(Expert):
         self._placed = self._tool
         closed = phase in ("close", "lift", "hold", "carry", "lower")
         return self._act(np.zeros(3), 0.0, 0.0 if closed else self._plan.grasp.opening)
-
-    def _travel(
-        self, point: Float[np.ndarray, "3"], opening: float, depth: float
-    ) -> Float[np.ndarray, "5"]:
-        """Go to ``point`` over whatever is in the way of something ``depth`` below the tool."""
-        return self._go(self._over(point, depth, self._target), opening)
 
     def _go(
         self, point: Float[np.ndarray, "3"], opening: float, slow: float = 1.0

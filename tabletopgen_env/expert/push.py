@@ -46,8 +46,8 @@ class Pusher(Expert):
     ``phase`` says what it is doing, ``attempts`` how many strokes it has begun.
     """
 
-    def __init__(self, env: Any, goal: Pushed) -> None:
-        super().__init__(env)
+    def __init__(self, env: Any, goal: Pushed, patience: float = 1.0) -> None:
+        super().__init__(env, patience)
         self._goal = goal
         self.phase: Phase = "approach"
         self.attempts = 0
@@ -74,7 +74,7 @@ class Pusher(Expert):
     def act(self) -> Float[np.ndarray, "5"]:
         """Return the next action, ``float32`` in [-1, 1]."""
         self._steps += 1
-        late = self._steps > _PATIENCE[self.phase]
+        late = self._steps > self._patience * _PATIENCE[self.phase]
         phases = {
             "approach": self._approach,
             "descend": self._descend,

@@ -19,8 +19,8 @@ class Reacher(Expert):
     attempts = 1
     finished = True
 
-    def __init__(self, env: Any, goal: Reached) -> None:
-        super().__init__(env)
+    def __init__(self, env: Any, goal: Reached, patience: float = 1.0) -> None:
+        super().__init__(env, patience)
         self._goal = goal
 
     def reset(self) -> None:

@@ -22,6 +22,7 @@ class TaskExpert(Expert):
 
     Args:
         env: the environment, wrapped or not.
+        patience: see ``Expert``.
 
     It turns to the goal that the environment shows as active whenever its hand is free.
     """
@@ -51,11 +52,13 @@ class TaskExpert(Expert):
 
     def _turn_to_goal(self) -> None:
         self._goal: Goal = self._env.goal
-        self._now = specialist(self._env, self._goal)
+        self._now = specialist(self._env, self._goal, self._patience)
 
 
-def specialist(env: Any, goal: Goal) -> Picker | Pusher | Reacher:
+def specialist(env: Any, goal: Goal, patience: float = 1.0) -> Picker | Pusher | Reacher:
     """Return the expert of a goal's kind."""
     if isinstance(goal, Reached):
-        return Reacher(env, goal)
-    return Pusher(env, goal) if isinstance(goal, Pushed) else Picker(env, goal)
+        return Reacher(env, goal, patience)
+    if isinstance(goal, Pushed):
+        return Pusher(env, goal, patience)
+    return Picker(env, goal, patience)

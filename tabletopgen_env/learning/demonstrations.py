@@ -14,6 +14,9 @@ from generator.errors import SceneError
 
 from ..expert.run import TaskExpert
 
+PATIENCE = 4.0
+"""How patient the expert is with a learner."""
+
 HELD = 5
 """For how many steps in a row success has to hold for an episode to count as solved."""
 
@@ -52,7 +55,7 @@ def demonstrate(
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)
-    expert = TaskExpert(env)
+    expert = TaskExpert(env, 1.0 if policy is None else PATIENCE)
     try:
         expert.reset()
     except SceneError:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_scene, toy_table
 
+from generator.errors import InputError
 from generator.physics.gate import Limits, judge, reach, watched
 from generator.physics.simulation import Simulation
 from generator.scene import ConvexPart, Object, Pose, Scene, names_in
@@ -172,3 +173,11 @@ def test_earlier_corrections_stay_in_the_report() -> None:
     first = dataclasses.replace(judge(toy_scene()), moved=0.03, settling=0.002, dropped=("x_1",))
     again = judge(toy_scene().replace(report=first))
     assert (again.moved, again.settling, again.dropped) == (0.03, 0.002, ("x_1",))
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"seconds": 0.0}, {"drift": -1e-3}, {"gap": float("nan")}, {"lean": 90.0}]
+)
+def test_limits_out_of_range_are_refused(wrong) -> None:
+    with pytest.raises(InputError, match=f"Limits needs {next(iter(wrong))}"):
+        Limits(**wrong)

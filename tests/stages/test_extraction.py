@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from generator.errors import SceneError
+from generator.errors import InputError, SceneError
 from generator.geometry import mask_box
 from generator.scene import (
     Detection,
@@ -162,3 +162,9 @@ def test_the_drawing_that_shows_most_stays_and_drawings_are_limited():
 def test_a_useless_second_drawing_does_not_spoil_the_first():
     chosen, count, seeds = drawn(ExtractionConfig(drawings=3), 1, -1, -1)
     assert (int(chosen.image[0, 0, 0]), count, len(seeds)) == (0, 1, 2)
+
+
+@pytest.mark.parametrize("drawings", [0, 1.5])
+def test_settings_out_of_range_are_refused(drawings) -> None:
+    with pytest.raises(InputError, match="ExtractionConfig needs drawings"):
+        ExtractionConfig(drawings=drawings)

@@ -1,0 +1,54 @@
+"""Which of an object's grasps to take: the best one that the arm can reach."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from .arm import easiest, wrist_is_free
+from .driver import up
+from .grasps import TIP, Grasp, plan_grasps
+from .heights import surroundings
+
+if TYPE_CHECKING:
+    from ..world import World
+
+HOVER = 0.06
+"""Metres above a grasp from which the hand goes straight down."""
+
+_AROUND = 0.35  # metres about the object in which the wrist may hit something
+_MOST = 80  # grasps that are looked at
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A grasp that can be reached: the hand's yaw in the base frame, and where the object was."""
+
+    grasp: Grasp
+    yaw: float
+    seen: Float[np.ndarray, "3"]
+
+
+def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | None:
+    """Return the best grasp of ``target`` where it is now that the arm can reach, None if none.
+
+    Args:
+        world: the world; live poses count.
+        target: an object's name.
+        failed: grasps that failed, which rank last.
+    """
+    center = world.position(target)
+    low, high = center[:2] - _AROUND, center[:2] + _AROUND
+    others = surroundings(world, target, low, high, 0.01)
+    found = plan_grasps(world, target, failed)[:_MOST]
+    free = [g for g in found if wrist_is_free(world, others, g.point[None, :2], g.point[2] - TIP)]
+    # Where the wrist has no room for any, it may yet come by.
+    for grasp in free or found:
+        points = (grasp.point, grasp.point + up(HOVER))
+        yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)
+        if yaw is not None:
+            return Plan(grasp, yaw, center)
+    return None

@@ -1,0 +1,89 @@
+"""The grasp of the target in the state."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from toy import toy_scene
+
+from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.expert.choosing import choose
+from tabletopgen_env.expert.run import TaskExpert
+from tabletopgen_env.grasp_hint import HINT_BOUNDS
+
+CUBE = {"target": "cube_1"}
+
+
+def lift(**settings) -> TabletopEnv:
+    return make_env(toy_scene(), task="Lift", grasp_hint=True, **settings)
+
+
+def test_the_state_ends_with_the_planned_grasp() -> None:
+    env = lift()
+    seen = env.reset(seed=0, options=CUBE)[0]
+    assert seen.shape == env.observation_space.shape == (279 + len(HINT_BOUNDS),)
+    plan = choose(env.world, "cube_1")
+    assert plan is not None
+    tool = env.world.data.site_xpos[env.world.tcp]
+    away = env.world.base_rotation.T @ (plan.grasp.point - tool)
+    assert np.allclose(seen[279:282], away, atol=1e-5)
+    assert np.allclose(seen[283:285], [plan.grasp.opening, plan.grasp.width], atol=1e-5)
+    assert seen[286] == 1.0
+    plain = make_env(toy_scene(), task="Lift").reset(seed=0, options=CUBE)[0]
+    assert np.array_equal(seen[:279], plain)
+
+
+def test_the_hint_leads_to_the_grasp() -> None:
+    env = lift()
+    seen = env.reset(seed=0, options=CUBE)[0]
+    expert = TaskExpert(env)
+    expert.reset()
+    while expert.phase != "lift":
+        seen = env.step(expert.act())[0]
+    assert np.linalg.norm(seen[279:282]) < 0.01 and abs(seen[282]) < 0.06
+    assert seen[14] == pytest.approx(seen[284], abs=0.004)  # the fingers are as far apart as said
+
+
+def test_the_hint_moves_with_the_object_and_is_planned_anew_where_it_comes_to_rest() -> None:
+    env = lift()
+    env.reset(seed=0, options=CUBE)
+    hint, world = env.hint, env.world
+    assert hint is not None
+    before = hint.plan(world)
+    start = world.position("cube_1")
+    turn = np.array([np.cos(0.2), 0, 0, np.sin(0.2)])  # 0.4 rad about the vertical
+    world.teleport("cube_1", start + np.array([0.01, 0, 0]), turn)
+    carried = hint.plan(world)
+    assert before is not None and carried is not None
+    assert np.allclose(carried.seen - before.seen, [0.01, 0, 0], atol=1e-9)
+    own = [p.grasp.point - p.seen for p in (before, carried)]
+    assert np.hypot(*own[0][:2]) == pytest.approx(np.hypot(*own[1][:2]))
+    world.teleport("cube_1", start + np.array([-0.03, 0.02, 0]))
+    env.step(np.zeros(5))
+    there = choose(world, "cube_1")
+    anew = hint.plan(world)
+    assert there is not None and anew is not None
+    assert np.allclose(anew.grasp.point, there.grasp.point, atol=1e-3)
+
+
+def test_without_a_target_the_hint_is_empty() -> None:
+    env = make_env(toy_scene(), task="Reach", grasp_hint=True)
+    assert not env.reset(seed=0)[0][279:].any()
+    assert not env.step(env.action_space.sample())[0][279:].any()
+
+
+def test_noise_moves_the_hint_with_the_object() -> None:
+    env = lift(randomization="strong")
+    seen = [env.reset(seed=s, options=CUBE)[0] for s in range(4)]
+    plain = [env.reset(seed=s, options=CUBE)[0] for s in range(4)]
+    assert all(np.array_equal(a, b) for a, b in zip(seen, plain, strict=True))
+    assert all(env.observation_space.contains(state) for state in seen)
+
+
+@pytest.mark.parametrize("mode", ["state", "goal", "pixels+state", "point_cloud+state"])
+def test_every_mode_has_room_for_it(mode) -> None:
+    env = lift(observation=mode, image_size=16, points=16)
+    seen = env.reset(seed=0)[0]
+    assert env.observation_space.contains(seen)
+    assert env.observation_space.contains(env.step(env.action_space.sample())[0])
+    env.close()
