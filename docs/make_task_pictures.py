@@ -180,6 +180,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(STRIPS)}")
     names = parser.parse_args().names
+    if unknown := sorted({*names} - {*STRIPS}):
+        parser.error(f"There is no strip {unknown[0]!r}; there are {', '.join(STRIPS)}.")
     for name in names or STRIPS:
         make(name)
 
