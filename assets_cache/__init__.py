@@ -1,8 +1,11 @@
-"""The store of scene bundles: starter bundles shipped here, and a user cache.
+"""The store of scene bundles: those shipped here, and a user cache.
+
+``starter/`` holds tables for any task, ``tasks/`` those that single tasks need ("kitchen-task-*",
+"coffee-table-task-*", "tidy-task-*").
 
 Bundles are found by name, digest, glob or path, in this order of places: the ``cache`` argument,
-the environment variable ``TABLETOPGEN_CACHE``, the starter bundles of this package, the user's
-cache folder. New ones go to the first of them that is not the package's own. A bundle is published
+the environment variable ``TABLETOPGEN_CACHE``, the bundles of this package, the user's cache
+folder. New ones go to the first of them that is not the package's own. A bundle is published
 by one rename, so readers and writers need no lock.
 """
 

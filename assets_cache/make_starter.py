@@ -1,7 +1,8 @@
 """Make the starter bundles anew: ``python -m assets_cache.make_starter``.
 
-Fourteen tables over eight themes and several table outlines, composed, judged and published into
-``assets_cache/starter``. The same catalogue gives the same bundles, byte for byte.
+Fourteen tables over eight themes and several table outlines go into ``assets_cache/starter``, and
+the tables that single tasks need into ``assets_cache/tasks``: composed, judged and published. The
+same catalogue gives the same bundles, byte for byte.
 """
 
 from __future__ import annotations
@@ -35,38 +36,74 @@ PROMPTS: Mapping[str, str] = {
     "vanity": "a round vanity table with a lipstick, a perfume bottle, a cream jar and a mirror",
     "lab": "a lab bench with a beaker, a flask, a test tube rack, a bottle and a notebook",
 }
-"""Name and text of each starter scene."""
+"""Name and text of each table for any task."""
+
+_KITCHEN = (
+    "A wooden kitchen table with a large bowl, a wide cutting board, a small cucumber, a carrot "
+    "and a salt shaker"
+)
+_COFFEE = "A round coffee table with a cup, an apple and a book"
+
+Recipe = tuple[str, int]
+"""A text and a seed."""
+
+STARTERS: Mapping[str, Recipe] = {
+    name: (prompt, 5 * number) for number, (name, prompt) in enumerate(PROMPTS.items())
+}
+"""The tables for any task, by name."""
+
+TASKS: Mapping[str, Recipe] = {
+    "kitchen-task-1": (_KITCHEN, 0),
+    "kitchen-task-2": (_KITCHEN, 1),
+    "kitchen-task-3": (_KITCHEN, 2),
+    "coffee-table-task-1": (_COFFEE, 0),
+    "coffee-table-task-2": (_COFFEE, 2),
+    "coffee-table-task-3": (_COFFEE, 3),
+    "tidy-task-1": ("A wooden table with a tray, a die, an egg, a lipstick and a toy block", 0),
+    "tidy-task-2": ("An office desk with a desk tray, a marker, a glue stick, a die and a mug", 1),
+    "tidy-task-3": ("A kitchen table with a large tray, two eggs, a lime and a salt shaker", 2),
+}
+"""The tables that hold what a task needs, by name: Sequence's presets and Tidy.
+
+With some seeds the apple is wider than the gripper or a neighbour stands too near; these offer what
+the task asks for.
+"""
 
 MOST_BYTES = 40 * 2**20
-"""All starter bundles together stay below this."""
+"""All bundles together stay below this."""
 
 
-def make(folder: Path) -> list[Path]:
-    """Compose every starter scene into ``folder``, each with a seed of its own.
+def make(folder: Path, recipes: Mapping[str, Recipe]) -> list[Path]:
+    """Compose scenes into ``folder``; return their bundles.
 
     Raises:
-        SceneError: a scene does not come to rest soundly, or all weigh too much.
+        SceneError: a scene does not come to rest soundly.
     """
     paths = []
-    for number, (name, prompt) in enumerate(PROMPTS.items()):
-        scene = compose(prompt, 5 * number, name=name)
+    for name, (text, seed) in recipes.items():
+        scene = compose(text, seed, name=name)
         paths.append(save(scene, folder, images={"preview": preview(scene)}))
         print(f"{paths[-1].name}: {len(scene.objects)} objects", flush=True)
-    weight = sum(p.stat().st_size for path in paths for p in path.rglob("*") if p.is_file())
-    print(f"{len(paths)} bundles, {weight / 2**20:.1f} MB")
-    if weight > MOST_BYTES:
-        raise SceneError(f"The starter bundles weigh {weight} bytes; at most {MOST_BYTES} may be.")
     return paths
 
 
 def main() -> int:
-    """Replace ``assets_cache/starter`` once all scenes are made."""
-    target = Path(__file__).parent / "starter"
-    with tempfile.TemporaryDirectory(dir=target.parent, prefix=".starter-") as made:
-        make(Path(made))
-        shutil.rmtree(target, ignore_errors=True)
-        shutil.copytree(made, target)
-        target.chmod(0o755)  # the temporary folder it is copied from is private
+    """Replace both folders once all scenes are made.
+
+    Raises:
+        SceneError: a scene does not come to rest soundly, or all weigh too much.
+    """
+    here = Path(__file__).parent
+    with tempfile.TemporaryDirectory(dir=here, prefix=".starter-") as made:
+        for name, recipes in (("starter", STARTERS), ("tasks", TASKS)):
+            make(Path(made) / name, recipes)
+        weight = sum(p.stat().st_size for p in Path(made).rglob("*") if p.is_file())
+        print(f"{len(STARTERS) + len(TASKS)} bundles, {weight / 2**20:.1f} MB")
+        if weight > MOST_BYTES:
+            raise SceneError(f"The bundles weigh {weight} bytes; at most {MOST_BYTES} may be.")
+        for name in ("starter", "tasks"):
+            shutil.rmtree(here / name, ignore_errors=True)
+            shutil.copytree(Path(made) / name, here / name)
     return 0
 
 

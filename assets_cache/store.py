@@ -19,12 +19,13 @@ if TYPE_CHECKING:
     from generator.scene import Scene
 
 STARTER = "starter"
-"""What to ask :func:`find` for to get every bundle shipped with the package."""
+"""What to ask :func:`find` for to get the shipped bundles that are for any task."""
 
 VARIABLE = "TABLETOPGEN_CACHE"
 """Environment variable naming a folder of bundles."""
 
-_SHIPPED = Path(__file__).parent / "starter"
+_STARTERS = Path(__file__).parent / "starter"
+_SHIPPED = (_STARTERS, Path(__file__).parent / "tasks")
 _DIGEST = re.compile(r"[0-9a-f]{6,12}")
 _BUNDLE = re.compile(r"(?P<name>.+)-(?P<digest>[0-9a-f]{12})")
 
@@ -37,7 +38,7 @@ def user_root(cache: str | Path | None = None) -> Path:
 
 def roots(cache: str | Path | None = None) -> tuple[Path, ...]:
     """Return the folders searched, first match wins; those that do not exist are left out."""
-    wanted = [cache, os.environ.get(VARIABLE), _SHIPPED, user_root(cache)]
+    wanted = [cache, os.environ.get(VARIABLE), *_SHIPPED, user_root(cache)]
     paths = dict.fromkeys(Path(p) for p in wanted if p)
     return tuple(p for p in paths if p.is_dir())
 
@@ -56,7 +57,9 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
 
     Args:
         wanted: a scene's name, a folder's name, a digest or its first 6 digits, a glob on folder
-            names ("office*"), a path or a glob of paths, or "starter" for all that are shipped.
+            names ("office*"), a path or a glob of paths, or "starter" for the shipped tables that
+            are for any task. Those made for one task are found by their names
+            ("kitchen-task-*").
         cache: a folder of bundles to search first.
 
     Raises:
@@ -64,7 +67,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
     """
     text = str(wanted)
     if text == STARTER:
-        found = list(_bundles(_SHIPPED))
+        found = list(_bundles(_STARTERS))
     else:
         found = _by_path(text) or _by_name(text, entries(cache))
     if not found:
@@ -93,7 +96,7 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
         names = ", ".join(p.name for p in found[:8])
         raise BundleError(f"{wanted!r} fits {len(found)} bundles: {names}. Name one.")
     path, root = found[0], user_root(cache)
-    if path.resolve().parent != root.resolve() or root.resolve() == _SHIPPED.resolve():
+    if path.resolve().parent != root.resolve() or _ships(root):
         raise StorageError(f"{path} is not in the store {root}; only what is there is removed.")
     _discard(path)
     return path
@@ -111,7 +114,7 @@ def clear(cache: str | Path | None = None) -> int:
     found = list(_bundles(root))
     foreign = sorted({p.name for p in root.iterdir() if not p.name.startswith(".staging-")}
                      - {p.name for p in found})  # fmt: skip
-    if foreign or root.resolve() == _SHIPPED.resolve():
+    if foreign or _ships(root):
         raise StorageError(
             f"{root} is not only a store of bundles: it holds {foreign[:5] or 'the starters'}. "
             "Nothing was removed; remove bundles one by one, or choose another folder."
@@ -126,6 +129,11 @@ def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
     from generator.bundle import verify as verify_bundle
 
     return {path.name: verify_bundle(path) for path in entries(cache)}
+
+
+def _ships(root: Path) -> bool:
+    """Tell whether a folder holds the bundles of the package."""
+    return root.resolve() in {place.resolve() for place in _SHIPPED}
 
 
 def _bundles(root: Path) -> Iterator[Path]:

@@ -7,10 +7,10 @@
 An episode is a success once ``info["success"]`` has held for ``HOLD`` steps within the time limit
 of the task's id. ``--scenes composed`` composes scenes from the texts of ``texts.json`` and
 ``table78.json``: every second text with seeds from 0 to develop with, the others with seeds from
-``HELD_OUT`` for ``--held-out``. The presets of Sequence (``Sequence:kitchen``) are measured on
-composed tables of their own sentence. Scenes that offer nothing to do have a row without a
-success. Rows go to ``expert_<which>.csv`` as they come (a second run resumes), the summary to the
-``.md`` beside it.
+``HELD_OUT`` for ``--held-out``. Tidy and the presets of Sequence (``Sequence:kitchen``), which need
+certain things, have tables of their own texts, ``OWN``, in turn. Scenes that offer nothing to do
+have a row without a success. Rows go to ``expert_<which>.csv`` as they come (a second run resumes),
+the summary to the ``.md`` beside it.
 """
 
 from __future__ import annotations
@@ -46,12 +46,25 @@ HOLD = 10
 HELD_OUT = 1000
 """First seed of the scenes that nothing was developed on."""
 
-PRESETS = {
-    "Sequence:kitchen": "A wooden kitchen table with a large bowl, a wide cutting board, a small "
-    "cucumber, a carrot and a salt shaker",
-    "Sequence:coffee_table": "A round coffee table with a cup, an apple and a book",
+PRESETS = ("Sequence:kitchen", "Sequence:coffee_table")
+
+OWN = {
+    "Sequence:kitchen": (
+        "A wooden kitchen table with a large bowl, a wide cutting board, a small cucumber, a "
+        "carrot and a salt shaker",
+    ),
+    "Sequence:coffee_table": ("A round coffee table with a cup, an apple and a book",),
+    "Tidy": (
+        "A wooden table with a tray, a die, an egg, a lipstick and a toy block",
+        "An office desk with a desk tray, a marker, a glue stick, a die and a mug",
+        "A kitchen table with a large tray, two eggs, a lime and a salt shaker",
+        "A workbench with a large tray, a tape measure, a glue stick and two toy blocks",
+        "A vanity table with a tray, a lipstick, a cream jar and a bottle of nail polish",
+        "A round coffee table with a basket, a lime, an egg and a chess piece",
+        "A dining table with a tray, a salt shaker, a pepper shaker, an egg and a tumbler",
+    ),
 }
-"""What tables the presets are measured on."""
+"""Texts of the tables that hold what a task needs; other texts seldom do."""
 
 TASKS = (*NAMES, *PRESETS)
 
@@ -153,8 +166,8 @@ def jobs(args: argparse.Namespace) -> Iterator[Job]:
 def composed_scenes(task: str, count: int, held_out: bool) -> list[tuple[str, int]]:
     """Return the texts and seeds of ``count`` scenes of a task, to develop with or held out."""
     first = HELD_OUT if held_out else 0
-    if task in PRESETS:
-        return [(PRESETS[task], first + k) for k in range(count)]
+    if own := OWN.get(task):
+        return [(own[k % len(own)], first + k // len(own)) for k in range(count)]
     texts = [t for name in ("texts.json", "table78.json") for t in tables.texts_in(HERE / name)]
     shown = texts[::2]
     texts = list(dict.fromkeys(t for t in texts[1::2] if t not in shown) if held_out

@@ -368,7 +368,7 @@ def make_env(
     """Make the environment that fits ``observation``; the entry point of the registered ids.
 
     Args:
-        scenes: where tables come from; None for the preset's own, or all that are shipped.
+        scenes: where tables come from; None for the task's own (``Task.scenes``).
         task: a task or its name.
         preset: a name of ``tasks.sequence.PRESETS``, for the task "Sequence".
         observation: see ``TabletopEnv``.

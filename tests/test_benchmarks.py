@@ -194,7 +194,12 @@ def test_the_expert_is_never_developed_on_held_out_scenes() -> None:
     assert not {text for text, _ in shown} & {text for text, _ in kept}
     assert min(seed for _, seed in kept) >= bench.HELD_OUT > max(seed for _, seed in shown)
     presets = bench.composed_scenes("Sequence:kitchen", 3, held_out=True)
-    assert presets == [(bench.PRESETS["Sequence:kitchen"], bench.HELD_OUT + k) for k in range(3)]
+    (kitchen,) = bench.OWN["Sequence:kitchen"]
+    assert presets == [(kitchen, bench.HELD_OUT + k) for k in range(3)]
+    tidy = [bench.composed_scenes("Tidy", 40, held_out) for held_out in (False, True)]
+    assert len({*tidy[0], *tidy[1]}) == 80
+    assert {text for text, _ in tidy[1][:7]} == set(bench.OWN["Tidy"])
+    assert max(s for _, s in tidy[0]) < bench.HELD_OUT <= min(s for _, s in tidy[1])
 
 
 def test_wilsons_interval() -> None:

@@ -6,7 +6,14 @@ import numpy as np
 
 from . import textures
 from .category import Category
-from .collision import bowl_parts, box_part, cylinder_part, frame_parts, ring_parts
+from .collision import (
+    bowl_parts,
+    box_part,
+    cylinder_part,
+    frame_parts,
+    hull_of,
+    ring_parts,
+)
 from .colors import RGB, tinted
 from .glazes import SIDE, glazed
 from .look import Look
@@ -210,10 +217,9 @@ def tray(look: Look) -> Shape:
         for side in (-1, 1)
     ]  # fmt: skip
     dark = textures.plain(tinted(color, 0.6))
-    parts = frame_parts(x, y, h, wall, 0.008)
     return shape(
         [*((solid, tile) for solid in open_box(x, y, h, wall, 0.008)), *((g, dark) for g in grip)],
-        parts,
+        [*frame_parts(x, y, h, wall, 0.008), *map(hull_of, grip)],
     )
 
 

@@ -22,7 +22,7 @@ def resolve(scenes: SceneChoice) -> SceneSource:
     Args:
         scenes: one of
 
-            - "starter": every bundle shipped with the package; "starter:train" and
+            - "starter": the shipped bundles that are for any task; "starter:train" and
               "starter:held_out" split them by digest, a fifth held out;
             - a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
             - "fresh": made anew for each draw, of every theme; "fresh:PROMPT": of a text;

@@ -15,7 +15,7 @@ from .source import SceneRef
 from .splitting import Rule, Side
 
 STARTER = "starter"
-"""Means every bundle shipped with the package."""
+"""Means the shipped bundles that are for any task."""
 
 FRESH = "fresh"
 """Means scenes made anew for each draw; after a colon comes what they are of."""

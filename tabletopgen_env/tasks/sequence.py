@@ -9,7 +9,7 @@ on marked spots, each thing once. A preset asks for named things:
 ``coffee_table``  the cup and the apple change places
 ================  ==============================================================================
 
-Both are the paper's (Sec. 11); their tables are the starter bundles of ``PRESETS``. Success is that
+Both are the paper's (Sec. 11); their tables are the shipped bundles of ``PRESETS``. Success is that
 all steps hold at once, whatever their order. ``reset`` takes no options but "scene". Goals: `Into`,
 `OnTop`, `OnSpot`.
 """

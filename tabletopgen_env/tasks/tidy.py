@@ -1,7 +1,8 @@
 """Tidy: put the small things on the table into one tray, box or bowl.
 
-Up to four things that fit together, the nearest to it first. ``reset`` option: ``goal`` the
-container's name. Goals: `Into`.
+Two to four things that fit together beside what is in it already, the nearest to it first.
+``reset`` option: ``goal`` the container's name. Goals: `Into`. Few tables have a container for
+several things; the task's own tables (``SCENES``) have.
 """
 
 from __future__ import annotations
@@ -22,6 +23,9 @@ from .task import Episode, Task, episode
 if TYPE_CHECKING:
     from ..world import World
 
+SCENES = "tidy-task-*"
+"""The bundles (a glob) with a tray and small things."""
+
 FULL = 0.45
 """Share of a container's floor that things may cover together."""
 
@@ -33,6 +37,7 @@ class Tidy(Task):
         {"reach": 0.05, "grasp": 0.10, "lift": 0.10, "place": 0.25, "met": 0.25, "success": 0.25}
     )
     most = 4
+    scenes = SCENES
 
     def sample(
         self,
@@ -69,17 +74,22 @@ class Tidy(Task):
 
 def _together(world: World, container: Object, things: list[Object]) -> list[Object]:
     """Return which things go into a container together, the nearest to it first."""
-    from scipy.spatial import ConvexHull
-
     hollow = world.openings[container.name]
     assert hollow is not None
     room = FULL * np.pi * float(hollow.semi.prod())
+    room -= sum(_area(world, o) for o in world.scene.objects if o.placement.on == container.name)
     center = container.pose.position
     taken: list[Object] = []
     for obj in sorted(things, key=lambda o: float(np.linalg.norm(o.pose.position - center))):
-        room -= float(ConvexHull(world.footprints[obj.name]).volume)  # of a polygon its area
-        if room < 0 or len(taken) == Tidy.most:
-            break
-        if world.has_grasp(obj.name):
+        area = _area(world, obj)
+        if len(taken) < Tidy.most and area <= room and world.has_grasp(obj.name):
             taken.append(obj)
+            room -= area
     return taken
+
+
+def _area(world: World, obj: Object) -> float:
+    """Return the area of what an object covers, square metres."""
+    from scipy.spatial import ConvexHull
+
+    return float(ConvexHull(world.footprints[obj.name]).volume)  # of a polygon its area

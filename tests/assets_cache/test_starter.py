@@ -8,19 +8,25 @@ import numpy as np
 import pytest
 
 import assets_cache
-from assets_cache.make_starter import MOST_BYTES, PROMPTS
+from assets_cache.make_starter import MOST_BYTES, PROMPTS, TASKS
 from generator.bundle import load, verify
 
 THEMES = ("office", "dining", "kitchen", "coffee", "workbench", "craft", "vanity", "lab")
 
 
-def shipped() -> list[Path]:
+def starters() -> list[Path]:
     return assets_cache.find(assets_cache.STARTER)
 
 
+def shipped() -> list[Path]:
+    return [*starters(), *(path for name in TASKS for path in assets_cache.find(name))]
+
+
 def test_every_theme_is_there_and_nothing_else() -> None:
-    names = {path.name[:-13] for path in shipped()}
+    names = {path.name[:-13] for path in starters()}
     assert names == set(PROMPTS)
+    folder = Path(assets_cache.__file__).parent / "tasks"
+    assert {path.name[:-13] for path in folder.iterdir()} == set(TASKS)
     assert len(names) >= 12
     assert all(any(name.startswith(theme) for name in names) for theme in THEMES)
 
@@ -43,7 +49,7 @@ def test_they_are_light() -> None:
     assert weight <= MOST_BYTES
 
 
-@pytest.mark.parametrize("name", sorted(PROMPTS))
+@pytest.mark.parametrize("name", sorted([*PROMPTS, *TASKS]))
 def test_each_loads_in_plain_mujoco(name: str) -> None:
     import mujoco
 

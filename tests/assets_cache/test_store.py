@@ -22,7 +22,9 @@ def store(tmp_path: Path, monkeypatch) -> Path:
     """An empty store; the environment and the user's home are out of the way."""
     monkeypatch.delenv("TABLETOPGEN_CACHE", raising=False)
     monkeypatch.setattr("platformdirs.user_cache_dir", lambda *a, **k: str(tmp_path / "user"))
-    monkeypatch.setattr("assets_cache.store._SHIPPED", tmp_path / "shipped")
+    shipped, tasks = tmp_path / "shipped", tmp_path / "tasks"
+    monkeypatch.setattr("assets_cache.store._STARTERS", shipped)
+    monkeypatch.setattr("assets_cache.store._SHIPPED", (shipped, tasks))
     return tmp_path / "store"
 
 
@@ -62,6 +64,15 @@ def test_argument_before_environment_before_shipped_before_user(
     assert assets_cache.user_root() == places[1]
     assert assets_cache.user_root(store) == store
     assert assets_cache.find("starter")[0].parent == places[2]
+
+
+def test_tables_for_one_task_are_found_by_name_and_are_no_starters(store, tmp_path) -> None:
+    starter, special = put("office", tmp_path / "shipped"), put("tea-task-1", tmp_path / "tasks")
+    assert assets_cache.find("starter", store) == [starter]
+    assert assets_cache.find("tea-task-*", store) == [special]
+    assert assets_cache.entries(store) == [starter, special]
+    with pytest.raises(StorageError, match="it holds the starters"):
+        assets_cache.clear(tmp_path / "tasks")
 
 
 def test_an_unknown_name_suggests_the_near_match(store: Path) -> None:

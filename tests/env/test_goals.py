@@ -250,6 +250,21 @@ def test_tidy_is_done_when_all_lie_inside() -> None:
     assert rewards == sorted(rewards) and is_done(env)
 
 
+def test_tidy_takes_what_fits_beside_the_rest() -> None:
+    tray = toy_object("tray_1", (0.3, 0.3, 0.06), (0.25, 0.0), wall=0.01)
+    wide = [
+        toy_object(f"slab_{k}", (0.07, 0.22, 0.03), (-0.03, (-0.2, 0.2)[k]), mass=0.1)
+        for k in range(2)
+    ]
+    small = [toy_object(f"cube_{k}", (0.04,) * 3, (-0.3 + 0.1 * k, 0.0)) for k in range(3)]
+    env = start("Tidy", toy_scene((tray, *wide, *small)))
+    assert [g.target for g in env.episode.goals] == ["slab_0", "cube_2", "cube_1", "cube_0"]
+    lying = toy_object("plank_1", (0.12, 0.12, 0.03), (0.25, 0.0), top=TOP + 0.006)
+    lying = replace(lying, placement=replace(lying.placement, on="tray_1", inside=True))
+    env = start("Tidy", toy_scene((tray, lying, *wide, *small)))
+    assert [g.target for g in env.episode.goals] == ["cube_2", "cube_1", "cube_0"]
+
+
 def test_a_sequence_is_done_when_all_steps_hold_whatever_their_order() -> None:
     env = start("Sequence", seed=1)
     goals = env.episode.goals

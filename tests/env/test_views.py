@@ -8,7 +8,7 @@ from test_rendering import needs_gl
 from toy import toy_object, toy_scene, toy_table
 
 from generator.errors import InputError
-from tabletopgen_env.composition import FRONT_CAMERA, TOP_CAMERA
+from tabletopgen_env.composition import FRONT_CAMERA, MARKER, TOP_CAMERA
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.observations import slot_order
 from tabletopgen_env.point_cloud import ABOVE, point_cloud, unprojected
@@ -16,7 +16,14 @@ from tabletopgen_env.rendering import drawer
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.software import model_camera
 from tabletopgen_env.tasks.sampling import into
-from tabletopgen_env.views import DEPTH_FAR, SLOTS, ObservationConfig, geom_labels, pictures
+from tabletopgen_env.views import (
+    DEPTH_FAR,
+    SLOTS,
+    TABLETOP,
+    ObservationConfig,
+    geom_labels,
+    pictures,
+)
 from tabletopgen_env.world import World
 
 RENDERERS = [pytest.param("gl", marks=needs_gl), "software"]
@@ -89,6 +96,32 @@ def test_labels_follow_the_slots_and_leave_out_what_has_none(world) -> None:
 
 
 @needs_gl
+@pytest.mark.parametrize("renderer", RENDERERS)
+def test_one_spot_is_marked_at_a_time_and_is_the_table_s(renderer) -> None:
+    env = make_env(toy_scene(), task="Swap")
+    env.reset(seed=0, options={"target": "cube_1", "goal": "can_1"})
+    world, eyes = env.world, drawer(renderer, 200, 240)
+    camera = model_camera(world, TOP_CAMERA, 200, 240)
+    marker = world.model.geom(MARKER).id
+    for number in range(3):
+        spot = env.goal.spot
+        assert env.goal is env.episode.goals[number] and spot is not None
+        seen = eyes.draw(world, TOP_CAMERA, ("segmentation",))["segmentation"]
+        rows, columns = np.nonzero(seen == marker)
+        middle, edge = camera.project(
+            np.array([spot, spot + np.array([env.task.marker_radius, 0, 0])])
+        )
+        away = np.hypot(columns + 0.5 - middle[0], rows + 0.5 - middle[1])
+        assert len(rows) > 8 and away.max() < np.linalg.norm(edge - middle) + 2, number
+        assert geom_labels(world, ["cube_1"])[marker] == TABLETOP
+        world.teleport(str(env.goal.target), env.goal.region(world).center)
+        for _ in range(20):
+            env.step(np.array([0.0, 0, 0, 0, 1]))
+    world.show_marker(None, 0.04)
+    assert marker not in eyes.draw(world, TOP_CAMERA, ("segmentation",))["segmentation"]
+    eyes.close()
+
+
 def test_gl_and_software_agree_on_depth_and_segmentation(world) -> None:
     config = ObservationConfig(("front", "wrist", "top"), KINDS[1:], (60, 80))
     order = order_of(world)

@@ -56,10 +56,11 @@ def test_a_piece_without_a_part_gets_one() -> None:
     assert sticking_out(parts, vertices).max() <= TOLERANCE
 
 
+@pytest.mark.parametrize("size", ["small", "medium", "large"])
 @pytest.mark.parametrize("key", ["bowl", "basket", "tray", "desk_tray"])
-def test_a_hollow_stays_open(key: str) -> None:
+def test_a_hollow_stays_open(key: str, size: str) -> None:
     for seed in range(3):
-        model = build(key, seed)
+        model = build(key, seed, attributes={"size": size})
         ways = np.linspace(0, 2 * np.pi, 12, endpoint=False)
         ring = 0.15 * np.column_stack([np.cos(ways), np.sin(ways)])
         inside = np.array([[*xy, z] for xy in ring for z in (-0.2, 0.0, 0.2, 0.4)]) * model.size
