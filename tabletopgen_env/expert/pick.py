@@ -160,7 +160,7 @@ class Picker(Expert):
         gap = self._gap
         told = self._commanded_gap < gap - _CLOSING  # else the hand is another's, who lingers
         left, right, _ = self._env.world.touched(self._target)
-        taken = left and right or abs(gap - self._last_gap) < 2e-4
+        taken = (left and right) or abs(gap - self._last_gap) < 2e-4
         self._last_gap = gap
         if (told and taken) or late:
             self._held = self._in_hand()
