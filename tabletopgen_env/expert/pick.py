@@ -42,7 +42,8 @@ _LIFT = 0.06
 _FINE, _TURNED = (0.0015, 0.005), 0.05
 _CARRY = 0.7  # of the hand's speed while it holds something: round things slip
 _SHORT = 0.012  # metres above the grasp at which fingers that come no lower have failed
-_DOWN = 0.008  # metres above the grasp at which the fingers begin to close, still going down
+_DOWN = 0.004  # metres above the grasp at which the fingers close, and below it that is aimed at
+_EMPTY = 0.004  # metres closer than what was to be between them at which fingers hold nothing
 _FUNNEL = 0.004  # metres beside a good aim at which the hand stays all of HOVER above
 _CLOSING = 0.002  # metres by which the fingers are told to be closer than they are
 _SLIP = 0.03
@@ -152,20 +153,24 @@ class Picker(Expert):
 
     def _come_down(self, hover: float) -> Float[np.ndarray, "5"]:
         grasp = self._plan.grasp
-        over = self._over(grasp.point + up(hover), TIP, self._target)
+        over = self._over(grasp.point + up(hover or -_DOWN), TIP, self._target)
         aside = np.linalg.norm((self._tool - grasp.point)[:2])
         return self._go(over, grasp.opening, slow=0.7 if aside < NEAR else 1.0)
 
     def _close(self, late: bool) -> Float[np.ndarray, "5"]:
-        gap = self._gap
+        gap, grasp = self._gap, self._plan.grasp
         told = self._commanded_gap < gap - _CLOSING  # else the hand is another's, who lingers
         left, right, _ = self._env.world.touched(self._target)
-        taken = (left and right) or abs(gap - self._last_gap) < 2e-4
+        still = abs(gap - self._last_gap) < 2e-4
         self._last_gap = gap
-        if (told and taken) or late:
+        if (told and ((left and right) or still)) or late:
             self._held = self._in_hand()
             return self._enter("lift")
-        return self._go(self._plan.grasp.point, 0.0)
+        if np.linalg.norm(self._tool - grasp.point) > NEAR:
+            return self._enter("approach")
+        if gap < grasp.width - _EMPTY and not (left or right):
+            return self._retry()
+        return self._go(grasp.point, 0.0)
 
     def _lift(self, late: bool) -> Float[np.ndarray, "5"]:
         raised = isinstance(self._goal, Raised)
