@@ -144,14 +144,14 @@ def plot(
     if not runs:
         raise InputError("Name at least one run's folder to plot.")
     need_sb3()
-    from .plotting import bands, draw, write_png
+    from .plotting import bands, draw, number, write_png
     from .runs import opened
 
     found = bands([opened(path) for path in runs], by)
     write_png(draw(found, by), out)
     for name, band in found.items():
         mean, least, most = (100 * v[-1] for v in (band.mean, band.least, band.most))
-        told = f"{name}: {mean:.0f} % after {band.at[-1]:,.4g} {by}"
+        told = f"{name}: {mean:.0f} % after {number(band.at[-1])} {by}"
         print(told + (f", {least:.0f} to {most:.0f} % of {band.runs} runs" * (band.runs > 1)))
     print(f"drawn in {out}")
 

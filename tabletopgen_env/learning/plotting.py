@@ -80,10 +80,10 @@ def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 
     for level in np.linspace(0, 1, 6):
         pen.line((*point(0, level), *point(end, level)), _PALE)
         pen.text((_LEFT - 8, point(0, level)[1]), f"{100 * level:.0f} %", _INK, small, anchor="rm")
-    for value in np.linspace(0, end, 6):
+    for value in ticks(end):
         x = point(value, 0)[0]
         pen.line((x, _TOP, x, _TOP + tall), _PALE)
-        pen.text((x, _TOP + tall + 6), f"{value:,.4g}", _INK, small, anchor="mt")
+        pen.text((x, _TOP + tall + 6), number(value), _INK, small, anchor="mt")
     pen.text((_LEFT + wide / 2, _HEIGHT - 24), by, _INK, small, anchor="mt")
     for k, (name, band) in enumerate(found.items()):
         color = _COLORS[k % len(_COLORS)]
@@ -98,6 +98,18 @@ def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 
         told = f"{name} ({band.runs} {'run' if band.runs == 1 else 'runs'})"
         pen.text((_LEFT + 10, _TOP + 8 + 18 * k), told, color, small)
     return np.asarray(picture, np.uint8)
+
+
+def ticks(end: float) -> list[float]:
+    """Return four to ten round numbers from 0 to ``end``."""
+    ten = 10.0 ** np.floor(np.log10(end))
+    step = next(ten * s for s in (0.1, 0.2, 0.5, 1.0, 2.0) if end / (ten * s) <= 10)
+    return [float(step * k) for k in range(int(end / step + 1e-9) + 1)]
+
+
+def number(value: float) -> str:
+    """Return a number as text, thousands apart."""
+    return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
 
 
 def write_png(image: UInt8[np.ndarray, "h w 3"], path: Path) -> None:

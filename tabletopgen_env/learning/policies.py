@@ -146,15 +146,7 @@ def save_policy(policy: TrainedPolicy, path: Path, half: bool = False) -> Path:
         InputError: it would be larger than ``MOST_BYTES``.
         StorageError: it cannot be written.
     """
-    kind = torch.float16 if half else torch.float32
-    weights = {k: v.detach().to(kind).contiguous() for k, v in policy.actor.state_dict().items()}
-    card = {"format": FORMAT, **asdict(policy.card)}
-    content = packed(weights, {KEY: json.dumps(card, sort_keys=True, allow_nan=False)})
-    if len(content) > MOST_BYTES:
-        raise InputError(
-            f"The policy has {len(content)} bytes, a policy file at most {MOST_BYTES}: use "
-            "narrower layers, or half=True."
-        )
+    content = policy_bytes(policy, half)
     part = None
     try:
         with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as file:
@@ -170,6 +162,24 @@ def save_policy(policy: TrainedPolicy, path: Path, half: bool = False) -> Path:
             "folder."
         ) from error
     return path
+
+
+def policy_bytes(policy: TrainedPolicy, half: bool = False) -> bytes:
+    """Return a policy file's content; see ``save_policy``.
+
+    Raises:
+        InputError: it is larger than ``MOST_BYTES``.
+    """
+    kind = torch.float16 if half else torch.float32
+    weights = {k: v.detach().to(kind).contiguous() for k, v in policy.actor.state_dict().items()}
+    card = {"format": FORMAT, **asdict(policy.card)}
+    content = packed(weights, {KEY: json.dumps(card, sort_keys=True, allow_nan=False)})
+    if len(content) > MOST_BYTES:
+        raise InputError(
+            f"The policy has {len(content)} bytes, a policy file at most {MOST_BYTES}: use "
+            "narrower layers, or half=True."
+        )
+    return content
 
 
 def shipped_policies() -> dict[str, Path]:

@@ -7,7 +7,10 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+import gymnasium as gym
+import numpy as np
 import torch
 from stable_baselines3 import SAC
 from stable_baselines3.common.base_class import BaseAlgorithm
@@ -20,6 +23,7 @@ from ..scenes.source import close
 from .cloning import CloningConfig, Round, clone
 from .ending import StopAsked, heeding
 from .making import many_envs, new_model, shared, single_env, source_of
+from .policies import policy_bytes, policy_from
 from .recipes import Recipe
 from .replay import fill
 from .runs import Run, begin, differences, opened
@@ -68,8 +72,7 @@ def train(
             say(f"{both} of the held-out scenes are trained on, too.")
         trials = single_env(recipe.task, recipe.env, held_out)
         last.callback(trials.close)
-        new_model(recipe, trials, plan.seed)  # refuses wrong options before anything is written
-        cloning_config(recipe)
+        _check(recipe, trials)
         run = _resumed(out, recipe, plan.seed) if resume else begin(out, recipe, plan.seed)
         last.enter_context(_one_thread())
         stop = last.enter_context(heeding(say))
@@ -78,6 +81,12 @@ def train(
         tracker = Tracker(run, plan, trials, stop, logger, say)
         learn = _clone_alone if recipe.algorithm == "clone" else _learn
         return Trained(run, learn(tracker, scenes), stop.is_set())
+
+
+def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
+    """Refuse what would fail later, before anything is written."""
+    cloning_config(recipe)
+    policy_bytes(policy_from(new_model(recipe, env, 0), recipe, 0))
 
 
 def _resumed(out: Path, recipe: Recipe, seed: int) -> Run:

@@ -11,7 +11,7 @@ from PIL import Image
 from generator.errors import InputError
 from tabletopgen_env.__main__ import run as command
 from tabletopgen_env.learning.evaluating import Evaluation
-from tabletopgen_env.learning.plotting import bands, draw
+from tabletopgen_env.learning.plotting import bands, draw, number, ticks
 from tabletopgen_env.learning.runs import Run, begin
 
 
@@ -55,6 +55,21 @@ def test_more_success_is_drawn_higher(small, tmp_path: Path) -> None:
         return float(np.median(np.nonzero(blue[:, 400:])[0]))
 
     assert height("low", 2) > height("high", 8) + 100
+
+
+@pytest.mark.parametrize(
+    ("end", "wanted"),
+    [
+        (190_000, ["0", "20,000", "40,000", "60,000"]),
+        (1.0, ["0", "0.1", "0.2", "0.3"]),
+        (0.24, ["0", "0.05", "0.1", "0.15"]),
+        (9.9e6, ["0", "1,000,000", "2,000,000", "3,000,000"]),
+    ],
+)
+def test_axes_have_round_numbers(end: float, wanted: list[str]) -> None:
+    made = ticks(end)
+    assert [number(v) for v in made[:4]] == wanted
+    assert 4 < len(made) <= 11 and made[-1] <= end * (1 + 1e-9)
 
 
 def test_the_command_draws_a_picture(small, tmp_path: Path, capsys) -> None:

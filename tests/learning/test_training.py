@@ -155,8 +155,12 @@ def test_what_cannot_be_resumed_or_begun_is_refused(small, folder: Path) -> None
 
 
 def test_a_wrong_recipe_leaves_nothing_behind(small, folder: Path) -> None:
-    for wrong in ({"options": {"nothing": 1}}, {"cloning": {"nothing": 1}}):
-        with pytest.raises(InputError, match="nothing"):
+    for wrong, why in (
+        ({"options": {"nothing": 1}}, "nothing"),
+        ({"cloning": {"nothing": 1}}, "nothing"),
+        ({"network": {"layers": [1200, 1200]}}, "a policy file at most"),
+    ):
+        with pytest.raises(InputError, match=why):
             train(small(**wrong), folder, QUICK, say=quiet)
     assert not folder.exists()
 
