@@ -13,9 +13,11 @@ from torch import Tensor
 
 from generator.errors import InputError
 
-from ..observations import GOAL_BOUNDS
+from ..observations import GOAL_BOUNDS, ROBOT_BOUNDS, SLOT_BOUNDS, SLOTS
 from ..tasks.task import ENTRIES
 from .network import TableExtractor
+
+_BARE = len(ROBOT_BOUNDS) + SLOTS * len(SLOT_BOUNDS)
 
 
 class GoalExtractor(BaseFeaturesExtractor):
@@ -43,7 +45,8 @@ class GoalExtractor(BaseFeaturesExtractor):
 
     def forward(self, observations: dict[str, Any]) -> Float[Tensor, "n f"]:
         """Return the features of a batch of goal observations."""
-        bare, desired = observations["observation"], observations["desired_goal"]
+        seen, desired = observations["observation"], observations["desired_goal"]
         away = desired[:, :3] - observations["achieved_goal"][:, :3]
-        carried = torch.zeros_like(bare[:, :1])
-        return self.extractor(torch.cat([bare, carried, desired[:, :7], away], 1))
+        carried = torch.zeros_like(away[:, :1])
+        bare, hint = seen[:, :_BARE], seen[:, _BARE:]
+        return self.extractor(torch.cat([bare, carried, desired[:, :7], away, hint], 1))

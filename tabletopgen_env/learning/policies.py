@@ -1,7 +1,9 @@
 """Policy files: a trained actor's weights with what it was made for, and nothing that runs.
 
 A file is safetensors; its header holds a *card* as JSON. Reading one unpickles nothing, and checks
-sizes, names, shapes and numbers before anything is made of them.
+sizes, names, shapes and numbers before anything is made of them. Beside the card are the answers
+of the network to a fixed observation, so that a policy whose features this package has come to
+compute otherwise is refused instead of failing at its task.
 """
 
 from __future__ import annotations
@@ -172,7 +174,9 @@ def policy_bytes(policy: TrainedPolicy, half: bool = False) -> bytes:
     """
     kind = torch.float16 if half else torch.float32
     weights = {k: v.detach().to(kind).contiguous() for k, v in policy.actor.state_dict().items()}
-    card = {"format": FORMAT, **asdict(policy.card)}
+    kept = Actor(policy.card.network, policy.card.inputs, policy.card.actions)
+    _fill(kept, weights)
+    card = {"format": FORMAT, **asdict(policy.card), "answers": _answers(kept, policy.card.inputs)}
     content = packed(weights, {KEY: json.dumps(card, sort_keys=True, allow_nan=False)})
     if len(content) > MOST_BYTES:
         raise InputError(
@@ -200,9 +204,10 @@ def load_policy(path: Path) -> TrainedPolicy:
             raise InputError(f"{path} has more than a policy file's {MOST_BYTES} bytes.")
         with safe_open(path, framework="pt") as file:
             notes = file.metadata() or {}
-            card = _card(notes)
+            card, answers = _card(notes)
             actor = Actor(card.network, card.inputs, card.actions)
             _fill(actor, {key: file.get_tensor(key) for key in file.keys()})  # noqa: SIM118
+            _check_answers(answers, _answers(actor, card.inputs))
     except (SafetensorError, ValueError, TypeError, KeyError, RecursionError, OSError) as error:
         if isinstance(error, InputError) and str(path) in str(error):
             raise
@@ -245,8 +250,26 @@ def _fill(actor: Actor, weights: Mapping[str, Tensor]) -> None:
     actor.eval().requires_grad_(False)
 
 
-def _card(notes: Mapping[str, str]) -> Card:
-    """Return the card of a file's header, every value checked."""
+def _answers(actor: Actor, inputs: Mapping[str, int]) -> list[float]:
+    """Return what a network makes of a fixed observation."""
+    rng = np.random.default_rng(0)
+    seen: Any = {name: rng.normal(0.0, 0.3, size) for name, size in sorted(inputs.items())}
+    with torch.no_grad():
+        last = actor(tensors_of(inputs, seen.get("", seen))[0])
+    return [float(v) for v in last[0]]
+
+
+def _check_answers(kept: list[float], own: list[float]) -> None:
+    """Refuse a network that computes other things than the one that was saved."""
+    if len(kept) != len(own) or not np.allclose(kept, own, rtol=1e-3, atol=1e-3):
+        raise ValueError(
+            "its network answers otherwise than when it was saved: this version of the package "
+            "looks at observations in another way, or the file was changed"
+        )
+
+
+def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
+    """Return the card of a file's header, every value checked, and the answers kept with it."""
     if KEY not in notes:
         raise ValueError(f"its header has no {KEY!r}")
     if len(notes[KEY]) > _MOST_CARD:
@@ -255,7 +278,7 @@ def _card(notes: Mapping[str, str]) -> Card:
     version = payload.pop("format", None)
     if version != FORMAT:
         raise ValueError(f"it is of version {version!r}, this package reads {FORMAT}")
-    if set(payload) != {f.name for f in fields(Card)}:
+    if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
         raise ValueError(f"its card has the keys {', '.join(sorted(payload))}")
     inputs = {_of(k, str): _of(v, int) for k, v in _of(payload["inputs"], dict).items()}
     sizes = (*inputs.values(), payload["actions"])
@@ -273,11 +296,12 @@ def _card(notes: Mapping[str, str]) -> Card:
     env = _of(payload["env"], dict)
     Recipe("its card", task, "sac", env=env, network=network)  # checks that they go together
     versions = {_of(k, str): _of(v, str) for k, v in _of(payload["versions"], dict).items()}
+    answers = [_of(v, float) for v in _of(payload["answers"], list)]
     return Card(
         task, env, network, inputs, payload["actions"], squash,  # pyright: ignore
         _of(payload["recipe"], str), _of(payload["seed"], int), _of(payload["steps"], int),
         _evaluated(_of(payload["evaluated"], dict)), versions,
-    )  # fmt: skip
+    ), answers  # fmt: skip
 
 
 def _evaluated(payload: dict[str, Any]) -> dict[str, Any]:

@@ -9,9 +9,12 @@ import numpy as np
 import pytest
 import torch
 from safetensors.torch import load_file, save_file
+from toy import toy_scene
 
 from generator.errors import InputError, StorageError
+from tabletopgen_env.env import make_env
 from tabletopgen_env.learning import policies
+from tabletopgen_env.learning.actor import inputs_of, tensors_of
 from tabletopgen_env.learning.making import new_model, single_env, source_of
 from tabletopgen_env.learning.policies import (
     FORMAT,
@@ -22,6 +25,8 @@ from tabletopgen_env.learning.policies import (
     policy_from,
     save_policy,
 )  # fmt: skip
+from tabletopgen_env.observations import observation_space
+from tabletopgen_env.views import ObservationConfig
 
 GOAL = {"observation": "goal"}
 KINDS = [
@@ -197,6 +202,35 @@ def test_weights_that_are_not_finite_are_refused(policy: TrainedPolicy, tmp_path
         load_policy(path)
 
 
+def test_a_network_that_computes_otherwise_is_refused(small, tmp_path: Path, monkeypatch) -> None:
+    _, _, policy = trained(small)
+    for half in (False, True):
+        path = save_policy(policy, tmp_path / "p.safetensors", half)
+        load_policy(path)
+        with monkeypatch.context() as changed:
+            changed.setattr("tabletopgen_env.learning.network._ROBOT_SCALE", np.full(40, 0.7))
+            with pytest.raises(InputError, match="answers otherwise"):
+                load_policy(path)
+
+
+def test_goals_are_looked_at_as_the_state_is() -> None:
+    from tabletopgen_env.learning.goal_extractor import GoalExtractor
+    from tabletopgen_env.learning.network import TableExtractor
+
+    for hint in (False, True):
+        features = []
+        for mode, kind in (("state", TableExtractor), ("goal", GoalExtractor)):
+            env = make_env(toy_scene(), task="Lift", observation=mode, grasp_hint=hint)
+            seen = env.reset(seed=4)[0]
+            torch.manual_seed(0)
+            network = kind(env.observation_space)
+            inputs = inputs_of(env.observation_space)
+            features.append(network(tensors_of(inputs, seen)[0]))
+        assert torch.allclose(*features, atol=1e-6)
+        seen["desired_goal"] = seen["desired_goal"] + np.float32(0.1)
+        assert not torch.allclose(network(tensors_of(inputs, seen)[0]), features[1])
+
+
 def test_what_is_too_large_is_not_written(small, tmp_path: Path) -> None:
     policy = trained(small, network={"layers": [1200, 1200]})[2]
     with pytest.raises(InputError, match="half=True"):
@@ -215,10 +249,6 @@ def test_policies_are_found_by_name_or_path(policy, tmp_path: Path, monkeypatch)
 
 
 def test_pictures_have_no_policy_files(small) -> None:
-    from tabletopgen_env.learning.actor import inputs_of
-    from tabletopgen_env.observations import observation_space
-    from tabletopgen_env.views import ObservationConfig
-
     space = observation_space("pixels", ObservationConfig(("front",), ("rgb",), 64, 64))
     with pytest.raises(InputError, match="states and goals"):
         inputs_of(space)
