@@ -29,7 +29,9 @@ FILE = Path(__file__).with_name("recipes.toml")
 MOST_BYTES = 2**16
 """A recipe's file is not larger."""
 
-_NOT_THE_TASKS = {"scenes", "task", "render_mode", "render_size", "renderer", "robot", "cache"}
+_ELSEWHERE = frozenset({
+    "scenes", "task", "render_mode", "render_size", "renderer", "robot", "cache", "masters",
+})  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -157,7 +159,7 @@ def env_keywords() -> frozenset[str]:
     """Return what a recipe may say of its environment."""
     from ..env import TabletopEnv
 
-    own = set(inspect.signature(TabletopEnv).parameters) - _NOT_THE_TASKS - {"masters"}
+    own = set(inspect.signature(TabletopEnv).parameters) - _ELSEWHERE
     return frozenset(own | {"preset"})
 
 

@@ -18,7 +18,7 @@ from __future__ import annotations
 import csv
 import json
 import shutil
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -92,7 +92,11 @@ class Run:
         return read_rows(self.path)
 
     def add(self, steps: int, seconds: float, seen: Evaluation) -> None:
-        """Add an evaluation to the table."""
+        """Add an evaluation to the table.
+
+        Raises:
+            StorageError: it cannot be written.
+        """
         row = Row(steps, round(seconds, 1), seen.episodes, seen.solved, seen.reward, seen.steps)
         _write_rows(self.path, [*self.rows(), row])
 
@@ -109,13 +113,12 @@ class Run:
             shutil.rmtree(part, ignore_errors=True)
             part.mkdir()
             model.save(part / "model.zip")
-            _write(part / "counts.json", json.dumps(counts.__dict__) + "\n")
+            (part / "counts.json").write_text(json.dumps(asdict(counts)) + "\n")
             if replay and isinstance(model, OffPolicyAlgorithm) and model.replay_buffer is not None:
                 write_buffer(model.replay_buffer, part / "replay.npz")
-            if final.exists():
-                final.rename(self.path / f"{_CHECKPOINT}old")
+            shutil.rmtree(final, ignore_errors=True)
             part.rename(final)
-            for path in {*older, self.path / f"{_CHECKPOINT}old"} - {final, part}:
+            for path in set(older) - {final}:
                 shutil.rmtree(path, ignore_errors=True)
         except OSError as error:
             raise StorageError(
@@ -142,7 +145,7 @@ class Run:
             model.set_parameters(weights, device="cpu")
             for name, value in (variables or {}).items():
                 recursive_setattr(model, f"{name}.data", value.data)
-        except (OSError, ValueError, TypeError, KeyError, RuntimeError) as error:
+        except Exception as error:  # whatever a damaged file brings about
             raise InputError(
                 f"{found} is no checkpoint of {self.recipe.name} ({error}). Begin a new run."
             ) from error
@@ -170,15 +173,14 @@ def begin(path: Path, recipe: Recipe, seed: int) -> Run:
         )
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
         raise InputError(f"{path} holds something else already; choose another --out.")
-    made = Run(path, recipe, seed)
     try:
         path.mkdir(parents=True, exist_ok=True)
-        _write_rows(path, [])
-        facts = {"format": FORMAT, "seed": seed, "recipe": recipe.facts()}
-        _write(path / _RECIPE, json.dumps(facts, indent=1) + "\n")
     except OSError as error:
-        raise StorageError(f"{path} cannot be written: {error.strerror or error}.") from error
-    return made
+        raise StorageError(f"{path} cannot be made: {error.strerror or error}.") from error
+    _write_rows(path, [])
+    facts = {"format": FORMAT, "seed": seed, "recipe": recipe.facts()}
+    _write(path / _RECIPE, json.dumps(facts, indent=1) + "\n")
+    return Run(path, recipe, seed)
 
 
 def opened(path: Path) -> Run:
@@ -222,8 +224,11 @@ def _write_rows(path: Path, rows: list[Row]) -> None:
 
 def _write(path: Path, text: str) -> None:
     part = path.with_suffix(".part")
-    part.write_text(text, encoding="utf-8")
-    part.replace(path)
+    try:
+        part.write_text(text, encoding="utf-8")
+        part.replace(path)
+    except OSError as error:
+        raise StorageError(f"{path} cannot be written: {error.strerror or error}.") from error
 
 
 def differences(one: Recipe, other: Recipe) -> list[str]:

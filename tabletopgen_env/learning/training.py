@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import shutil
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
@@ -16,7 +17,7 @@ from stable_baselines3 import SAC
 from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
 
-from generator.errors import InputError
+from generator.errors import InputError, TabletopError
 
 from ..scenes import SceneSource
 from ..scenes.source import close
@@ -80,12 +81,18 @@ def train(
         last.callback(logger.close)
         tracker = Tracker(run, plan, trials, stop, logger, say)
         learn = _clone_alone if recipe.algorithm == "clone" else _learn
-        return Trained(run, learn(tracker, scenes), stop.is_set())
+        try:
+            return Trained(run, learn(tracker, scenes), stop.is_set())
+        except TabletopError:
+            if not resume and not run.rows():
+                shutil.rmtree(run.path, ignore_errors=True)  # it never began
+            raise
 
 
 def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
     """Refuse what would fail later, before anything is written."""
     cloning_config(recipe)
+    env.reset(seed=0)
     policy_bytes(policy_from(new_model(recipe, env, 0), recipe, 0))
 
 

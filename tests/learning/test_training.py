@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from stable_baselines3 import SAC
 
-from generator.errors import InputError
+from generator.errors import InputError, SceneError, TabletopError
 from tabletopgen_env.learning import extra, tracking
 from tabletopgen_env.learning.making import load_zip
 from tabletopgen_env.learning.policies import load_policy
@@ -159,10 +159,27 @@ def test_a_wrong_recipe_leaves_nothing_behind(small, folder: Path) -> None:
         ({"options": {"nothing": 1}}, "nothing"),
         ({"cloning": {"nothing": 1}}, "nothing"),
         ({"network": {"layers": [1200, 1200]}}, "a policy file at most"),
+        ({"task": "Stack"}, "Nothing to do"),
     ):
-        with pytest.raises(InputError, match=why):
+        with pytest.raises(TabletopError, match=why):
             train(small(**wrong), folder, QUICK, say=quiet)
     assert not folder.exists()
+
+
+def test_a_run_that_never_began_leaves_nothing_behind(small, folder: Path, monkeypatch) -> None:
+    monkeypatch.setattr("tabletopgen_env.learning.replay.expert_episode", lambda env, seed: None)
+    with pytest.raises(SceneError, match="solves none"):
+        train(small(demonstrations=2), folder, QUICK, say=quiet)
+    assert not folder.exists()
+
+
+def test_a_damaged_checkpoint_is_refused_and_kept(small, folder: Path) -> None:
+    train(small("ppo", steps=32), folder, Plan(episodes=1), say=quiet)
+    zipped = opened(folder).checkpoint / "model.zip"
+    zipped.write_bytes(zipped.read_bytes()[:900])
+    with pytest.raises(InputError, match="no checkpoint of small-ppo"):
+        train(small("ppo", steps=64), folder, Plan(episodes=1), True, quiet)
+    assert len(opened(folder).rows()) == 1 and zipped.exists()
 
 
 def test_the_first_interrupt_ends_with_a_checkpoint(small, folder: Path) -> None:
