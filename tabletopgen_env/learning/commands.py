@@ -65,7 +65,7 @@ def train(
     given = {"scenes": _one(scenes), "held_out": _one(held_out), "steps": steps}
     chosen = dataclasses.replace(chosen, **{k: v for k, v in given.items() if v not in (None, ())})
     folder = out or Path("runs") / f"{Path(chosen.name).name}-{seed}"
-    plan = Plan(seed, evaluate_every, episodes, keep_replay, sys.stderr.isatty())
+    plan = Plan(seed, evaluate_every, episodes, keep_replay, sys.stdout.isatty())
     done = trained(chosen, folder, plan, resume, _say)
     print(f"{done.steps:,} steps of {chosen.name} in {folder}")
     return 130 if done.interrupted else 0
@@ -172,6 +172,9 @@ def _loaded(name: str, trust: bool, recipe: str | None) -> tuple[Predicts, str, 
     if path.suffix == ".zip":
         return _unzipped(path, trust, recipe)
     policy = load_policy(path)
+    card, seen = policy.card, policy.card.evaluated
+    told = f"; {seen['solved']} of {seen['episodes']} at {seen['scenes']}" if seen else ""
+    print(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{told}")
     return policy, policy.card.task, policy.card.env
 
 

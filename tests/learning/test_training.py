@@ -213,7 +213,7 @@ def test_cloning_can_be_interrupted_too(small, folder: Path) -> None:
 def test_tensorboard_is_not_needed(small, folder: Path, monkeypatch) -> None:
     monkeypatch.setattr(tracking, "tensorboard_there", lambda: False)
     told: list[str] = []
-    train(small("ppo", steps=32), folder, Plan(episodes=1), say=told.append)
+    train(small("ppo", steps=32), folder, Plan(episodes=1, bar=True), say=told.append)
     assert sum("TensorBoard is not installed" in line for line in told) == 1
     assert not list(folder.glob("tensorboard/*")) and extra.PIP in "".join(told)
 
