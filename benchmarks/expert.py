@@ -32,6 +32,7 @@ from generator.compose import compose
 from generator.errors import SceneError, TabletopError
 from generator.scene import Scene
 from tabletopgen_env.expert.run import TaskExpert
+from tabletopgen_env.statistics import wilson
 from tabletopgen_env.tasks import NAMES
 
 HERE = Path(__file__).parent
@@ -185,16 +186,6 @@ def say(rows: list[Row]) -> str:
     solved = sum(int(r["success"]) for r in run)
     told = f"{solved} of {len(run)}" if run else "nothing to do"
     return f"{rows[0]['task']} at {rows[0]['scene'][:40]!r} seed {rows[0]['seed']}: {told}"
-
-
-def wilson(solved: int, count: int, z: float = 1.96) -> tuple[float, float]:
-    """Return Wilson's 95 % interval of a share."""
-    if not count:
-        return 0.0, 1.0
-    share, weight = solved / count, z * z / count
-    middle = (share + weight / 2) / (1 + weight)
-    half = z * (share * (1 - share) / count + weight / (4 * count)) ** 0.5 / (1 + weight)
-    return middle - half, middle + half
 
 
 def summary(rows: Sequence[Row], command: str) -> str:

@@ -11,6 +11,7 @@ import assets_cache
 from generator.errors import BundleError, InputError, SceneError, StorageError, TabletopError
 
 from .certify import certify as certified
+from .learning.commands import enjoy, plot, train
 from .tasks import NAMES
 
 EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
@@ -53,12 +54,14 @@ def certify(
 
 app = tyro.extras.SubcommandApp()
 app.command(certify)
+for command in (train, enjoy, plot):
+    app.command(command)
 
 
 def run(arguments: list[str]) -> int:
     """Run the command line; every expected error becomes one line, and an exit code is returned."""
     try:
-        app.cli(
+        code = app.cli(
             prog="python -m tabletopgen_env",
             description="Commands that need the robot.",
             args=arguments,
@@ -67,7 +70,10 @@ def run(arguments: list[str]) -> int:
     except TabletopError as error:
         print(f"error: {error}", file=sys.stderr)
         return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
-    return 0
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return 130
+    return code or 0
 
 
 if __name__ == "__main__":

@@ -202,12 +202,6 @@ def test_the_expert_is_never_developed_on_held_out_scenes() -> None:
     assert max(s for _, s in tidy[0]) < bench.HELD_OUT <= min(s for _, s in tidy[1])
 
 
-def test_wilsons_interval() -> None:
-    wilson = script("expert").wilson
-    assert wilson(95, 100) == pytest.approx((0.8882, 0.9785), abs=1e-3)
-    assert wilson(0, 0) == (0.0, 1.0)
-
-
 def test_the_expert_summary_counts_what_was_run() -> None:
     bench = script("expert")
     row = dict.fromkeys(bench.FIELDS, "") | {

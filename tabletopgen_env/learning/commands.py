@@ -1,0 +1,216 @@
+"""The commands of policies: ``train``, ``enjoy`` and ``plot``."""
+
+from __future__ import annotations
+
+import dataclasses
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from tyro.conf import Positional, arg
+
+from generator.errors import InputError
+
+from .extra import need_sb3
+
+if TYPE_CHECKING:
+    from .evaluating import Predicts
+
+STRIP = 6
+"""Pictures in a film strip."""
+
+
+def train(
+    recipe: Positional[str],
+    /,
+    *,
+    scenes: tuple[str, ...] = (),
+    held_out: tuple[str, ...] = (),
+    seed: int = 0,
+    steps: int | None = None,
+    out: Path | None = None,
+    resume: bool = False,
+    evaluate_every: int = 10_000,
+    episodes: int = 20,
+    changes: Annotated[tuple[str, ...], arg(name="set")] = (),
+    keep_replay: bool = True,
+) -> int:
+    """Train a policy by a recipe; Ctrl-C keeps what there is, --resume goes on.
+
+    Args:
+        recipe: Name of a recipe, or the path of a TOML file of your own.
+        scenes: Where it trains, if not where the recipe says: bundles' names, globs or paths, or
+            "starter:train", "fresh", "refreshing", the latter two also with ":PROMPT".
+        held_out: Where it is evaluated; the same forms.
+        seed: The same seed trains the same policy (not with "refreshing", which goes by the clock).
+        steps: Steps of the environments, if not as many as the recipe says; of clone recipes their
+            rounds decide (--set cloning.rounds=4).
+        out: The run's folder; runs/RECIPE-SEED if left out.
+        resume: Go on with the run in that folder.
+        evaluate_every: Steps between evaluations, each with a checkpoint.
+        episodes: Episodes of an evaluation.
+        changes: Settings in place of the recipe's, as KEY=VALUE: options.gamma=0.9.
+        keep_replay: Keep the replay buffer in checkpoints.
+    """
+    need_sb3()
+    from .recipes import recipe as named
+    from .tracking import Plan
+    from .training import train as trained
+
+    chosen = named(recipe, changes)
+    if steps is not None and chosen.algorithm == "clone":
+        raise InputError(
+            f"{chosen.name} is as long as its rounds: change those, as in --set cloning.rounds=4."
+        )
+    given = {"scenes": _one(scenes), "held_out": _one(held_out), "steps": steps}
+    chosen = dataclasses.replace(chosen, **{k: v for k, v in given.items() if v not in (None, ())})
+    folder = out or Path("runs") / f"{Path(chosen.name).name}-{seed}"
+    plan = Plan(seed, evaluate_every, episodes, keep_replay, sys.stdout.isatty())
+    done = trained(chosen, folder, plan, resume, _say)
+    print(f"{done.steps:,} steps of {chosen.name} in {folder}")
+    return 130 if done.interrupted else 0
+
+
+def enjoy(
+    policy: Positional[str],
+    /,
+    *,
+    scenes: tuple[str, ...] = ("starter:held_out",),
+    episodes: int = 20,
+    seed: int = 0,
+    render: bool = False,
+    video_strip: Path | None = None,
+    trust: bool = False,
+    recipe: str | None = None,
+) -> None:
+    """Let a trained policy play, and report how often it succeeds.
+
+    Args:
+        policy: Name of a shipped policy, a policy file, a run's folder (its best policy), or a zip
+            of Stable-Baselines3.
+        scenes: Where; of those made on demand only the held-out side.
+        episodes: How many.
+        seed: The same seed plays the same episodes.
+        render: Show it; needs a display.
+        video_strip: Write pictures of the first episode to this PNG.
+        trust: Load a zip. Loading one runs whatever it contains: only those of your own.
+        recipe: What a zip was trained by, if it does not lie in its run's folder.
+    """
+    if episodes < 1 or seed < 0:
+        raise InputError(f"episodes is at least 1 and seed at least 0, got {episodes} and {seed}.")
+    if render and video_strip:
+        raise InputError("Choose --render or --video-strip, not both.")
+    need_sb3()
+    from ..scenes.source import close
+    from .evaluating import play, seeds, summed
+    from .making import single_env, source_of
+
+    actor, task, keywords = _loaded(policy, trust, recipe)
+    source = source_of(_one(scenes), "held_out")
+    drawn = {"render_mode": "human"} if render else {}
+    if video_strip:
+        drawn = {"render_mode": "rgb_array", "render_size": (240, 320)}
+    env = single_env(task, keywords, source, **drawn)
+    try:
+        played = []
+        for number, own in enumerate(seeds(seed, episodes)):
+            frames: list[Any] | None = [] if video_strip and not number else None
+            played.append(play(env, actor, own, frames))
+            done = played[-1]
+            print(f"{'solved' if done.solved else 'failed'} in {done.steps:3d} steps: "
+                  f"{done.instruction}")  # fmt: skip
+            if video_strip and frames:
+                _write_strip(frames, video_strip)
+    finally:
+        env.close()
+        close(source)
+    print(f"{task} at {', '.join(scenes)}: {summed(played)}")
+
+
+def plot(
+    runs: Positional[tuple[Path, ...]],
+    /,
+    *,
+    out: Path = Path("success.png"),
+    by: Literal["steps", "hours"] = "steps",
+) -> None:
+    """Draw the held-out success of runs; those of one recipe as their mean and range.
+
+    Args:
+        runs: The runs' folders.
+        out: The PNG to write.
+        by: What is across: steps or hours.
+    """
+    if not runs:
+        raise InputError("Name at least one run's folder to plot.")
+    need_sb3()
+    from .plotting import bands, draw, number, write_png
+    from .runs import opened
+
+    found = bands([opened(path) for path in runs], by)
+    write_png(draw(found, by), out)
+    for name, band in found.items():
+        mean, least, most = (100 * v[-1] for v in (band.mean, band.least, band.most))
+        told = f"{name}: {mean:.0f} % after {number(band.at[-1])} {by}"
+        print(told + (f", {least:.0f} to {most:.0f} % of {band.runs} runs" * (band.runs > 1)))
+    print(f"drawn in {out}")
+
+
+def _loaded(name: str, trust: bool, recipe: str | None) -> tuple[Predicts, str, Any]:
+    """Return a policy, its task and its environment's keywords."""
+    from .policies import find_policy, load_policy
+    from .runs import BEST, LATEST
+
+    path = Path(name)
+    if path.is_dir():
+        kept = [path / file for file in (BEST, LATEST) if (path / file).is_file()]
+        if not kept:
+            raise InputError(f"{path} holds no policy yet: neither {BEST} nor {LATEST}.")
+        path = kept[0]
+    elif path.suffix != ".zip":
+        path = find_policy(name)
+    if path.suffix == ".zip":
+        return _unzipped(path, trust, recipe)
+    policy = load_policy(path)
+    card, seen = policy.card, policy.card.evaluated
+    told = f"; {seen['solved']} of {seen['episodes']} at {seen['scenes']}" if seen else ""
+    print(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{told}")
+    return policy, policy.card.task, policy.card.env
+
+
+def _unzipped(path: Path, trust: bool, recipe: str | None) -> tuple[Predicts, str, Any]:
+    """Return a model of a zip of Stable-Baselines3, if it is to be trusted."""
+    from .making import load_zip
+    from .recipes import recipe as named
+    from .runs import opened
+
+    if not trust:
+        raise InputError(
+            f"{path} is a zip of Stable-Baselines3, and loading one runs whatever it contains. "
+            "Pass --trust if it is your own."
+        )
+    if recipe is not None:
+        own = named(recipe)
+    else:
+        folder = path.resolve().parent
+        own = opened(folder.parent if folder.name.startswith("checkpoint-") else folder).recipe
+    return load_zip(path, own), own.task, own.env
+
+
+def _write_strip(frames: list[Any], path: Path) -> None:
+    import numpy as np
+
+    from generator.render.sheet import grid
+
+    from .plotting import write_png
+
+    picks = np.linspace(0, len(frames) - 1, STRIP).round().astype(int)
+    write_png(grid([frames[k] for k in picks], columns=STRIP, cell=320), path)
+
+
+def _one(scenes: tuple[str, ...]) -> str | tuple[str, ...]:
+    return scenes[0] if len(scenes) == 1 else scenes
+
+
+def _say(line: str) -> None:
+    print(line, flush=True)

@@ -1,0 +1,115 @@
+"""How often a policy succeeds, on episodes that the seed alone decides."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import gymnasium as gym
+import numpy as np
+
+from ..statistics import wilson
+from .demonstrations import HELD
+
+SEED = 10_000
+"""Of evaluations during training: each run, and each time, sees the same episodes."""
+
+FRAME_EVERY = 4
+"""Steps between the pictures of an episode."""
+
+
+class Predicts(Protocol):
+    """A policy of this package, or a model of Stable-Baselines3."""
+
+    def predict(self, observation: Any, *, deterministic: bool) -> tuple[Any, Any]:
+        """Return the action, and a state that is not used."""
+        ...
+
+
+@dataclass(frozen=True)
+class Played:
+    """One episode: whether it was solved, after how many steps, the mean reward of a step."""
+
+    solved: bool
+    steps: int
+    reward: float
+    instruction: str
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """What some episodes came to; ``reward`` and ``steps`` are means over them."""
+
+    episodes: int
+    solved: int
+    reward: float
+    steps: float
+
+    @property
+    def share(self) -> float:
+        """The share that was solved."""
+        return self.solved / self.episodes
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """Wilson's 95 % interval of the share."""
+        return wilson(self.solved, self.episodes)
+
+    def __str__(self) -> str:
+        low, high = self.interval
+        return (
+            f"{self.solved} of {self.episodes} solved, {100 * self.share:.0f} % "
+            f"({100 * low:.0f} to {100 * high:.0f} %)"
+        )
+
+
+def play(
+    env: gym.Env[Any, np.ndarray], policy: Predicts, seed: int, frames: list[Any] | None = None
+) -> Played:
+    """Play one episode until success has held for ``HELD`` steps, or to the time limit.
+
+    Args:
+        env: the environment.
+        policy: who acts.
+        seed: of the episode.
+        frames: gets what ``env.render`` returns at the start, every few steps and at the end; None
+            for none.
+    """
+    seen, info = env.reset(seed=seed)
+    if frames is not None:
+        frames.append(env.render())
+    rewards: list[float] = []
+    held, over = 0, False
+    while not over and held < HELD:
+        action = policy.predict(seen, deterministic=True)[0]
+        seen, reward, ended, cut, info = env.step(action)
+        rewards.append(float(reward))
+        held = held + 1 if info["success"] else 0
+        over = ended or cut
+        if frames is not None and (len(rewards) % FRAME_EVERY == 0 or over or held >= HELD):
+            frames.append(env.render())
+    mean = float(np.mean(rewards))
+    return Played(held >= HELD, len(rewards), mean, str(info["instruction"]))
+
+
+def evaluate(
+    env: gym.Env[Any, np.ndarray], policy: Predicts, episodes: int, seed: int = SEED
+) -> Evaluation:
+    """Play ``episodes`` episodes, those that ``seed`` means."""
+    return summed([play(env, policy, own) for own in seeds(seed, episodes)])
+
+
+def summed(played: list[Played]) -> Evaluation:
+    """Return what episodes, one or more, came to."""
+    return Evaluation(
+        len(played), sum(p.solved for p in played),
+        float(np.mean([p.reward for p in played])), float(np.mean([p.steps for p in played])),
+    )  # fmt: skip
+
+
+def seeds(seed: int, count: int) -> Iterator[int]:
+    """Yield the seeds of ``count`` episodes; a longer evaluation begins with a shorter one's."""
+    rng = np.random.default_rng((seed, 3))
+    for _ in range(count):
+        yield int(rng.integers(2**31))

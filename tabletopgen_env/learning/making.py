@@ -1,0 +1,177 @@
+"""What a recipe trains with: its scenes, its environments, its model."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, cast
+
+import gymnasium as gym
+import numpy as np
+from gymnasium import spaces
+from gymnasium.envs.registration import EnvSpec
+from stable_baselines3 import PPO, SAC, TD3, HerReplayBuffer
+from stable_baselines3.common.base_class import BaseAlgorithm
+from stable_baselines3.common.noise import NormalActionNoise
+from stable_baselines3.common.torch_layers import (
+    BaseFeaturesExtractor,
+    CombinedExtractor,
+    FlattenExtractor,
+)
+from stable_baselines3.common.vec_env import VecEnv, VecMonitor
+from torch import nn
+
+from generator.errors import InputError, choices
+
+from ..scenes import FRESH, REFRESHING, SceneSource, resolve, split
+from ..scenes.splitting import Side
+from ..vector import TabletopVectorEnv
+from .goal_extractor import GoalExtractor
+from .network import TableExtractor
+from .recipes import Network, Recipe
+from .slots import SharedScenes, SlotVecEnv
+
+_CLASSES: dict[str, type[BaseAlgorithm]] = {"sac": SAC, "td3": TD3, "ppo": PPO, "clone": SAC}
+_OURS = {
+    "policy", "env", "seed", "policy_kwargs", "replay_buffer_class", "replay_buffer_kwargs",
+    "tensorboard_log", "verbose", "device", "_init_setup_model", "rollout_buffer_class",
+    "rollout_buffer_kwargs",
+}  # fmt: skip
+ACTIVATIONS: dict[str, type[nn.Module]] = {"relu": nn.ReLU, "tanh": nn.Tanh}
+
+
+def spec_of(task: str) -> EnvSpec:
+    """Return what is registered for a task."""
+    import tabletopgen_env  # noqa: F401  (registers)
+
+    return gym.spec(f"TabletopGen/{task}-v0")
+
+
+def source_of(scenes: str | tuple[str, ...], side: Side) -> SceneSource:
+    """Return the source of a recipe's scenes; those made on demand are kept to one side.
+
+    Raises:
+        BundleError: no bundle fits.
+        InputError: no source is called so.
+    """
+    chosen = list(scenes) if isinstance(scenes, tuple) else scenes
+    on_demand = isinstance(chosen, str) and chosen.partition(":")[0] in (FRESH, REFRESHING)
+    return split(chosen, side) if on_demand else resolve(chosen)
+
+
+def shared(source: SceneSource, other: SceneSource) -> int:
+    """Return how many scenes two sources have in common, of those they have at hand."""
+    own, others = ({ref.key for ref in getattr(s, "refs", ())} for s in (source, other))
+    return len(own & others)
+
+
+def single_env(
+    task: str, keywords: Mapping[str, Any], source: SceneSource, **more: Any
+) -> gym.Env[Any, np.ndarray]:
+    """Return one environment of a task with a recipe's keywords, with its id's time limit."""
+    return gym.make(spec_of(task), scenes=source, **{**keywords, **more})
+
+
+def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
+    """Return a recipe's environments for training; slot k has the seed ``seed + k``.
+
+    The scenes are left to who made them.
+    """
+    limit = spec_of(recipe.task).max_episode_steps
+    slots = TabletopVectorEnv(
+        recipe.envs, autoreset_mode="SameStep", max_episode_steps=limit, task=recipe.task,
+        scenes=SharedScenes(source), **recipe.env,
+    )  # fmt: skip
+    made = VecMonitor(SlotVecEnv(slots))
+    made.seed(seed)
+    return made
+
+
+def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
+    """Return an untrained model on the CPU.
+
+    Args:
+        recipe: what it is like.
+        env: one environment, or ``many_envs``.
+        seed: of its weights and of what it tries.
+
+    Raises:
+        InputError: the algorithm has no such option, or an option does not fit.
+    """
+    kind = _CLASSES[recipe.algorithm]
+    options = dict(recipe.options)
+    known = set(inspect.signature(kind.__init__).parameters) - _OURS - {"self"}
+    for key in options:
+        if key not in known:
+            raise InputError(
+                f"{recipe.name}: {kind.__name__} has no option {key!r}." + choices(key, known)
+            )
+    noise = options.pop("action_noise", None)
+    if noise is not None:
+        size = env.action_space.shape
+        options["action_noise"] = NormalActionNoise(np.zeros(size), np.full(size, float(noise)))
+    if recipe.algorithm == "clone":
+        options["buffer_size"] = 1  # it replays nothing
+    if recipe.hindsight:
+        _check_start(recipe)
+        options["replay_buffer_class"] = HerReplayBuffer
+        options["replay_buffer_kwargs"] = {"n_sampled_goal": recipe.hindsight}
+    policy = "MultiInputPolicy" if isinstance(env.observation_space, spaces.Dict) else "MlpPolicy"
+    try:
+        made: Any = kind
+        return made(
+            policy, env, seed=seed, device="cpu",
+            policy_kwargs=policy_keywords(recipe.network, env.observation_space), **options,
+        )  # fmt: skip
+    except (TypeError, ValueError, AssertionError) as error:
+        raise InputError(f"{recipe.name}: {kind.__name__} refuses its options: {error}") from error
+
+
+def load_zip(path: Path, recipe: Recipe) -> BaseAlgorithm:
+    """Load a zip of Stable-Baselines3, which runs whatever it contains.
+
+    Raises:
+        InputError: it is no such zip, or not of the recipe's algorithm.
+    """
+    kind = _CLASSES[recipe.algorithm]
+    try:
+        return kind.load(path, device="cpu")
+    except Exception as error:  # whatever it contains
+        raise InputError(
+            f"{path} cannot be loaded as {kind.__name__} ({type(error).__name__}: {error})."
+        ) from error
+
+
+def policy_keywords(network: Network, space: spaces.Space[Any]) -> dict[str, Any]:
+    """Return a network's description as SB3's policies take it."""
+    kind, keywords = extractor_of(network, space)
+    return {
+        "features_extractor_class": kind,
+        "features_extractor_kwargs": keywords,
+        "net_arch": list(network.layers),
+        "activation_fn": ACTIVATIONS[network.activation],
+    }
+
+
+def extractor_of(
+    network: Network, space: spaces.Space[Any]
+) -> tuple[type[BaseFeaturesExtractor], dict[str, Any]]:
+    """Return the class of a network's extractor, and its keywords."""
+    if network.extractor == "flat":
+        flat = CombinedExtractor if isinstance(space, spaces.Dict) else FlattenExtractor
+        return cast("type[BaseFeaturesExtractor]", flat), {}
+    kind = TableExtractor if network.extractor == "table" else GoalExtractor
+    return kind, {"width": network.width}
+
+
+def _check_start(recipe: Recipe) -> None:
+    """Refuse hindsight that would have to learn before an episode is over."""
+    limit = spec_of(recipe.task).max_episode_steps or 0
+    first = limit * recipe.envs
+    starts = int(recipe.options.get("learning_starts", 100))
+    if not recipe.demonstrations and starts <= first:
+        raise InputError(
+            f"{recipe.name}: with hindsight, learning_starts must be above {first}, the steps of "
+            f"{recipe.envs} episodes of {recipe.task}; it is {starts}."
+        )

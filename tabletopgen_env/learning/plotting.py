@@ -1,0 +1,127 @@
+"""Held-out success over training, runs of one recipe as one band (Pillow alone)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float, UInt8
+from PIL import Image, ImageDraw, ImageFont
+
+from generator.errors import InputError, StorageError
+from generator.mjcf import encode_png
+
+from .runs import Run
+
+By = Literal["steps", "hours"]
+
+_COLORS = ((31, 119, 180), (214, 69, 65), (44, 140, 60), (148, 90, 180), (220, 130, 20))
+_INK, _PALE = (40, 44, 52), (214, 218, 224)
+_WIDTH, _HEIGHT, _LEFT, _TOP, _RIGHT, _BOTTOM = 760, 440, 64, 40, 24, 58
+_POINTS = 200
+
+
+@dataclass(frozen=True, eq=False)
+class Band:
+    """The share solved by runs of one recipe: mean, least and most, where all of them have been."""
+
+    runs: int
+    at: Float[np.ndarray, "n"]
+    mean: Float[np.ndarray, "n"]
+    least: Float[np.ndarray, "n"]
+    most: Float[np.ndarray, "n"]
+
+
+def bands(runs: Sequence[Run], by: By = "steps") -> dict[str, Band]:
+    """Return a band a recipe, by its name, interpolated between evaluations.
+
+    Args:
+        runs: the runs; those of one recipe differ in their seeds.
+        by: "steps" or "hours" of training.
+
+    Raises:
+        InputError: a run has no evaluation, or runs of one recipe have nothing in common.
+    """
+    curves: dict[str, list[tuple[list[float], list[float]]]] = {}
+    for run in runs:
+        rows = run.rows()
+        if not rows:
+            raise InputError(f"{run.path} has no evaluation yet.")
+        at = [float(r.steps) if by == "steps" else r.seconds / 3600 for r in rows]
+        curve = (at, [r.solved / r.episodes for r in rows])
+        curves.setdefault(run.recipe.name, []).append(curve)
+    return {name: _band(name, own) for name, own in curves.items()}
+
+
+def _band(name: str, curves: list[tuple[list[float], list[float]]]) -> Band:
+    low, high = max(at[0] for at, _ in curves), min(at[-1] for at, _ in curves)
+    if low > high:
+        raise InputError(f"The runs of {name} have no stretch in common; train them on.")
+    at = np.linspace(low, high, _POINTS)
+    shares = np.stack([np.interp(at, own, share) for own, share in curves])
+    return Band(len(curves), at, shares.mean(0), shares.min(0), shares.max(0))
+
+
+def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 3"]:
+    """Draw the bands: a line for the mean, a shade from the least to the most."""
+    end = max(float(band.at[-1]) for band in found.values()) or 1.0
+    picture = Image.new("RGB", (_WIDTH, _HEIGHT), "white")
+    pen = ImageDraw.Draw(picture, "RGBA")
+    small, large = ImageFont.load_default(13), ImageFont.load_default(17)
+    wide, tall = _WIDTH - _LEFT - _RIGHT, _HEIGHT - _TOP - _BOTTOM
+
+    def point(value: float, share: float) -> tuple[float, float]:
+        return _LEFT + wide * value / end, _TOP + tall * (1 - share)
+
+    pen.text((_LEFT, 10), "Held-out success", _INK, large)
+    for level in np.linspace(0, 1, 6):
+        pen.line((*point(0, level), *point(end, level)), _PALE)
+        pen.text((_LEFT - 8, point(0, level)[1]), f"{100 * level:.0f} %", _INK, small, anchor="rm")
+    for value in ticks(end):
+        x = point(value, 0)[0]
+        pen.line((x, _TOP, x, _TOP + tall), _PALE)
+        pen.text((x, _TOP + tall + 6), number(value), _INK, small, anchor="mt")
+    pen.text((_LEFT + wide / 2, _HEIGHT - 24), by, _INK, small, anchor="mt")
+    for k, (name, band) in enumerate(found.items()):
+        color = _COLORS[k % len(_COLORS)]
+        upper = [point(a, m) for a, m in zip(band.at, band.most, strict=True)]
+        lower = [point(a, m) for a, m in zip(band.at, band.least, strict=True)]
+        if band.runs > 1:
+            pen.polygon([*upper, *reversed(lower)], (*color, 50))
+        pen.line([point(a, m) for a, m in zip(band.at, band.mean, strict=True)], color, 2)
+        if band.at[0] == band.at[-1]:
+            x, y = point(band.at[0], band.mean[0])
+            pen.ellipse((x - 3, y - 3, x + 3, y + 3), color)
+        told = f"{name} ({band.runs} {'run' if band.runs == 1 else 'runs'})"
+        pen.text((_LEFT + 10, _TOP + 8 + 18 * k), told, color, small)
+    return np.asarray(picture, np.uint8)
+
+
+def ticks(end: float) -> list[float]:
+    """Return four to ten round numbers from 0 to ``end``."""
+    ten = 10.0 ** np.floor(np.log10(end))
+    step = next(ten * s for s in (0.1, 0.2, 0.5, 1.0, 2.0) if end / (ten * s) <= 10)
+    return [float(step * k) for k in range(int(end / step + 1e-9) + 1)]
+
+
+def number(value: float) -> str:
+    """Return a number as text, thousands apart."""
+    return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
+
+
+def write_png(image: UInt8[np.ndarray, "h w 3"], path: Path) -> None:
+    """Write a picture; the folder is made if it is missing.
+
+    Raises:
+        StorageError: it cannot be written.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(encode_png(image))
+    except OSError as error:
+        raise StorageError(
+            f"{path} cannot be written: {error.strerror or error}. Choose another place."
+        ) from error

@@ -1,0 +1,330 @@
+"""Policy files: a trained actor's weights with what it was made for, and nothing that runs.
+
+A file is safetensors; its header holds a *card* as JSON. Reading one unpickles nothing, and checks
+sizes, names, shapes and numbers before anything is made of them. Beside the card are the answers
+of the network to a fixed observation, so that a policy whose features this package has come to
+compute otherwise is refused instead of failing at its task.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import tempfile
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, fields
+from importlib import metadata
+from pathlib import Path
+from typing import Any, get_args
+
+import numpy as np
+import torch
+from safetensors import SafetensorError, safe_open
+from safetensors.torch import save as packed
+from stable_baselines3.common.base_class import BaseAlgorithm
+from torch import Tensor
+
+from generator.errors import InputError, StorageError, choices
+
+from ..tasks import NAMES
+from .actor import Actor, Squash, actor_of, inputs_of, tensors_of
+from .recipes import Network, Recipe, network_of
+
+SHIPPED = Path(__file__).with_name("trained")
+"""Where the policies are that the package ships."""
+
+KEY = "tabletopgen_policy"
+"""Where the header has the card; one key alone, as safetensors shuffles several."""
+
+FORMAT = 1
+"""The files' version; others are refused."""
+
+MOST_BYTES = 5 * 2**20
+"""A policy file is not larger."""
+
+_MOST_CARD = 2**16
+_MOST_INPUTS, _MOST_ACTIONS = 4096, 64
+_VERSIONS = ("tabletopgen", "mujoco", "gymnasium", "stable-baselines3", "torch")
+
+
+@dataclass(frozen=True)
+class Card:
+    """What is known of a policy.
+
+    Attributes:
+        task: what it does.
+        env: keywords of the environment it was trained in.
+        network: what it is made of.
+        inputs: the observation's parts by name and size.
+        actions: entries of an action.
+        squash: what becomes of the last layer's values: "tanh" or "clip".
+        recipe: name of the recipe.
+        seed: of the training.
+        steps: of the environments until then.
+        evaluated: "solved", "episodes" and "scenes" of its last evaluation, where there was one.
+        versions: of the libraries it was trained with.
+    """
+
+    task: str
+    env: Mapping[str, Any]
+    network: Network
+    inputs: Mapping[str, int]
+    actions: int
+    squash: Squash
+    recipe: str
+    seed: int
+    steps: int
+    evaluated: Mapping[str, Any]
+    versions: Mapping[str, str]
+
+
+@dataclass(frozen=True, eq=False)
+class TrainedPolicy:
+    """A policy that acts; ``predict`` is that of Stable-Baselines3, deterministic actions only."""
+
+    card: Card
+    actor: Actor
+
+    def predict(
+        self,
+        observation: Any,
+        state: Any = None,
+        episode_start: Any = None,
+        deterministic: bool = True,
+    ) -> tuple[np.ndarray, Any]:
+        """Return the action for one observation, or those of a batch, and ``state`` as it is.
+
+        Raises:
+            InputError: the observation has another shape, or ``deterministic`` is False.
+        """
+        if not deterministic:
+            raise InputError("A policy file holds no noise; call predict(deterministic=True).")
+        seen, batch = tensors_of(self.card.inputs, observation)
+        with torch.no_grad():
+            last = self.actor(seen)
+        if self.card.squash == "tanh":  # rounded as Stable-Baselines3 does
+            scaled = torch.tanh(last).numpy()
+            actions = np.float32(-1.0) + np.float32(0.5) * (scaled + 1.0) * np.float32(2.0)
+        else:
+            actions = np.clip(last.numpy(), -1.0, 1.0)
+        return (actions if batch else actions[0]), state
+
+
+def policy_from(
+    model: BaseAlgorithm,
+    recipe: Recipe,
+    seed: int,
+    evaluated: Mapping[str, Any] | None = None,
+    steps: int | None = None,
+) -> TrainedPolicy:
+    """Return a copy of what a model does now.
+
+    Args:
+        model: made by ``making.new_model``.
+        recipe: with which.
+        seed: of the training.
+        evaluated: what the card says of an evaluation.
+        steps: trained for; None for what the model says.
+    """
+    actor, squash = actor_of(model, recipe.network)
+    card = Card(
+        recipe.task, dict(recipe.env), recipe.network, inputs_of(model.observation_space),
+        actor.last.out_features, squash, recipe.name, seed,
+        model.num_timesteps if steps is None else steps, dict(evaluated or {}),
+        {name: _version(name) for name in _VERSIONS},
+    )  # fmt: skip
+    return TrainedPolicy(card, actor)
+
+
+def save_policy(policy: TrainedPolicy, path: Path, half: bool = False) -> Path:
+    """Write a policy file, whole or not at all.
+
+    Args:
+        policy: the policy.
+        path: where; the folder must be there.
+        half: keep half precision: half the size, slightly other actions.
+
+    Raises:
+        InputError: it would be larger than ``MOST_BYTES``.
+        StorageError: it cannot be written.
+    """
+    content = policy_bytes(policy, half)
+    part = None
+    try:
+        with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as file:
+            part = Path(file.name)
+            file.write(content)
+        part.chmod(0o644)
+        part.replace(path)
+    except OSError as error:
+        if part is not None:
+            part.unlink(missing_ok=True)
+        raise StorageError(
+            f"The policy cannot be written to {path}: {error.strerror or error}. Choose another "
+            "folder."
+        ) from error
+    return path
+
+
+def policy_bytes(policy: TrainedPolicy, half: bool = False) -> bytes:
+    """Return a policy file's content; see ``save_policy``.
+
+    Raises:
+        InputError: it is larger than ``MOST_BYTES``.
+    """
+    kind = torch.float16 if half else torch.float32
+    weights = {k: v.detach().to(kind).contiguous() for k, v in policy.actor.state_dict().items()}
+    kept = Actor(policy.card.network, policy.card.inputs, policy.card.actions)
+    _fill(kept, weights)
+    card = {"format": FORMAT, **asdict(policy.card), "answers": _answers(kept, policy.card.inputs)}
+    content = packed(weights, {KEY: json.dumps(card, sort_keys=True, allow_nan=False)})
+    if len(content) > MOST_BYTES:
+        raise InputError(
+            f"The policy has {len(content)} bytes, a policy file at most {MOST_BYTES}: use "
+            "narrower layers, or half=True."
+        )
+    return content
+
+
+def shipped_policies() -> dict[str, Path]:
+    """Return the policies the package ships, by name."""
+    return {path.stem: path for path in sorted(SHIPPED.glob("*.safetensors"))}
+
+
+def load_policy(path: Path) -> TrainedPolicy:
+    """Read a policy file.
+
+    Raises:
+        InputError: there is none, it is too large, damaged, of another version, or no policy.
+    """
+    try:
+        if not path.is_file():
+            raise InputError(f"There is no policy file {path}.")
+        if path.stat().st_size > MOST_BYTES:
+            raise InputError(f"{path} has more than a policy file's {MOST_BYTES} bytes.")
+        with safe_open(path, framework="pt") as file:
+            notes = file.metadata() or {}
+            card, answers = _card(notes)
+            actor = Actor(card.network, card.inputs, card.actions)
+            _fill(actor, {key: file.get_tensor(key) for key in file.keys()})  # noqa: SIM118
+            _check_answers(answers, _answers(actor, card.inputs))
+    except (SafetensorError, ValueError, TypeError, KeyError, RecursionError, OSError) as error:
+        if isinstance(error, InputError) and str(path) in str(error):
+            raise
+        raise InputError(
+            f"{path} is no sound policy file ({type(error).__name__}: {error}). Policy files are "
+            "made by training; see docs/training.md."
+        ) from error
+    return TrainedPolicy(card, actor)
+
+
+def find_policy(name: str) -> Path:
+    """Return the file of a shipped policy's name, or of a path.
+
+    Raises:
+        InputError: neither is there.
+    """
+    shipped = shipped_policies()
+    if name in shipped:
+        return shipped[name]
+    path = Path(name)
+    if path.is_file():
+        return path
+    raise InputError(
+        f"There is no policy {name!r}: neither a file nor a shipped one." + choices(name, shipped)
+    )
+
+
+def _fill(actor: Actor, weights: Mapping[str, Tensor]) -> None:
+    own = actor.state_dict()
+    if set(own) != set(weights):
+        odd = sorted(set(own) ^ set(weights))[:3]
+        raise ValueError(f"its weights are not those of its network: {', '.join(odd)}")
+    for name, value in weights.items():
+        if value.dtype not in (torch.float16, torch.float32) or value.shape != own[name].shape:
+            raise ValueError(f"{name} is {value.dtype} of {tuple(value.shape)}, not "
+                             f"{tuple(own[name].shape)}")  # fmt: skip
+        if not torch.isfinite(value).all():
+            raise ValueError(f"{name} is not finite")
+    actor.load_state_dict({k: v.float() for k, v in weights.items()})
+    actor.eval().requires_grad_(False)
+
+
+def _answers(actor: Actor, inputs: Mapping[str, int]) -> list[float]:
+    """Return what a network makes of a fixed observation."""
+    rng = np.random.default_rng(0)
+    seen: Any = {name: rng.normal(0.0, 0.3, size) for name, size in sorted(inputs.items())}
+    with torch.no_grad():
+        last = actor(tensors_of(inputs, seen.get("", seen))[0])
+    return [float(v) for v in last[0]]
+
+
+def _check_answers(kept: list[float], own: list[float]) -> None:
+    """Refuse a network that computes other things than the one that was saved."""
+    if len(kept) != len(own) or not np.allclose(kept, own, rtol=1e-3, atol=1e-3):
+        raise ValueError(
+            "its network answers otherwise than when it was saved: this version of the package "
+            "looks at observations in another way, or the file was changed"
+        )
+
+
+def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
+    """Return the card of a file's header, every value checked, and the answers kept with it."""
+    if KEY not in notes:
+        raise ValueError(f"its header has no {KEY!r}")
+    if len(notes[KEY]) > _MOST_CARD:
+        raise ValueError(f"its card has more than {_MOST_CARD} characters")
+    payload = _of(json.loads(notes[KEY], parse_constant=_refused), dict)
+    version = payload.pop("format", None)
+    if version != FORMAT:
+        raise ValueError(f"it is of version {version!r}, this package reads {FORMAT}")
+    if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
+        raise ValueError(f"its card has the keys {', '.join(sorted(payload))}")
+    inputs = {_of(k, str): _of(v, int) for k, v in _of(payload["inputs"], dict).items()}
+    sizes = (*inputs.values(), payload["actions"])
+    if not inputs or ("" in inputs and len(inputs) > 1) or len(inputs) > 8:
+        raise ValueError(f"a policy cannot look at {inputs}")
+    if not all(0 < size <= _MOST_INPUTS for size in sizes) or sizes[-1] > _MOST_ACTIONS:
+        raise ValueError(f"a policy cannot have sizes {sizes}")
+    network = network_of(_of(payload["network"], dict), "its card")
+    wide = (sum(inputs.values()), *network.layers, _of(payload["actions"], int))
+    if sum(a * b for a, b in itertools.pairwise(wide)) > MOST_BYTES:
+        raise ValueError(f"a policy file cannot hold layers of {network.layers}")
+    task, squash = _of(payload["task"], str), _of(payload["squash"], str)
+    if task not in NAMES or squash not in get_args(Squash):
+        raise ValueError(f"there is no task {task!r} with {squash!r}")
+    env = _of(payload["env"], dict)
+    Recipe("its card", task, "sac", env=env, network=network)  # checks that they go together
+    versions = {_of(k, str): _of(v, str) for k, v in _of(payload["versions"], dict).items()}
+    answers = [_of(v, float) for v in _of(payload["answers"], list)]
+    return Card(
+        task, env, network, inputs, payload["actions"], squash,  # pyright: ignore
+        _of(payload["recipe"], str), _of(payload["seed"], int), _of(payload["steps"], int),
+        _evaluated(_of(payload["evaluated"], dict)), versions,
+    ), answers  # fmt: skip
+
+
+def _evaluated(payload: dict[str, Any]) -> dict[str, Any]:
+    if not payload:
+        return {}
+    solved, played = _of(payload["solved"], int), _of(payload["episodes"], int)
+    if not 0 <= solved <= played:
+        raise ValueError(f"{solved} of {played} episodes cannot be")
+    return {"solved": solved, "episodes": played, "scenes": str(payload["scenes"])}
+
+
+def _of(value: Any, kind: type) -> Any:
+    if type(value) is not kind:
+        raise TypeError(f"{value!r} should be of type {kind.__name__}")
+    return value
+
+
+def _refused(constant: str) -> float:
+    raise ValueError(f"{constant} is not a finite number")
+
+
+def _version(name: str) -> str:
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return "unknown"

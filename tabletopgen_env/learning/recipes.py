@@ -1,0 +1,298 @@
+"""Recipes: everything that decides a training run, as data.
+
+The shipped ones are in ``recipes.toml``, a table each; one of your own is a TOML file with the same
+keys at its top. A run keeps its recipe beside its weights.
+"""
+
+from __future__ import annotations
+
+import inspect
+import json
+import math
+import tomllib
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass, field, fields
+from pathlib import Path
+from typing import Any, Literal, get_args
+
+from generator.errors import InputError, choices, require
+
+from ..tasks import NAMES
+
+Algorithm = Literal["sac", "td3", "ppo", "clone"]
+Extractor = Literal["table", "goal", "flat"]
+Activation = Literal["relu", "tanh"]
+
+FILE = Path(__file__).with_name("recipes.toml")
+"""The recipes that are shipped."""
+
+MOST_BYTES = 2**16
+"""A recipe's file is not larger."""
+
+_ELSEWHERE = frozenset({
+    "scenes", "task", "render_mode", "render_size", "renderer", "robot", "cache", "masters",
+})  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Network:
+    """What a policy is made of.
+
+    Attributes:
+        extractor: "table" for ``network.TableExtractor`` (state), "goal" for the same on goal
+            observations, "flat" for all entries as they are.
+        layers: widths of the hidden layers after it.
+        width: of what the extractor pools the other objects to.
+        activation: "relu" or "tanh".
+    """
+
+    extractor: Extractor = "table"
+    layers: tuple[int, ...] = (256, 256)
+    width: int = 64
+    activation: Activation = "relu"
+
+    def __post_init__(self) -> None:
+        _one_of(self, "extractor", get_args(Extractor))
+        _one_of(self, "activation", get_args(Activation))
+        require(self, "width", least=1, most=1024, whole=True)
+        sizes = self.layers if isinstance(self.layers, tuple) else ()
+        if not (0 < len(sizes) <= 8 and all(type(s) is int and 0 < s <= 4096 for s in sizes)):
+            raise InputError(
+                f"Network needs layers to be 1 to 8 whole numbers up to 4096, got {self.layers!r}."
+            )
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """How a policy for one task is trained.
+
+    Attributes:
+        name: what it is called.
+        task: what to do; see ``tabletopgen_env.tasks``.
+        algorithm: "sac", "td3" or "ppo" of Stable-Baselines3, or "clone" for cloning alone.
+        steps: of the environments, all together; of cloning its rounds decide, not this.
+        envs: environments stepped together.
+        scenes: where it trains; anything ``scenes`` takes that is a text, or several. Of those
+            made on demand ("fresh", "refreshing") only the training side is used.
+        held_out: where it is evaluated; of those made on demand only the held-out side.
+        env: further keywords of the environment.
+        network: what the policy is made of.
+        options: keywords of Stable-Baselines3's class; "action_noise" is the standard deviation of
+            TD3's.
+        hindsight: goals replayed for each true one (HER); 0 for none.
+        demonstrations: episodes of the expert in the replay buffer from the start.
+        cloning: settings of ``CloningConfig``: the actor starts from the cloned expert. None for
+            a random start.
+
+    Raises:
+        InputError: a value out of range, or some that do not go together.
+    """
+
+    name: str
+    task: str
+    algorithm: Algorithm
+    steps: int = 1_000_000
+    envs: int = 1
+    scenes: str | tuple[str, ...] = "starter:train"
+    held_out: str | tuple[str, ...] = "starter:held_out"
+    env: Mapping[str, Any] = field(default_factory=dict)
+    network: Network = field(default_factory=Network)
+    options: Mapping[str, Any] = field(default_factory=dict)
+    hindsight: int = 0
+    demonstrations: int = 0
+    cloning: Mapping[str, Any] | None = None
+
+    def __post_init__(self) -> None:
+        _one_of(self, "task", NAMES)
+        _one_of(self, "algorithm", get_args(Algorithm))
+        require(self, "steps", "envs", least=1, whole=True)
+        require(self, "hindsight", "demonstrations", least=0, whole=True)
+        for side in ("scenes", "held_out"):
+            _check_scenes(self.name, side, getattr(self, side))
+        known = env_keywords()
+        for key in self.env:
+            if key not in known:
+                raise InputError(
+                    f"{self.name}: an environment has no {key!r}." + choices(key, known)
+                )
+        self._check_together()
+
+    @property
+    def observation(self) -> str:
+        """The observation mode."""
+        return str(self.env.get("observation", "state"))
+
+    def facts(self) -> dict[str, Any]:
+        """Return it as JSON and ``recipe_of`` have it."""
+        own = {f.name: getattr(self, f.name) for f in fields(self)}
+        own |= {"network": asdict(self.network), "env": dict(self.env)}
+        own |= {"options": dict(self.options)}
+        own["cloning"] = None if self.cloning is None else dict(self.cloning)
+        return json.loads(json.dumps(own))
+
+    def _check_together(self) -> None:
+        for wrong, why in (
+            (self.hindsight and self.observation != "goal", "hindsight needs observation='goal'"),
+            (self.hindsight and self.algorithm not in ("sac", "td3"), "hindsight needs SAC or TD3"),
+            (self.demonstrations and self.algorithm not in ("sac", "td3"),
+             "demonstrations go into the replay buffer of SAC or TD3"),
+            (self.cloning is not None and self.algorithm not in ("sac", "clone"),
+             "only SAC's actor can be cloned"),
+            (self.algorithm == "clone" and self.cloning is None, "'clone' needs cloning"),
+            (self.cloning is not None and self.observation != "state",
+             "cloning needs observation='state'"),
+            ((self.demonstrations or self.cloning is not None)
+             and self.env.get("action", "ee_delta") != "ee_delta",
+             "the expert acts in action='ee_delta'"),
+            (self.network.extractor == "table" and self.observation != "state",
+             "the extractor 'table' needs observation='state'"),
+            (self.network.extractor == "goal" and self.observation != "goal",
+             "the extractor 'goal' needs observation='goal'"),
+            (self.network.extractor == "flat" and self.observation not in ("state", "goal"),
+             "policies of pictures and point clouds are for scripts of your own"),
+        ):  # fmt: skip
+            if wrong:
+                raise InputError(f"{self.name}: {why}.")
+
+
+def env_keywords() -> frozenset[str]:
+    """Return what a recipe may say of its environment."""
+    from ..env import TabletopEnv
+
+    own = set(inspect.signature(TabletopEnv).parameters) - _ELSEWHERE
+    return frozenset(own | {"preset"})
+
+
+def recipe_names() -> tuple[str, ...]:
+    """Return the names of the recipes that are shipped."""
+    return tuple(_read(FILE))
+
+
+def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
+    """Return a recipe.
+
+    Args:
+        name: one that is shipped, or the path of a TOML file.
+        changes: "key=value" with a TOML value, each in place of what the recipe says
+            ("steps=1000", "options.gamma=0.9").
+
+    Raises:
+        InputError: no such recipe, an unknown key, or a value of wrong type or out of range.
+    """
+    if name.endswith(".toml"):
+        path = Path(name)
+        payload, name = _read(path), path.stem
+    else:
+        shipped = _read(FILE)
+        if name not in shipped:
+            raise InputError(
+                f"Unknown recipe {name!r}." + choices(name, shipped) + " One of your own is the "
+                "path of a TOML file."
+            )
+        payload = shipped[name]
+    for change in changes:
+        payload = _merged(payload, _change(change))
+    _check_finite(name, payload)
+    return recipe_of({"name": name, **payload})
+
+
+def recipe_of(payload: Mapping[str, Any]) -> Recipe:
+    """Make a recipe of what a TOML or JSON file holds.
+
+    Raises:
+        InputError: an unknown or missing key, or a value of wrong type or out of range.
+    """
+    name = str(payload.get("name", "recipe"))
+    known = {f.name for f in fields(Recipe)}
+    for key in payload:
+        if key not in known:
+            raise InputError(f"{name}: a recipe has no {key!r}." + choices(key, known))
+    for key in ("task", "algorithm"):
+        if key not in payload:
+            raise InputError(f"{name}: a recipe needs {key!r}.")
+    values: dict[str, Any] = {**payload, "name": name}
+    for key in ("env", "options", "cloning", "network"):
+        if not isinstance(values.get(key, {}), Mapping | None):
+            raise InputError(f"{name}: {key} is a table of settings, got {values[key]!r}.")
+    for key in ("env", "options"):
+        values[key] = dict(values.get(key) or {})
+    for key in ("scenes", "held_out"):
+        if isinstance(values.get(key), list):
+            values[key] = tuple(values[key])
+    values["network"] = network_of(values.get("network") or {}, name)
+    return Recipe(**values)
+
+
+def network_of(payload: Mapping[str, Any], name: str) -> Network:
+    """Make a network's description of what a file holds; ``name`` is the file's for messages.
+
+    Raises:
+        InputError: an unknown key, or a value of wrong type or out of range.
+    """
+    known = {f.name for f in fields(Network)}
+    for key in payload:
+        if key not in known:
+            raise InputError(f"{name}: a network has no {key!r}." + choices(str(key), known))
+    values = dict(payload)
+    if isinstance(values.get("layers"), list):
+        values["layers"] = tuple(values["layers"])
+    return Network(**values)
+
+
+def _one_of(settings: object, name: str, known: Iterable[str]) -> None:
+    value = getattr(settings, name)
+    if value not in known:
+        raise InputError(
+            f"{type(settings).__name__} has no {name} {value!r}." + choices(str(value), known)
+        )
+
+
+def _check_scenes(name: str, side: str, value: Any) -> None:
+    several = value if isinstance(value, tuple) else (value,)
+    if not several or not all(isinstance(s, str) and s for s in several):
+        raise InputError(f"{name}: {side} is a text or several, got {value!r}.")
+
+
+def _read(path: Path) -> dict[str, Any]:
+    try:
+        if path.stat().st_size > MOST_BYTES:
+            raise InputError(f"{path} is larger than a recipe's {MOST_BYTES} bytes.")
+        payload = tomllib.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.") from error
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{path} is no TOML: {error}.") from error
+    return payload
+
+
+def _check_finite(name: str, value: Any) -> None:
+    inner = (
+        value.values() if isinstance(value, Mapping) else value if isinstance(value, list) else ()
+    )
+    for part in inner:
+        _check_finite(name, part)
+    if isinstance(value, float) and not math.isfinite(value):
+        raise InputError(f"{name}: {value} is no number a recipe can hold.")
+
+
+def _change(text: str) -> dict[str, Any]:
+    key, equals, value = text.partition("=")
+    try:
+        if not equals:
+            raise ValueError("it lacks '='")
+        try:
+            return tomllib.loads(f"{key} = {value}")
+        except tomllib.TOMLDecodeError:  # a bare word is a text
+            return tomllib.loads(f"{key} = {json.dumps(value.strip())}")
+    except (ValueError, RecursionError) as error:
+        raise InputError(
+            f"A change is 'key=value' with a TOML value, got {text!r} ({error})."
+        ) from error
+
+
+def _merged(payload: Mapping[str, Any], change: Mapping[str, Any]) -> dict[str, Any]:
+    merged = dict(payload)
+    for key, value in change.items():
+        both = isinstance(value, Mapping) and isinstance(merged.get(key), Mapping)
+        merged[key] = _merged(merged[key], value) if both else value
+    return merged

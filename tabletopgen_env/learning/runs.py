@@ -1,0 +1,238 @@
+"""A run's folder: its recipe, its evaluations, its policies, and what is needed to go on.
+
+======================  ===========================================================================
+``recipe.json``         the recipe, the seed and the format's version
+``evaluations.csv``     a row an evaluation: steps, seconds, episodes, solved, reward, length
+``policy.safetensors``  the latest policy; ``best.safetensors`` the best evaluated one
+``checkpoint-STEPS/``   the newest checkpoint: ``model.zip`` (weights and optimisers; also what
+                        Stable-Baselines3 loads), ``counts.json``, ``replay.npz``
+``tensorboard/``        curves, where TensorBoard is installed
+======================  ===========================================================================
+
+A checkpoint is published by one rename, or absent. Going on reads its weights as tensors, its
+counts as JSON and its replay buffer as arrays: nothing is unpickled.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from stable_baselines3.common.base_class import BaseAlgorithm
+from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
+from stable_baselines3.common.save_util import load_from_zip_file, recursive_setattr
+
+from generator.errors import InputError, StorageError
+
+from .evaluating import Evaluation
+from .recipes import Recipe, recipe_of
+from .replay import read_buffer, write_buffer
+
+FORMAT = 1
+"""Version of a run's folder; others are refused."""
+
+LATEST, BEST = "policy.safetensors", "best.safetensors"
+COLUMNS = ("steps", "seconds", "episodes", "solved", "reward", "length")
+
+_RECIPE, _EVALUATIONS, _CHECKPOINT = "recipe.json", "evaluations.csv", "checkpoint-"
+
+
+@dataclass(frozen=True)
+class Counts:
+    """How far a run is: environment steps, gradient steps, episodes, seconds, and its best share.
+
+    ``best`` is -1 before the first evaluation.
+    """
+
+    steps: int = 0
+    updates: int = 0
+    episodes: int = 0
+    seconds: float = 0.0
+    best: float = -1.0
+
+
+@dataclass(frozen=True)
+class Row:
+    """One evaluation of a run."""
+
+    steps: int
+    seconds: float
+    episodes: int
+    solved: int
+    reward: float
+    length: float
+
+
+@dataclass(frozen=True)
+class Run:
+    """A run's folder with what it was begun with."""
+
+    path: Path
+    recipe: Recipe
+    seed: int
+
+    @property
+    def checkpoint(self) -> Path | None:
+        """The newest checkpoint; None if there is none."""
+        found = [
+            p for p in self.path.glob(f"{_CHECKPOINT}*") if p.name[len(_CHECKPOINT) :].isdigit()
+        ]
+        return max(found, key=lambda p: int(p.name[len(_CHECKPOINT) :]), default=None)
+
+    def rows(self) -> list[Row]:
+        """Return the run's evaluations.
+
+        Raises:
+            InputError: the table is damaged.
+        """
+        return read_rows(self.path)
+
+    def add(self, steps: int, seconds: float, seen: Evaluation) -> None:
+        """Add an evaluation to the table.
+
+        Raises:
+            StorageError: it cannot be written.
+        """
+        row = Row(steps, round(seconds, 1), seen.episodes, seen.solved, seen.reward, seen.steps)
+        _write_rows(self.path, [*self.rows(), row])
+
+    def save(self, model: BaseAlgorithm, counts: Counts, replay: bool) -> None:
+        """Publish a checkpoint, and delete the older ones.
+
+        Raises:
+            StorageError: it cannot be written.
+        """
+        older = list(self.path.glob(f"{_CHECKPOINT}*"))
+        final = self.path / f"{_CHECKPOINT}{counts.steps}"
+        part = self.path / f"{_CHECKPOINT}part"
+        try:
+            shutil.rmtree(part, ignore_errors=True)
+            part.mkdir()
+            model.save(part / "model.zip")
+            (part / "counts.json").write_text(json.dumps(asdict(counts)) + "\n")
+            if replay and isinstance(model, OffPolicyAlgorithm) and model.replay_buffer is not None:
+                write_buffer(model.replay_buffer, part / "replay.npz")
+            shutil.rmtree(final, ignore_errors=True)
+            part.rename(final)
+            for path in set(older) - {final}:
+                shutil.rmtree(path, ignore_errors=True)
+        except OSError as error:
+            raise StorageError(
+                f"The checkpoint cannot be written to {self.path}: {error.strerror or error}."
+            ) from error
+
+    def restore(self, model: BaseAlgorithm) -> tuple[Counts, bool]:
+        """Put the newest checkpoint into a new model; return its counts, and if it kept a replay.
+
+        Without a checkpoint nothing changes. Evaluations after it are dropped from the table.
+
+        Raises:
+            InputError: the checkpoint is damaged, or not of this recipe.
+        """
+        found = self.checkpoint
+        if found is None:
+            _write_rows(self.path, [])
+            return Counts(), False
+        try:
+            counts = Counts(**json.loads((found / "counts.json").read_text()))
+            _, weights, variables = load_from_zip_file(
+                found / "model.zip", device="cpu", load_data=False
+            )
+            model.set_parameters(weights, device="cpu")
+            for name, value in (variables or {}).items():
+                recursive_setattr(model, f"{name}.data", value.data)
+        except Exception as error:  # whatever a damaged file brings about
+            raise InputError(
+                f"{found} is no checkpoint of {self.recipe.name} ({error}). Begin a new run."
+            ) from error
+        model.num_timesteps, model._episode_num = counts.steps, counts.episodes
+        model._n_updates = counts.updates
+        kept = found / "replay.npz"
+        there = isinstance(model, OffPolicyAlgorithm) and kept.is_file()
+        if isinstance(model, OffPolicyAlgorithm) and there:
+            assert model.replay_buffer is not None
+            read_buffer(model.replay_buffer, kept)
+        _write_rows(self.path, [r for r in self.rows() if r.steps <= counts.steps])
+        return counts, there
+
+
+def begin(path: Path, recipe: Recipe, seed: int) -> Run:
+    """Make a run's folder.
+
+    Raises:
+        InputError: there is a run, or something else, already.
+        StorageError: it cannot be written.
+    """
+    if (path / _RECIPE).exists():
+        raise InputError(
+            f"{path} holds a run already: go on with --resume, or choose another --out."
+        )
+    if path.exists() and (not path.is_dir() or any(path.iterdir())):
+        raise InputError(f"{path} holds something else already; choose another --out.")
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise StorageError(f"{path} cannot be made: {error.strerror or error}.") from error
+    _write_rows(path, [])
+    facts = {"format": FORMAT, "seed": seed, "recipe": recipe.facts()}
+    _write(path / _RECIPE, json.dumps(facts, indent=1) + "\n")
+    return Run(path, recipe, seed)
+
+
+def opened(path: Path) -> Run:
+    """Return the run of a folder.
+
+    Raises:
+        InputError: it holds none, or its recipe is damaged.
+    """
+    try:
+        payload = json.loads((path / _RECIPE).read_text(encoding="utf-8"))
+        if not isinstance(payload, dict) or payload.get("format") != FORMAT:
+            raise ValueError(f"it is not of format {FORMAT}")
+        return Run(path, recipe_of(payload["recipe"]), int(payload["seed"]))
+    except FileNotFoundError as error:
+        raise InputError(f"{path} holds no run: {_RECIPE} is missing.") from error
+    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+        raise InputError(f"{path / _RECIPE} is damaged ({error}).") from error
+
+
+def read_rows(path: Path) -> list[Row]:
+    """Return the evaluations in a run's folder.
+
+    Raises:
+        InputError: the table is missing or damaged.
+    """
+    try:
+        with (path / _EVALUATIONS).open(newline="", encoding="utf-8") as file:
+            return [
+                Row(int(r["steps"]), float(r["seconds"]), int(r["episodes"]), int(r["solved"]),
+                    float(r["reward"]), float(r["length"]))
+                for r in csv.DictReader(file)
+            ]  # fmt: skip
+    except (OSError, ValueError, TypeError, KeyError, csv.Error) as error:
+        raise InputError(f"{path / _EVALUATIONS} is no table of evaluations ({error}).") from error
+
+
+def _write_rows(path: Path, rows: list[Row]) -> None:
+    lines = [",".join(COLUMNS), *(",".join(f"{getattr(r, c)}" for c in COLUMNS) for r in rows)]
+    _write(path / _EVALUATIONS, "\n".join(lines) + "\n")
+
+
+def _write(path: Path, text: str) -> None:
+    part = path.with_suffix(".part")
+    try:
+        part.write_text(text, encoding="utf-8")
+        part.replace(path)
+    except OSError as error:
+        raise StorageError(f"{path} cannot be written: {error.strerror or error}.") from error
+
+
+def differences(one: Recipe, other: Recipe) -> list[str]:
+    """Return what two recipes say differently, but for how many steps they take."""
+    a: dict[str, Any] = one.facts()
+    b: dict[str, Any] = other.facts()
+    return [key for key in a if key != "steps" and a[key] != b[key]]

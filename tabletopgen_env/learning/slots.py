@@ -1,0 +1,132 @@
+"""``TabletopVectorEnv`` as Stable-Baselines3 wants its environments: many tables, one process.
+
+Scenes are compiled once for all slots and drawn from one source, where environments in processes of
+their own would each compile, and each renew, their own.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+from jaxtyping import Bool, Float
+from stable_baselines3.common.env_util import is_wrapped
+from stable_baselines3.common.vec_env import VecEnv
+
+from ..scenes import SceneRef, SceneSource
+from ..scenes.source import close, record
+from ..vector import TabletopVectorEnv
+
+
+class SlotVecEnv(VecEnv):
+    """Slots that reset themselves, with SB3's infos.
+
+    A slot's last info of an episode holds "terminal_observation" and "TimeLimit.truncated".
+
+    Args:
+        slots: the vector environment, made with ``autoreset_mode="SameStep"``.
+    """
+
+    def __init__(self, slots: TabletopVectorEnv) -> None:
+        self.slots = slots
+        self._actions: Any = None
+        super().__init__(slots.num_envs, slots.single_observation_space, slots.single_action_space)
+
+    def reset(self) -> Any:
+        """Reset all slots with the seeds that ``seed`` has set, and return what they see."""
+        options = next((o for o in self._options if o), None)
+        seen, infos = self.slots.reset(seed=self._seeds, options=options)
+        self.reset_infos = [row(infos, k) for k in range(self.num_envs)]
+        self._reset_seeds()
+        self._reset_options()
+        return seen
+
+    def step_async(self, actions: np.ndarray) -> None:
+        """Keep the actions for ``step_wait``."""
+        self._actions = actions
+
+    def step_wait(
+        self,
+    ) -> tuple[Any, Float[np.ndarray, "n"], Bool[np.ndarray, "n"], list[dict[str, Any]]]:
+        """Step all slots; return what they see, their rewards, which ended, and their infos."""
+        seen, rewards, terminated, truncated, infos = self.slots.step(self._actions)
+        done = terminated | truncated
+        told = []
+        for k in range(self.num_envs):
+            if done[k]:
+                own = row(infos["final_info"], k)
+                own["terminal_observation"] = infos["final_obs"][k]
+                own["TimeLimit.truncated"] = bool(truncated[k] and not terminated[k])
+            else:
+                own = row(infos, k)
+            told.append(own)
+        return seen, rewards.astype(np.float32), done, told
+
+    def close(self) -> None:
+        """Close the slots."""
+        self.slots.close()
+
+    def get_attr(self, attr_name: str, indices: Any = None) -> list[Any]:
+        """Return an attribute of some slots' environments."""
+        return [env.get_wrapper_attr(attr_name) for env in self._chosen(indices)]
+
+    def set_attr(self, attr_name: str, value: Any, indices: Any = None) -> None:
+        """Set an attribute of some slots' environments."""
+        for env in self._chosen(indices):
+            env.set_wrapper_attr(attr_name, value)
+
+    def env_method(
+        self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any
+    ) -> list[Any]:
+        """Call a method of some slots' environments, in this thread."""
+        calls: list[Callable[..., Any]] = self.get_attr(method_name, indices)
+        return [call(*method_args, **method_kwargs) for call in calls]
+
+    def env_is_wrapped(self, wrapper_class: type[gym.Wrapper], indices: Any = None) -> list[bool]:
+        """Tell which slots are wrapped so."""
+        return [is_wrapped(env, wrapper_class) for env in self._chosen(indices)]
+
+    def get_images(self) -> Sequence[np.ndarray | None]:
+        """Return the slots' pictures."""
+        return self.slots.render()
+
+    def _chosen(self, indices: Any) -> list[gym.Env]:
+        return [self.slots.envs[k] for k in self._get_indices(indices)]
+
+
+class SharedScenes:
+    """A source that several threads may draw from: one at a time."""
+
+    def __init__(self, source: SceneSource) -> None:
+        self._source = source
+        self._lock = threading.Lock()
+
+    def draw(self, rng: np.random.Generator) -> SceneRef:
+        """Draw the next scene."""
+        with self._lock:
+            return self._source.draw(rng)
+
+    def record(self, success: bool) -> None:
+        """Pass on how an episode ended."""
+        with self._lock:
+            record(self._source, success)
+
+    def close(self) -> None:
+        """Close the source."""
+        with self._lock:
+            close(self._source)
+
+
+def row(infos: dict[str, Any], k: int) -> dict[str, Any]:
+    """Return one slot's info of Gymnasium's infos of a vector environment."""
+    own = {}
+    for key, value in infos.items():
+        mask = infos.get(f"_{key}")
+        if mask is None or not mask[k]:
+            continue
+        picked = row(value, k) if isinstance(value, dict) else value[k]
+        own[key] = picked.item() if isinstance(picked, np.generic) else picked
+    return own

@@ -1,0 +1,165 @@
+"""What a training leaves behind while it goes on: evaluations, policies, checkpoints, curves."""
+
+from __future__ import annotations
+
+import dataclasses
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from stable_baselines3.common.base_class import BaseAlgorithm
+from stable_baselines3.common.callbacks import BaseCallback
+from stable_baselines3.common.logger import Logger, configure
+
+from generator.errors import require
+
+from .ending import StopAsked
+from .evaluating import Evaluation, evaluate
+from .extra import PIP, tensorboard_there
+from .policies import policy_from, save_policy
+from .runs import BEST, LATEST, Counts, Run
+
+Say = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is asked of a training besides its recipe.
+
+    Attributes:
+        seed: of the weights, the environments and what is tried.
+        evaluate_every: steps between evaluations, each with a checkpoint. Cloning is evaluated
+            after each round.
+        episodes: of an evaluation.
+        keep_replay: keep the replay buffer in checkpoints.
+        bar: show a progress bar.
+
+    Raises:
+        InputError: a number out of range.
+    """
+
+    seed: int = 0
+    evaluate_every: int = 10_000
+    episodes: int = 20
+    keep_replay: bool = True
+    bar: bool = False
+
+    def __post_init__(self) -> None:
+        require(self, "seed", least=0, most=2**31 - 1, whole=True)
+        require(self, "evaluate_every", "episodes", least=1, whole=True)
+
+
+@dataclass
+class Tracker:
+    """A training under way: its run, where it is evaluated, and how far it is."""
+
+    run: Run
+    plan: Plan
+    trials: Any
+    stop: threading.Event
+    logger: Logger
+    say: Say
+    counts: Counts = field(default_factory=Counts)
+    _since: float = field(default_factory=time.monotonic)
+
+    def evaluate(self, model: BaseAlgorithm, steps: int) -> None:
+        """Evaluate a model after so many steps; add a row, and keep its policy."""
+        seen = evaluate(self.trials, model, self.plan.episodes)
+        better = seen.share > self.counts.best
+        self._count(model, steps)
+        self.counts = dataclasses.replace(self.counts, best=max(self.counts.best, seen.share))
+        self._keep(model, seen, better)
+        self.run.add(steps, self.counts.seconds, seen)
+        self.logger.record("held_out/success_rate", seen.share)
+        self.logger.record("held_out/mean_reward", seen.reward)
+        self.logger.record("held_out/mean_steps", seen.steps)
+        self.logger.dump(steps)
+        self.say(f"{steps:,} steps, {self.counts.seconds / 60:.1f} min: {seen} held out")
+
+    def checkpoint(self, model: BaseAlgorithm, steps: int) -> None:
+        """Keep a checkpoint after so many steps."""
+        if steps != self.counts.steps:  # not evaluated
+            self._count(model, steps)
+            self._keep(model, None, better=False)
+        self.run.save(model, self.counts, self.plan.keep_replay)
+
+    def _count(self, model: BaseAlgorithm, steps: int) -> None:
+        now = time.monotonic()
+        self.counts = dataclasses.replace(
+            self.counts, steps=steps, updates=getattr(model, "_n_updates", 0),
+            episodes=model._episode_num, seconds=self.counts.seconds + now - self._since,
+        )  # fmt: skip
+        self._since = now
+
+    def _keep(self, model: BaseAlgorithm, seen: Evaluation | None, better: bool) -> None:
+        scenes = self.run.recipe.held_out
+        told = {} if seen is None else {
+            "solved": seen.solved, "episodes": seen.episodes,
+            "scenes": scenes if isinstance(scenes, str) else ", ".join(scenes),
+        }  # fmt: skip
+        policy = policy_from(model, self.run.recipe, self.run.seed, told, self.counts.steps)
+        save_policy(policy, self.run.path / LATEST)
+        if better:
+            save_policy(policy, self.run.path / BEST)
+
+
+class Progress(BaseCallback):
+    """Evaluates between rollouts, when all that was done has been learned from.
+
+    Raises:
+        StopAsked: there, after Ctrl-C.
+    """
+
+    def __init__(self, tracker: Tracker) -> None:
+        super().__init__()
+        self._tracker = tracker
+        self._every = tracker.plan.evaluate_every
+        self._next = (tracker.counts.steps // self._every + 1) * self._every
+        self._bar = bar(tracker.run.recipe.steps) if tracker.plan.bar else None
+
+    def _on_rollout_start(self) -> None:
+        steps = self.model.num_timesteps
+        if self._bar is not None:
+            self._bar(steps)
+        if self._tracker.stop.is_set():
+            raise StopAsked
+        if steps >= self._next:
+            self._tracker.evaluate(self.model, steps)
+            self._tracker.checkpoint(self.model, steps)
+            self._next = (steps // self._every + 1) * self._every
+
+    def _on_step(self) -> bool:
+        return True
+
+    def end(self) -> None:
+        """Take the progress bar away."""
+        if self._bar is not None:
+            self._bar(None)
+
+
+def logger_of(run: Run, say: Say) -> Logger:
+    """Return the logger of a run's curves; without TensorBoard it writes none, and says so."""
+    there = tensorboard_there()
+    if not there:
+        say(f"TensorBoard is not installed, so there are no curves of it ({PIP}).")
+    return configure(str(run.path / "tensorboard"), ["tensorboard"] if there else [])
+
+
+def bar(total: int) -> Callable[[int | None], None]:
+    """Return what moves a progress bar to a number of steps, and ends it on None."""
+    from rich.progress import BarColumn, MofNCompleteColumn, TimeRemainingColumn
+    from rich.progress import Progress as Bars
+
+    shown = Bars(BarColumn(), MofNCompleteColumn(), TimeRemainingColumn(), transient=True)
+    task = shown.add_task("steps", total=total)
+    shown.start()
+
+    def move(steps: int | None) -> None:
+        if steps is None:
+            shown.stop()
+        else:
+            shown.update(task, completed=steps)
+
+    return move

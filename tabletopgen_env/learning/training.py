@@ -1,0 +1,227 @@
+"""Training by a recipe: environments, demonstrations, cloning, Stable-Baselines3, evaluations."""
+
+from __future__ import annotations
+
+import dataclasses
+import shutil
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+import torch
+from stable_baselines3 import SAC
+from stable_baselines3.common.base_class import BaseAlgorithm
+from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
+
+from generator.errors import InputError, TabletopError
+
+from ..scenes import SceneSource
+from ..scenes.source import close
+from .cloning import CloningConfig, Round, clone
+from .ending import StopAsked, heeding
+from .making import many_envs, new_model, shared, single_env, source_of
+from .policies import policy_bytes, policy_from
+from .recipes import Recipe
+from .replay import fill
+from .runs import Run, begin, differences, opened
+from .tracking import Plan, Progress, Say, Tracker, logger_of
+
+_STRIDE = 7919  # between the seeds of the environments of a run and of one that goes on
+
+
+@dataclass(frozen=True)
+class Trained:
+    """What a training came to; ``interrupted`` if Ctrl-C ended it."""
+
+    run: Run
+    steps: int
+    interrupted: bool
+
+
+def train(
+    recipe: Recipe, out: Path, plan: Plan | None = None, resume: bool = False, say: Say = print
+) -> Trained:
+    """Train a policy, and leave all there is to know of it in a folder; see ``runs``.
+
+    Ctrl-C ends it after what it has begun, with a checkpoint; a second one ends it at once.
+
+    Args:
+        recipe: how.
+        out: the folder, made if it is missing.
+        plan: the rest.
+        resume: go on with the run in ``out``, up to the recipe's steps.
+        say: gets a line for each thing of note.
+
+    Raises:
+        InputError: ``out`` holds a run, or to resume none of this recipe and seed.
+        BundleError: there are no such scenes.
+        SceneError: the scenes offer nothing to do, or nothing the expert can.
+        StorageError: the folder cannot be written.
+    """
+    plan = plan or Plan()
+    with ExitStack() as last:
+        scenes = source_of(recipe.scenes, "train")
+        last.callback(close, scenes)
+        held_out = source_of(recipe.held_out, "held_out")
+        last.callback(close, held_out)
+        both = shared(scenes, held_out)
+        if both:
+            say(f"{both} of the held-out scenes are trained on, too.")
+        trials = single_env(recipe.task, recipe.env, held_out)
+        last.callback(trials.close)
+        _check(recipe, trials)
+        run = _resumed(out, recipe, plan.seed) if resume else begin(out, recipe, plan.seed)
+        last.enter_context(_one_thread())
+        stop = last.enter_context(heeding(say))
+        logger = logger_of(run, say)
+        last.callback(logger.close)
+        tracker = Tracker(run, plan, trials, stop, logger, say)
+        learn = _clone_alone if recipe.algorithm == "clone" else _learn
+        try:
+            return Trained(run, learn(tracker, scenes), stop.is_set())
+        except TabletopError:
+            if not resume and not run.rows():
+                shutil.rmtree(run.path, ignore_errors=True)  # it never began
+            raise
+
+
+def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
+    """Refuse what would fail later, before anything is written."""
+    cloning_config(recipe)
+    env.reset(seed=0)
+    policy_bytes(policy_from(new_model(recipe, env, 0), recipe, 0))
+
+
+def _resumed(out: Path, recipe: Recipe, seed: int) -> Run:
+    run = opened(out)
+    changed = differences(run.recipe, recipe)
+    if changed or run.seed != seed:
+        what = ", ".join(changed) or "the seed"
+        raise InputError(
+            f"{out} is a run of {run.recipe.name} with seed {run.seed}; it differs in {what}. "
+            "Resume it with what it was begun with, or begin another with --out."
+        )
+    if recipe.algorithm == "clone":
+        raise InputError(f"{out}: cloning cannot go on; begin it anew with another --out.")
+    return dataclasses.replace(run, recipe=recipe)
+
+
+def _learn(tracker: Tracker, scenes: SceneSource) -> int:
+    """Train with Stable-Baselines3; return the steps there are now."""
+    run, seed = tracker.run, tracker.plan.seed
+    with ExitStack() as last:
+        envs = many_envs(run.recipe, scenes, seed)
+        last.callback(envs.close)
+        model = new_model(run.recipe, envs, seed)
+        model.set_logger(tracker.logger)
+        tracker.counts, replayed = run.restore(model)
+        begun = tracker.counts.steps
+        envs.seed(seed + _STRIDE * begun)  # other tables than those it began with
+        if begun >= run.recipe.steps:
+            tracker.say(f"{run.path} has {begun:,} steps already; ask for more with --steps.")
+            return begun
+        if isinstance(model, OffPolicyAlgorithm) and not replayed:
+            if begun:
+                tracker.say("The replay buffer was not kept: it is filled anew.")
+                model.learning_starts += begun
+            _demonstrate(tracker, model, scenes)
+        with suppress(StopAsked):
+            if run.recipe.cloning is not None and not begun:
+                _clone(tracker, model, scenes)
+            _go_on(tracker, model)
+        done = model.num_timesteps
+        if done > tracker.counts.steps:
+            if not tracker.stop.is_set():
+                tracker.evaluate(model, done)
+            tracker.checkpoint(model, done)
+        return done
+
+
+def _go_on(tracker: Tracker, model: BaseAlgorithm) -> None:
+    callback = Progress(tracker)
+    try:
+        left = tracker.run.recipe.steps - model.num_timesteps
+        model.learn(left, callback, reset_num_timesteps=False)
+    finally:
+        callback.end()
+
+
+def _demonstrate(tracker: Tracker, model: OffPolicyAlgorithm, scenes: SceneSource) -> None:
+    """Fill the replay buffer as the recipe says."""
+    recipe = tracker.run.recipe
+    if not recipe.demonstrations:
+        return
+    env = single_env(recipe.task, recipe.env, scenes)
+    try:
+        assert model.replay_buffer is not None
+        count = fill(model.replay_buffer, env, recipe.demonstrations, tracker.plan.seed)
+    finally:
+        env.close()
+    tracker.say(f"{count} demonstrations in the replay buffer")
+
+
+def _clone_alone(tracker: Tracker, scenes: SceneSource) -> int:
+    """Clone the expert, evaluated after each round; return the states it gave advice in."""
+    model = new_model(tracker.run.recipe, tracker.trials, tracker.plan.seed)
+
+    def told(r: Round) -> None:
+        tracker.evaluate(model, r.states)
+
+    with suppress(StopAsked):
+        _clone(tracker, model, scenes, told)
+    tracker.checkpoint(model, tracker.counts.steps)
+    return tracker.counts.steps
+
+
+def _clone(
+    tracker: Tracker,
+    model: BaseAlgorithm,
+    scenes: SceneSource,
+    then: Callable[[Round], None] | None = None,
+) -> None:
+    """Fit the model's actor to the expert; ``then`` is called after each round."""
+    recipe = tracker.run.recipe
+    assert isinstance(model, SAC)
+
+    def told(r: Round) -> None:
+        tracker.say(
+            f"round {r.number + 1}: {r.states:,} states, {100 * r.solved:.0f} % of its episodes "
+            f"solved, loss {r.loss:.4f}"
+        )
+        if then is not None:
+            then(r)
+        if tracker.stop.is_set():
+            raise StopAsked
+
+    env = single_env(recipe.task, recipe.env, scenes)
+    try:
+        clone(model, env, cloning_config(recipe), tracker.plan.seed, told)
+    finally:
+        env.close()
+
+
+def cloning_config(recipe: Recipe) -> CloningConfig:
+    """Return a recipe's settings of cloning.
+
+    Raises:
+        InputError: an unknown one, or one out of range.
+    """
+    try:
+        return CloningConfig(**(recipe.cloning or {}))
+    except TypeError as error:
+        raise InputError(f"{recipe.name}: cloning: {error}.") from error
+
+
+@contextmanager
+def _one_thread() -> Iterator[None]:
+    """Keep torch to one thread, which small networks are faster on."""
+    before = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(before)

@@ -1,0 +1,59 @@
+"""A toy bundle on disk, and recipes small enough for a test."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+import torch
+from toy import toy_object, toy_scene
+
+from generator.bundle import save
+from generator.physics.gate import judge
+from tabletopgen_env.learning.recipes import Recipe, recipe_of
+
+SMALL: dict[str, dict[str, Any]] = {
+    "sac": {"learning_starts": 20, "buffer_size": 2000, "batch_size": 16},
+    "td3": {"learning_starts": 20, "buffer_size": 2000, "batch_size": 16, "action_noise": 0.1},
+    "ppo": {"n_steps": 16, "batch_size": 16, "n_epochs": 1},
+    "clone": {},
+}
+
+
+@pytest.fixture(scope="session", autouse=True)
+def one_thread() -> Iterator[None]:
+    """Small networks are faster on one thread, above all where tests run side by side."""
+    before = torch.get_num_threads()
+    torch.set_num_threads(1)
+    yield
+    torch.set_num_threads(before)
+
+
+@pytest.fixture(scope="session")
+def table(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The path of a bundle of one cube."""
+    made = toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (-0.1, 0.0)),))
+    return str(save(made.replace(report=judge(made)), tmp_path_factory.mktemp("store")))
+
+
+@pytest.fixture
+def small(table: str):
+    """Return a function that makes small recipes of an algorithm for the toy bundle."""
+
+    def make(algorithm: str = "sac", **changes: Any) -> Recipe:
+        return recipe_of({
+            "name": f"small-{algorithm}", "task": "Reach", "algorithm": algorithm, "steps": 120,
+            "envs": 2, "scenes": table, "held_out": table, "options": SMALL[algorithm],
+            "network": {"layers": [16, 16], "width": 8},
+            **changes,
+        })  # fmt: skip
+
+    return make
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """Where a run can be."""
+    return tmp_path / "run"

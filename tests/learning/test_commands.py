@@ -1,0 +1,167 @@
+"""The commands: what they print, what they write, and their exit codes."""
+
+from __future__ import annotations
+
+import ast
+import runpy
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from tabletopgen_env.__main__ import run
+from tabletopgen_env.learning.evaluating import evaluate, play, seeds
+from tabletopgen_env.learning.making import single_env, source_of
+from tabletopgen_env.learning.policies import load_policy
+from tabletopgen_env.learning.runs import LATEST
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "train_lift.py"
+
+RECIPE = """
+task = "Reach"
+algorithm = "ppo"
+steps = 32
+network = {layers = [8]}
+options = {n_steps = 16, batch_size = 16, n_epochs = 1}
+"""
+
+
+def command(*args: str) -> int:
+    try:
+        return run(list(args))
+    except SystemExit as stop:  # wrong usage
+        return int(stop.code or 0)
+
+
+@pytest.fixture(scope="session")
+def trained(tmp_path_factory: pytest.TempPathFactory, table: str) -> Path:
+    """A run's folder, made by the command."""
+    folder = tmp_path_factory.mktemp("runs")
+    (folder / "tiny.toml").write_text(RECIPE)
+    code = command(
+        "train", str(folder / "tiny.toml"), "--scenes", table, "--held-out", table,
+        "--out", str(folder / "one"), "--episodes", "2", "--seed", "3", "--set", "envs=2",
+    )  # fmt: skip
+    assert code == 0
+    return folder / "one"
+
+
+def test_training_leaves_a_policy(trained: Path) -> None:
+    card = load_policy(trained / LATEST).card
+    assert (card.recipe, card.seed, card.steps) == ("tiny", 3, 32)
+
+
+def test_resuming_by_the_command(trained: Path, table: str, capsys) -> None:
+    same = ("train", str(trained.parent / "tiny.toml"), "--scenes", table, "--held-out", table,
+            "--out", str(trained), "--seed", "3", "--set", "envs=2")  # fmt: skip
+    assert command(*same) == 2
+    assert "go on with --resume" in capsys.readouterr().err
+    assert command(*same, "--resume") == 0
+    assert "32 steps of tiny" in capsys.readouterr().out
+
+
+def test_enjoying_reports_success_with_its_interval(trained: Path, table: str, capsys) -> None:
+    told = []
+    for name in (trained, trained / LATEST, trained):
+        assert command("enjoy", str(name), "--scenes", table, "--episodes", "2") == 0
+        told.append(capsys.readouterr().out)
+    rest = [lines.partition("\n")[2] for lines in told]
+    assert rest[0] == rest[1] == rest[2]
+    assert told[0].startswith(f"best.safetensors: tiny, seed 3, 32 steps; 0 of 2 at {table}\n")
+    assert told[0].count("failed in  60 steps: ") == 2
+    assert f"Reach at {table}: 0 of 2 solved, 0 % (0 to 66 %)" in told[0]
+
+
+def test_a_film_strip_is_written(trained: Path, table: str, tmp_path: Path) -> None:
+    strip = tmp_path / "new" / "strip.png"
+    args = ("--scenes", table, "--episodes", "1", "--video-strip", str(strip))
+    assert command("enjoy", str(trained), *args) == 0
+    with Image.open(strip) as picture:
+        assert picture.size == (6 * 320, 320)
+        cells = [picture.crop((320 * k, 0, 320 * k + 320, 320)).tobytes() for k in range(6)]
+        assert len(set(cells)) > 1, "the arm moves"
+
+
+def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, capsys) -> None:
+    (zipped,) = trained.glob("checkpoint-*/model.zip")
+    assert command("enjoy", str(zipped), "--scenes", table) == 2
+    assert "--trust" in capsys.readouterr().err
+    args = ("--scenes", table, "--episodes", "1", "--trust")
+    assert command("enjoy", str(zipped), *args) == 0
+    own = capsys.readouterr().out
+    assert command("enjoy", str(trained / LATEST), *args[:-1]) == 0
+    assert capsys.readouterr().out.endswith(own), "the zip plays as the policy file does"
+    wrong = trained.parent / "wrong.zip"
+    wrong.write_bytes(b"no zip")
+    assert command("enjoy", str(wrong), "--trust", "--recipe", "reach-ppo") == 2
+    assert "cannot be loaded as PPO" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("args", "code", "why"),
+    [
+        (("enjoy", "nothing"), 2, "no policy 'nothing'"),
+        (("enjoy", "{}", "--episodes", "0"), 2, "at least 1"),
+        (("enjoy", "{}", "--scenes", "/none"), 4, "No bundle"),
+        (("enjoy", "{}", "--render", "--video-strip", "x.png"), 2, "not both"),
+        (("enjoy", "{}/.."), 2, "no policy yet"),
+        (("train", "reach-sacc"), 2, "Did you mean 'reach-sac'"),
+        (("train", "reach-clone", "--steps", "9"), 2, "cloning.rounds"),
+        (("train", "reach-sac", "--steps", "0"), 2, "steps"),
+        (("train", "reach-sac", "--set", "gamma"), 2, "key=value"),
+        (("plot",), 2, "at least one"),
+        (("plot", "/none"), 2, "holds no run"),
+        (("train",), 2, "required"),
+    ],
+)
+def test_wrong_requests_are_explained(trained: Path, args, code, why, capsys) -> None:
+    assert command(*(a.format(trained) for a in args)) == code
+    assert why in capsys.readouterr().err
+    assert not Path("runs").exists()
+
+
+def test_sb3_missing_is_said_with_the_pip_line(monkeypatch, capsys) -> None:
+    monkeypatch.setitem(sys.modules, "stable_baselines3", None)
+    for args in (("train", "reach-sac"), ("enjoy", "x"), ("plot", "x")):
+        assert command(*args) == 2
+        assert "pip install 'tabletopgen[train]'" in capsys.readouterr().err
+
+
+def test_success_has_to_be_held(table: str) -> None:
+    class Idle:
+        def predict(self, observation, *, deterministic):
+            return np.zeros(5, np.float32), None
+
+    class Held:
+        """Stands in for an environment that has succeeded for some steps."""
+
+        def __init__(self, steps: int) -> None:
+            self.steps = steps
+
+        def reset(self, seed):
+            self.at = 0
+            return np.zeros(1), {}
+
+        def step(self, action):
+            self.at += 1
+            info = {"success": 3 <= self.at < 3 + self.steps, "instruction": "wait"}
+            return np.zeros(1), 0.5, False, self.at == 20, info
+
+    assert not play(Held(4), Idle(), 0).solved  # type: ignore[arg-type]
+    played = play(Held(5), Idle(), 0)  # type: ignore[arg-type]
+    assert played.solved and played.steps == 7 and played.reward == 0.5
+    assert list(seeds(1, 5))[:3] == list(seeds(1, 3)) != list(seeds(2, 3))
+    env = single_env("Reach", {}, source_of(table, "held_out"))
+    assert evaluate(env, Idle(), 2) == evaluate(env, Idle(), 2) != evaluate(env, Idle(), 2, seed=1)
+
+
+def test_the_newcomers_script_is_short_and_runs(tmp_path: Path, monkeypatch) -> None:
+    tree = ast.parse(EXAMPLE.read_text())
+    (docstring, *_) = tree.body
+    lines = [line for line in EXAMPLE.read_text().splitlines() if line.strip()]
+    assert len(lines) - (docstring.end_lineno or 0) <= 15
+    monkeypatch.chdir(tmp_path)
+    runpy.run_path(str(EXAMPLE))["main"](20)
+    assert (tmp_path / "out" / "lift.zip").is_file()

@@ -1,0 +1,85 @@
+"""Bands over seeds: the numbers, and that they are drawn."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from generator.errors import InputError
+from tabletopgen_env.__main__ import run as command
+from tabletopgen_env.learning.evaluating import Evaluation
+from tabletopgen_env.learning.plotting import bands, draw, number, ticks
+from tabletopgen_env.learning.runs import Run, begin
+
+
+def made(path: Path, recipe, seed: int, shares: dict[int, int]) -> Run:
+    """A run that was evaluated: episodes solved of 10, by steps."""
+    run = begin(path, recipe, seed)
+    for steps, solved in shares.items():
+        run.add(steps, steps * 3.6, Evaluation(10, solved, 0.5, 40.0))
+    return run
+
+
+def test_runs_of_a_recipe_make_a_band_where_all_have_been(small, tmp_path: Path) -> None:
+    runs = [
+        made(tmp_path / "a", small(), 0, {100: 0, 200: 10}),
+        made(tmp_path / "b", small(), 1, {0: 0, 150: 0, 300: 10}),
+        made(tmp_path / "c", small("ppo"), 0, {100: 3}),
+    ]
+    found = bands(runs)
+    assert list(found) == ["small-sac", "small-ppo"]
+    band = found["small-sac"]
+    assert (band.runs, band.at[0], band.at[-1]) == (2, 100, 200)
+    assert band.most[-1] == pytest.approx(1.0) and band.least[-1] == pytest.approx(1 / 3)
+    assert band.mean[-1] == pytest.approx(2 / 3)
+    assert bands(runs, "hours")["small-sac"].at[-1] == pytest.approx(0.2)
+    assert found["small-ppo"].mean.tolist() == pytest.approx([0.3] * len(found["small-ppo"].at))
+
+
+def test_runs_without_a_common_stretch_are_refused(small, tmp_path: Path) -> None:
+    early = made(tmp_path / "a", small(), 0, {100: 1, 200: 2})
+    late = made(tmp_path / "b", small(), 1, {300: 1, 400: 2})
+    with pytest.raises(InputError, match="no stretch in common"):
+        bands([early, late])
+    with pytest.raises(InputError, match="no evaluation yet"):
+        bands([made(tmp_path / "c", small(), 2, {})])
+
+
+def test_more_success_is_drawn_higher(small, tmp_path: Path) -> None:
+    def height(name: str, solved: int) -> float:
+        picture = draw(bands([made(tmp_path / name, small(), 0, {0: solved, 100: solved})]))
+        blue = (picture == (31, 119, 180)).all(2)
+        return float(np.median(np.nonzero(blue[:, 400:])[0]))
+
+    assert height("low", 2) > height("high", 8) + 100
+
+
+@pytest.mark.parametrize(
+    ("end", "wanted"),
+    [
+        (190_000, ["0", "20,000", "40,000", "60,000"]),
+        (1.0, ["0", "0.1", "0.2", "0.3"]),
+        (0.24, ["0", "0.05", "0.1", "0.15"]),
+        (9.9e6, ["0", "1,000,000", "2,000,000", "3,000,000"]),
+    ],
+)
+def test_axes_have_round_numbers(end: float, wanted: list[str]) -> None:
+    made = ticks(end)
+    assert [number(v) for v in made[:4]] == wanted
+    assert 4 < len(made) <= 11 and made[-1] <= end * (1 + 1e-9)
+
+
+def test_the_command_draws_a_picture(small, tmp_path: Path, capsys) -> None:
+    for seed, last in enumerate((4, 8)):
+        made(tmp_path / str(seed), small(), seed, {0: 0, 100: last})
+    out = tmp_path / "new" / "success.png"
+    assert command(["plot", str(tmp_path / "0"), str(tmp_path / "1"), "--out", str(out)]) == 0
+    assert "60 % after 100 steps, 40 to 80 % of 2 runs" in capsys.readouterr().out
+    with Image.open(out) as picture:
+        assert picture.format == "PNG"
+    (tmp_path / "0" / "evaluations.csv").write_text("steps\nx\n")
+    assert command(["plot", str(tmp_path / "0")]) == 2
+    assert "no table of evaluations" in capsys.readouterr().err

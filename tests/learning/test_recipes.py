@@ -1,0 +1,139 @@
+"""Recipes: the shipped ones can be made, wrong ones are refused with what exists."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+
+from generator.errors import InputError
+from tabletopgen_env.learning.making import (
+    many_envs,
+    new_model,
+    shared,
+    single_env,
+    source_of,
+    spec_of,
+)  # fmt: skip
+from tabletopgen_env.learning.recipes import recipe, recipe_names, recipe_of
+from tabletopgen_env.learning.training import cloning_config
+from tabletopgen_env.scenes import RefreshingScenes
+
+GOOD = {"name": "mine", "task": "Lift", "algorithm": "sac"}
+
+
+def test_the_baselines_are_there() -> None:
+    wanted = {
+        "reach-sac", "reach-ppo", "reach-clone", "lift-clone", "lift-sac-demos", "lift-ppo",
+        "pickplace-clone", "pickplace-sac-her", "push-sac-her",
+    }  # fmt: skip
+    assert wanted <= set(recipe_names())
+
+
+@pytest.mark.parametrize("name", recipe_names())
+def test_every_shipped_recipe_makes_its_environment_and_model(name: str, table: str) -> None:
+    found = recipe(name)
+    assert shared(source_of(found.scenes, "train"), source_of(found.held_out, "held_out")) == 0
+    source = source_of(table, "train")
+    few = dataclasses.replace(found, envs=1, options={**found.options, **_less(found.options)})
+    single_env(found.task, found.env, source).close()
+    envs = many_envs(few, source, 0)
+    model = new_model(few, envs, 0)
+    envs.close()
+    assert model.observation_space == envs.observation_space
+    cloning_config(found)
+    limit = spec_of(found.task).max_episode_steps
+    assert limit and found.options.get("buffer_size", 10**9) > found.demonstrations * limit
+
+
+def _less(options) -> dict:
+    return {
+        key: least for key, least in (("buffer_size", 1000), ("batch_size", 64)) if key in options
+    }
+
+
+def test_a_recipe_comes_back_from_its_facts() -> None:
+    for name in recipe_names():
+        assert recipe_of(recipe(name).facts()) == recipe(name)
+
+
+def test_an_unknown_recipe_has_a_near_match() -> None:
+    with pytest.raises(InputError, match="Did you mean 'lift-clone'"):
+        recipe("lift-clon")
+
+
+def test_changes_are_merged_into_the_recipe() -> None:
+    found = recipe("reach-sac", ["options.gamma=0.5", "steps=7", "env.action=joint_delta"])
+    assert (found.options["gamma"], found.steps, found.env["action"]) == (0.5, 7, "joint_delta")
+    assert found.options["tau"] == recipe("reach-sac").options["tau"]
+    for wrong in ("steps", "steps=x", "=1", "stepz=1", "env=3", "options.x=nan"):
+        with pytest.raises(InputError):
+            recipe("reach-sac", [wrong])
+
+
+def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text("task = 'Push'\nalgorithm = 'ppo'\nnetwork = {layers = [8]}\n")
+    assert (recipe(str(path)).name, recipe(str(path)).network.layers) == ("mine", (8,))
+    for text, why in (("task = ", "no TOML"), ("steps = inf", "no number"), ("", "needs 'task'")):
+        path.write_text(text)
+        with pytest.raises(InputError, match=why):
+            recipe(str(path))
+    with pytest.raises(InputError, match="cannot be read"):
+        recipe(str(tmp_path / "other.toml"))
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({"task": "Lif"}, "Did you mean 'Lift'"),
+        ({"algorithm": "sacc"}, "Did you mean 'sac'"),
+        ({"stepz": 1}, "Did you mean 'steps'"),
+        ({"steps": 0}, "steps"),
+        ({"steps": 1.5}, "whole number"),
+        ({"envs": True}, "envs"),
+        ({"env": {"scenes": "/etc"}}, "has no 'scenes'"),
+        ({"env": {"actoin": "x"}}, "Did you mean 'action'"),
+        ({"network": {"layer": [1]}}, "Did you mean 'layers'"),
+        ({"network": {"layers": [10**9]}}, "layers"),
+        ({"network": {"layers": []}}, "layers"),
+        ({"network": {"activation": "gelu"}}, "activation"),
+        ({"network": [1]}, "table of settings"),
+        ({"scenes": []}, "scenes is a text"),
+        ({"held_out": 3}, "held_out is a text"),
+        ({"hindsight": 4}, "observation='goal'"),
+        ({"algorithm": "ppo", "demonstrations": 3}, "replay buffer"),
+        ({"algorithm": "clone"}, "needs cloning"),
+        ({"algorithm": "td3", "cloning": {}}, "only SAC"),
+        ({"demonstrations": 3, "env": {"action": "joint_delta"}}, "ee_delta"),
+        ({"env": {"observation": "goal"}}, "extractor 'table'"),
+        ({"env": {"observation": "pixels"}, "network": {"extractor": "flat"}}, "pictures"),
+    ],
+)  # fmt: skip
+def test_what_does_not_fit_is_refused(changes: dict, why: str) -> None:
+    with pytest.raises(InputError, match=why):
+        recipe_of({**GOOD, **changes})
+
+
+def test_options_are_those_of_the_algorithm(small, table: str) -> None:
+    env = single_env("Reach", {}, source_of(table, "train"))
+    with pytest.raises(InputError, match="Did you mean 'learning_rate'"):
+        new_model(small(options={"learning_rat": 1}), env, 0)
+    with pytest.raises(InputError, match="no option 'policy'"):
+        new_model(small(options={"policy": "x"}), env, 0)
+    with pytest.raises(InputError, match="refuses"):
+        new_model(small(options={"buffer_size": "many"}), env, 0)
+    with pytest.raises(InputError, match="learning_starts must be above 120"):
+        goal = {"observation": "goal"}
+        new_model(
+            small(hindsight=4, env=goal, network={"extractor": "goal"}),
+            single_env("Reach", goal, source_of(table, "train")), 0,
+        )  # fmt: skip
+
+
+def test_scenes_made_on_demand_are_kept_to_a_side() -> None:
+    source = source_of("refreshing", "train")
+    assert isinstance(source, RefreshingScenes) and [r.side for r in source._parts()[0].rules] == [
+        "train"
+    ]

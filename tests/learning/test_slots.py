@@ -1,0 +1,103 @@
+"""The vector environment as SB3 sees it: what ``DummyVecEnv`` of the same environments gives."""
+
+from __future__ import annotations
+
+import threading
+
+import gymnasium as gym
+import numpy as np
+import pytest
+from stable_baselines3.common.vec_env import DummyVecEnv
+from toy import toy_scene
+
+from tabletopgen_env.env import make_env
+from tabletopgen_env.learning.slots import SharedScenes, SlotVecEnv
+from tabletopgen_env.scenes import FixedScenes, SceneRef, resolve
+from tabletopgen_env.vector import TabletopVectorEnv
+
+LIMIT = 7
+
+
+def both(observation: str) -> tuple[SlotVecEnv, DummyVecEnv]:
+    scene = toy_scene()
+    settings = {"task": "Push", "observation": observation}
+
+    def one() -> gym.Env:
+        return gym.wrappers.TimeLimit(make_env(scene, **settings), LIMIT)
+
+    slots = TabletopVectorEnv(
+        2, autoreset_mode="SameStep", max_episode_steps=LIMIT, scenes=scene, **settings
+    )
+    return SlotVecEnv(slots), DummyVecEnv([one, one])
+
+
+def same(a, b) -> bool:
+    if isinstance(a, dict):
+        return a.keys() == b.keys() and all(same(a[k], b[k]) for k in a)
+    return bool(np.array_equal(a, b))
+
+
+@pytest.mark.parametrize("observation", ["state", "goal"])
+def test_it_gives_what_sb3s_own_gives(observation: str) -> None:
+    ours, theirs = both(observation)
+    assert ours.observation_space == theirs.observation_space
+    ours.seed(3)
+    theirs.seed(3)
+    assert same(ours.reset(), theirs.reset())
+    assert [i["target"] for i in ours.reset_infos] == [i["target"] for i in theirs.reset_infos]
+    rng = np.random.default_rng(0)
+    ended = 0
+    for _ in range(2 * LIMIT + 1):
+        actions = rng.uniform(-1, 1, (2, 5)).astype(np.float32)
+        got, wanted = ours.step(actions), theirs.step(actions)
+        assert same(got[0], wanted[0])
+        assert np.array_equal(got[1], wanted[1]) and np.array_equal(got[2], wanted[2])
+        for mine, other in zip(got[3], wanted[3], strict=True):
+            for key in ("success", "is_success", "instruction", "goals", "reward_terms"):
+                assert mine[key] == other[key]
+        ended += int(got[2].sum())
+        for mine, other, over in zip(got[3], wanted[3], got[2], strict=True):
+            assert ("terminal_observation" in mine) == over
+            if over:
+                assert mine["TimeLimit.truncated"] is True is other["TimeLimit.truncated"]
+                assert same(mine["terminal_observation"], other["terminal_observation"])
+    assert ended == 4
+    ours.close()
+
+
+def test_methods_and_attributes_are_those_of_the_slots() -> None:
+    ours, _ = both("goal")
+    ours.seed(0)
+    seen = ours.reset()
+    goals = seen["desired_goal"]
+    (reward,) = ours.env_method("compute_reward", goals, goals, [{}, {}], indices=[0])
+    assert reward.shape == (2,)
+    assert ours.get_attr("render_mode") == [None, None]
+    assert ours.env_is_wrapped(gym.wrappers.TimeLimit) == [True, True]
+    assert not ours.has_attr("nothing")
+    ours.close()
+
+
+def test_a_shared_source_is_drawn_from_by_one_thread_at_a_time() -> None:
+    inside, most = 0, 0
+    fixed = resolve(toy_scene())
+    assert isinstance(fixed, FixedScenes)
+
+    class Slow:
+        def draw(self, rng: np.random.Generator) -> SceneRef:
+            nonlocal inside, most
+            inside += 1
+            most = max(most, inside)
+            threading.Event().wait(0.01)
+            inside -= 1
+            return fixed.refs[0]
+
+    shared = SharedScenes(Slow())
+    threads = [
+        threading.Thread(target=shared.draw, args=(np.random.default_rng(0),)) for _ in range(4)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert most == 1

@@ -1,0 +1,230 @@
+"""Training: every family runs, repeats itself, goes on where it was, and leaves what it says."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+from pathlib import Path
+
+import numpy as np
+import pytest
+from stable_baselines3 import SAC
+
+from generator.errors import InputError, SceneError, TabletopError
+from tabletopgen_env.learning import extra, tracking
+from tabletopgen_env.learning.making import load_zip
+from tabletopgen_env.learning.policies import load_policy
+from tabletopgen_env.learning.runs import BEST, LATEST, opened
+from tabletopgen_env.learning.tracking import Plan
+from tabletopgen_env.learning.training import train
+
+QUICK = Plan(evaluate_every=60, episodes=2)
+GOAL = {"observation": "goal", "reward": "sparse"}
+CLONING = {"rounds": 2, "episodes": 2, "steps": 20, "last_steps": 20, "batch": 32}
+FAMILIES = {
+    "sac": ("sac", {}),
+    "sac with demonstrations": ("sac", {"demonstrations": 2}),
+    "sac from a clone": ("sac", {"cloning": {**CLONING, "rounds": 1}}),
+    "sac in hindsight": ("sac", {"env": GOAL, "hindsight": 4, "demonstrations": 2,
+                                 "network": {"extractor": "goal", "layers": [8]}}),
+    "td3": ("td3", {}),
+    "ppo": ("ppo", {"network": {"layers": [8], "activation": "tanh"}}),
+    "clone": ("clone", {"cloning": CLONING}),
+}  # fmt: skip
+
+
+def quiet(line: str) -> None:
+    assert line
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_every_family_trains(small, folder: Path, family: str) -> None:
+    algorithm, changes = FAMILIES[family]
+    recipe = small(algorithm, **changes)
+    done = train(recipe, folder, QUICK, say=quiet)
+    assert not done.interrupted
+    run = opened(folder)
+    assert run.recipe == recipe and run.seed == 0
+    rows = run.rows()
+    assert rows and rows[-1].steps == done.steps and all(r.episodes == 2 for r in rows)
+    if algorithm != "clone":
+        assert recipe.steps <= done.steps < recipe.steps + 40
+        assert rows[0].steps in range(60, 100)
+    policy = load_policy(folder / LATEST)
+    assert policy.card.steps == done.steps
+    assert policy.card.evaluated["solved"] == rows[-1].solved
+    best = load_policy(folder / BEST).card.evaluated["solved"]
+    assert best == max(r.solved for r in rows)
+    assert list((folder / "tensorboard").iterdir())
+
+
+def weights(folder: Path) -> dict[str, np.ndarray]:
+    state = load_policy(folder / LATEST).actor.state_dict()
+    return {name: value.numpy() for name, value in state.items()}
+
+
+def alike(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> bool:
+    return all(np.array_equal(one[k], other[k]) for k in one)
+
+
+@pytest.mark.parametrize("algorithm", ["sac", "ppo"])
+def test_the_same_seed_trains_the_same_weights(small, tmp_path: Path, algorithm: str) -> None:
+    made = []
+    for number, seed in enumerate((0, 0, 1)):
+        folder = tmp_path / str(number)
+        train(small(algorithm, steps=64), folder, Plan(seed, episodes=1), say=quiet)
+        made.append(weights(folder))
+    assert alike(made[0], made[1]) and not alike(made[0], made[2])
+
+
+@pytest.mark.parametrize("algorithm", ["sac", "ppo"])
+def test_resuming_goes_on_with_the_counts(small, folder: Path, algorithm: str) -> None:
+    network = {"layers": [8]}
+    train(small(algorithm, steps=60, network=network), folder, QUICK, say=quiet)
+    before, kept = opened(folder).rows(), opened(folder).checkpoint
+    counts = json.loads((kept / "counts.json").read_text())
+    assert counts["steps"] == before[-1].steps >= 60 and counts["updates"] > 0
+    told: list[str] = []
+    done = train(small(algorithm, steps=180, network=network), folder, QUICK, True, told.append)
+    rows = opened(folder).rows()
+    assert rows[: len(before)] == before and len(rows) > len(before)
+    assert [r.steps for r in rows] == sorted({r.steps for r in rows})
+    assert done.steps == rows[-1].steps >= 180
+    after = opened(folder).checkpoint
+    assert [p.name for p in folder.glob("checkpoint-*")] == [after.name] != [kept.name]
+    more = json.loads((after / "counts.json").read_text())
+    steps, updates = (more[k] - counts[k] for k in ("steps", "updates"))
+    assert updates == (steps // 2 if algorithm == "sac" else pytest.approx(steps / 32, abs=1))
+    assert more["seconds"] > counts["seconds"]
+    if algorithm == "sac":
+        with np.load(after / "replay.npz") as file:
+            assert int(file["position"][0]) == done.steps // 2, "it went on filling the same buffer"
+
+
+def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder: Path) -> None:
+    from tabletopgen_env.learning.making import many_envs, new_model, source_of
+
+    recipe = small(steps=60)
+    train(recipe, folder, QUICK, say=quiet)
+    run = opened(folder)
+    model = new_model(recipe, many_envs(recipe, source_of(recipe.scenes, "train"), 0), 5)
+    assert isinstance(model, SAC)
+    fresh = model.log_ent_coef.item()
+    run.restore(model)
+    loaded = load_zip(run.checkpoint / "model.zip", recipe)
+    assert isinstance(loaded, SAC)
+    assert model.log_ent_coef.item() == loaded.log_ent_coef.item() != fresh
+    for mine, other in zip(model.policy.parameters(), loaded.policy.parameters(), strict=True):
+        assert bool((mine == other).all())
+    state = model.actor.optimizer.state_dict()["state"]
+    assert state and state.keys() == loaded.actor.optimizer.state_dict()["state"].keys()
+
+
+def test_without_its_replay_buffer_a_run_fills_it_anew(small, folder: Path) -> None:
+    plan = Plan(episodes=1, keep_replay=False)
+    train(small(steps=40, demonstrations=2), folder, plan, say=quiet)
+    told: list[str] = []
+    train(small(steps=80, demonstrations=2), folder, plan, True, told.append)
+    assert any("filled anew" in line for line in told)
+    assert any("2 demonstrations" in line for line in told)
+
+
+def test_a_finished_run_says_so(small, folder: Path) -> None:
+    train(small("ppo", steps=32), folder, Plan(episodes=1), say=quiet)
+    told: list[str] = []
+    assert train(small("ppo", steps=32), folder, Plan(episodes=1), True, told.append).steps == 32
+    assert any("has 32 steps already" in line for line in told)
+
+
+def test_what_cannot_be_resumed_or_begun_is_refused(small, folder: Path) -> None:
+    with pytest.raises(InputError, match="holds no run"):
+        train(small(), folder, QUICK, resume=True, say=quiet)
+    train(small("ppo", steps=32), folder, Plan(episodes=1), say=quiet)
+    with pytest.raises(InputError, match="holds a run already"):
+        train(small("ppo"), folder, QUICK, say=quiet)
+    with pytest.raises(InputError, match="differs in task"):
+        train(small("ppo", task="Lift"), folder, QUICK, resume=True, say=quiet)
+    with pytest.raises(InputError, match="differs in the seed"):
+        train(small("ppo"), folder, Plan(seed=4), resume=True, say=quiet)
+    (folder / "recipe.json").write_text("{")
+    with pytest.raises(InputError, match="damaged"):
+        opened(folder)
+    with pytest.raises(InputError, match="something else"):
+        train(small(), folder.parent, QUICK, say=quiet)
+
+
+def test_a_wrong_recipe_leaves_nothing_behind(small, folder: Path) -> None:
+    for wrong, why in (
+        ({"options": {"nothing": 1}}, "nothing"),
+        ({"cloning": {"nothing": 1}}, "nothing"),
+        ({"network": {"layers": [1200, 1200]}}, "a policy file at most"),
+        ({"task": "Stack"}, "Nothing to do"),
+    ):
+        with pytest.raises(TabletopError, match=why):
+            train(small(**wrong), folder, QUICK, say=quiet)
+    assert not folder.exists()
+
+
+def test_a_run_that_never_began_leaves_nothing_behind(small, folder: Path, monkeypatch) -> None:
+    monkeypatch.setattr("tabletopgen_env.learning.replay.expert_episode", lambda env, seed: None)
+    with pytest.raises(SceneError, match="solves none"):
+        train(small(demonstrations=2), folder, QUICK, say=quiet)
+    assert not folder.exists()
+
+
+def test_a_damaged_checkpoint_is_refused_and_kept(small, folder: Path) -> None:
+    train(small("ppo", steps=32), folder, Plan(episodes=1), say=quiet)
+    zipped = opened(folder).checkpoint / "model.zip"
+    zipped.write_bytes(zipped.read_bytes()[:900])
+    with pytest.raises(InputError, match="no checkpoint of small-ppo"):
+        train(small("ppo", steps=64), folder, Plan(episodes=1), True, quiet)
+    assert len(opened(folder).rows()) == 1 and zipped.exists()
+
+
+def test_the_first_interrupt_ends_with_a_checkpoint(small, folder: Path) -> None:
+    told: list[str] = []
+
+    def say(line: str) -> None:
+        told.append(line)
+        if line.startswith("60 steps"):
+            os.kill(os.getpid(), signal.SIGINT)
+
+    before = signal.getsignal(signal.SIGINT)
+    done = train(small(steps=10_000), folder, QUICK, say=say)
+    assert done.interrupted and 60 <= done.steps < 10_000
+    assert signal.getsignal(signal.SIGINT) is before
+    assert opened(folder).checkpoint.name == f"checkpoint-{done.steps}"
+    assert any("Ctrl-C again" in line for line in told)
+    again = train(small(steps=done.steps + 20), folder, QUICK, True, quiet)
+    assert again.steps == done.steps + 20
+
+
+def test_cloning_can_be_interrupted_too(small, folder: Path) -> None:
+    def say(line: str) -> None:
+        if "held out" in line:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    done = train(small("clone", cloning={**CLONING, "rounds": 9}), folder, QUICK, say=say)
+    assert done.interrupted and len(opened(folder).rows()) == 1
+    assert load_policy(folder / LATEST).card.steps == done.steps
+
+
+def test_tensorboard_is_not_needed(small, folder: Path, monkeypatch) -> None:
+    monkeypatch.setattr(tracking, "tensorboard_there", lambda: False)
+    told: list[str] = []
+    train(small("ppo", steps=32), folder, Plan(episodes=1, bar=True), say=told.append)
+    assert sum("TensorBoard is not installed" in line for line in told) == 1
+    assert not list(folder.glob("tensorboard/*")) and extra.PIP in "".join(told)
+
+
+def test_training_on_held_out_scenes_is_said(small, folder: Path, table: str) -> None:
+    told: list[str] = []
+    train(small("ppo", steps=32), folder, Plan(episodes=1), say=told.append)
+    assert any("1 of the held-out scenes are trained on" in line for line in told)
+
+
+@pytest.mark.parametrize("wrong", [{"seed": -1}, {"episodes": 0}, {"evaluate_every": 0}])
+def test_plans_out_of_range_are_refused(wrong) -> None:
+    with pytest.raises(InputError, match="Plan needs"):
+        Plan(**wrong)
