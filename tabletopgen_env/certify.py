@@ -6,7 +6,8 @@ that stand free by up to 3 mm and 3 degrees. ``certificate.json``, beside the bu
 keeps how many it solved, with the digest of the scene, the seed and the versions it was made with.
 Bundles do not list it, so that they stay what they were.
 
-A success is ``info["success"]`` held for ``HOLD`` steps within the time limit of the task's id.
+A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the time limit of the
+task's id.
 """
 
 from __future__ import annotations
@@ -34,15 +35,13 @@ from .certificate import (
     write_certificate,
 )
 from .certificate import certified_instances as certified_instances
+from .episodes import Held
 from .tasks import NAMES
 
 if TYPE_CHECKING:
     from .env import TabletopEnv
     from .tasks.task import Episode
     from .world import World
-
-HOLD = 10
-"""Steps for which a success has to hold."""
 
 JOINT_JITTER = 0.06
 """How far the arm's joints are off at the start, radians."""
@@ -163,12 +162,8 @@ def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> b
         expert.reset()
     except SceneError:
         return False
-    held = 0
-    for _ in range(_limit(instance.task)):
-        held = held + 1 if env.step(expert.act())[4]["success"] else 0
-        if held >= HOLD:
-            return True
-    return False
+    held = Held()
+    return any(held.after(env.step(expert.act())[4]) for _ in range(_limit(instance.task)))
 
 
 def perturb(env: TabletopEnv, rng: np.random.Generator) -> None:
