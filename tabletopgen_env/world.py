@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float, Int
 
+from generator.bundle import digest
 from generator.errors import SceneError, choices
 from generator.geometry import rotation_z
 from generator.mjcf import compiled
@@ -75,7 +76,7 @@ class World:
     def __init__(self, scene: Scene, robot: Panda, mount: Mount | None = None) -> None:
         import mujoco
 
-        self.scene = scene
+        self.scene = self._given = scene
         self.seat(mount or Mount.beside(scene))
         self.absent: frozenset[str] = frozenset()
         self.model = compiled(compose(scene, robot, self.mount), scene.name)
@@ -194,6 +195,11 @@ class World:
         mujoco.mj_forward(self.model, self.data)
 
     # ---------------------------------------------------------------------------------- objects
+
+    @cached_property
+    def digest(self) -> str:
+        """The digest of the scene as it was given; see ``generator.bundle.digest``."""
+        return digest(self._given)
 
     @cached_property
     def openings(self) -> Mapping[str, Opening | None]:
