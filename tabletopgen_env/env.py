@@ -11,6 +11,7 @@ from generator.errors import InputError, SceneError, choices
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
+from .instances import sampled
 from .observations import ObservationMode, flat_state, observation_space, slot_order
 from .point_cloud import point_cloud
 from .randomization import Randomization, Randomizer
@@ -63,17 +64,24 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         renderer: "auto", "gl" or "software"; see ``rendering``.
         randomization: what differs from episode to episode: a ``Randomization``, "light",
             "strong", or None for nothing; see ``randomization``.
+        certified: at a bundle with a certificate (see ``certify``), draw targets and goals only
+            among the instances of the task that the expert solved; False ignores certificates.
         robot: the robot; None for ``Panda()``.
         cache: how many compiled worlds are kept.
         masters: compiled worlds to copy, shared with other environments; None to compile.
 
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
-    and "goal" (an object's name, "spot", or a point in the world frame; see the task's page).
+    and "goal" (an object's name, "spot", or a point in the world frame; see the task's page). What
+    options ask for need not be certified. A certificate is of the table as the scene has it: where
+    ``randomization`` has moved things, and where a certificate lists nothing of the task, targets
+    and goals are drawn freely. A scene of which it lists only what the expert does not solve
+    offers nothing to do.
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
     "instruction", "scene", "target" and "goal" (of the active goal: the object that carries it, or
-    "spot"), "goals" (the active goal's index and how many there are) and "off_table" (the objects
-    that fell off the table); that of ``reset`` also "randomization", what was drawn. An episode
+    "spot"), "goals" (the active goal's index and how many there are), "certified" (whether the
+    episode was drawn among certified instances) and "off_table" (the objects that fell off the
+    table); that of ``reset`` also "randomization", what was drawn. An episode
     never terminates by itself, since the dense reward stays highest where the task stays done; the
     time limit truncates it.
     """
@@ -96,6 +104,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         render_size: tuple[int, int] = (480, 640),
         renderer: RendererChoice = "auto",
         randomization: Randomization | str | None = None,
+        certified: bool = True,
         robot: Panda | None = None,
         cache: int = 16,
         masters: Masters | None = None,
@@ -114,6 +123,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._closes_source = self.source is not scenes  # else others may draw from it, too
         self.task = task or PickPlace()
         self._randomizer = Randomizer(randomization)
+        self._wants_certified = certified
         self._views = ObservationConfig(cameras, kinds, image_size, points)
         self.observation_space = observation_space(observation, self._views, self.task.most)
         self.action_mode: ActionMode = action
@@ -130,6 +140,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._window = Window(1 / control_hz)
         self._world: World | None = None
         self._episode: Episode | None = None
+        self._certified = False
         self._active = 0
         self._from_source = False
         self._succeeded: bool | None = None  # None before the first step of an episode
@@ -145,6 +156,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         Raises:
             InputError: an unknown option, or one that names nothing in the scene.
             SceneError: none of the scenes drawn offers anything to do.
+            BundleError: a scene or its certificate is damaged.
         """
         super().reset(seed=seed)
         options = dict(options or {})
@@ -153,7 +165,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             if key not in known:
                 raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
         self._tell_source()
-        self._world, self._episode = self._draw(options)
+        self._world, self._episode, self._certified = self._draw(options)
         self._from_source = "scene" not in options
         self._active = -1
         self.controller.reset(self._world)
@@ -252,8 +264,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             record(self.source, self._succeeded)
         self._succeeded = None
 
-    def _draw(self, options: dict[str, Any]) -> tuple[World, Episode]:
-        """Draw scenes until one offers something to do."""
+    def _draw(self, options: dict[str, Any]) -> tuple[World, Episode, bool]:
+        """Draw scenes until one offers something to do; tell whether that is certified."""
         source = resolve(options["scene"]) if "scene" in options else self.source
         tried: set[str] = set()
         self._randomizer.restart(self.np_random)
@@ -261,12 +273,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             ref = source.draw(self.np_random)
             world = self._world_of(ref)
             self._randomizer.begin(world)
+            certified = self._wants_certified and not self._randomizer.rearranged
             try:
-                episode = self.task.sample(
-                    world, self.np_random, options.get("target"), options.get("goal")
-                )
+                episode, known = sampled(self.task, world, self.np_random, options, certified)
                 self._randomizer.finish(world, named_by(episode.goals))
-                return world, episode
+                return world, episode, known
             except SceneError as error:
                 tried.add(str(error))
         raise SceneError(f"Nothing to do in {DRAWS} drawn scenes. " + " ".join(sorted(tried)[:3]))
@@ -308,6 +319,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "target": self.goal.target,
             "goal": self.goal.reference or SPOT,
             "goals": (self._active, len(self.episode.goals)),
+            "certified": self._certified,
             "off_table": self.world.off_table(),
         }
 

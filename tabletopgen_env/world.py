@@ -13,6 +13,7 @@ import copy
 import math
 from collections.abc import Mapping
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -33,6 +34,7 @@ from .affordance import (
     plateau,
     why_not_graspable,
 )
+from .certificate import Certificate, read_certificate
 from .composition import MARKER, PREFIX, compose
 from .robot.mount import Mount
 from .robot.panda import (
@@ -61,6 +63,7 @@ class World:
 
     Attributes:
         scene: the scene.
+        bundle: the bundle's folder that it was read from; None for others.
         mount: where the robot's base stands, in the world frame.
         model, data: MuJoCo's.
         names: the scene's objects; the order of every per-object array.
@@ -73,9 +76,16 @@ class World:
         absent: objects that are out of this episode; see ``randomization``.
     """
 
-    def __init__(self, scene: Scene, robot: Panda, mount: Mount | None = None) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        robot: Panda,
+        mount: Mount | None = None,
+        bundle: Path | None = None,
+    ) -> None:
         import mujoco
 
+        self.bundle = bundle
         self.scene = self._given = scene
         self.seat(mount or Mount.beside(scene))
         self.absent: frozenset[str] = frozenset()
@@ -200,6 +210,17 @@ class World:
     def digest(self) -> str:
         """The digest of the scene as it was given; see ``generator.bundle.digest``."""
         return digest(self._given)
+
+    @cached_property
+    def certificate(self) -> Certificate | None:
+        """What the expert has been seen to do here, if the bundle has a certificate.
+
+        Read once: what is written to the bundle afterwards does not show.
+
+        Raises:
+            BundleError: it is damaged.
+        """
+        return None if self.bundle is None else read_certificate(self.bundle)
 
     @cached_property
     def openings(self) -> Mapping[str, Opening | None]:

@@ -107,6 +107,7 @@ def _attempt(config: RecordConfig, env: gym.Env[Any, Any], number: int) -> Playe
         "digest": world.digest,
         "target": infos[0]["target"] or "",
         "goal": infos[0]["goal"],
+        "certified": infos[0]["certified"],
         "success": shown.solved,
         "steps": len(shown.actions),
     }

@@ -99,6 +99,11 @@ class Sequence(Task):
         self.scenes = Task.scenes if self.preset is None else self.preset.scenes
         self.aside = Swap.aside if self.preset and self.preset.swap else Task.aside
 
+    @property
+    def listed_as(self) -> str | None:
+        """As for every task; certificates list no presets."""
+        return None if self.preset else super().listed_as
+
     def sample(
         self,
         world: World,

@@ -135,6 +135,12 @@ class Task(ABC):
             InputError: what was asked for does not exist.
         """
 
+    @property
+    def listed_as(self) -> str | None:
+        """The name under which certificates list it; None for a task of one's own."""
+        kind = type(self)
+        return kind.__name__ if kind.__module__.startswith(f"{__package__}.") else None
+
     # -------------------------------------------------------------------------------- goal vectors
 
     def desired(self, world: World, episode: Episode) -> Float[np.ndarray, "g"]:
