@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from generator.bundle import load
-from generator.errors import InputError, SceneError, choices
+from generator.errors import InputError, SceneError, choices, require_number
 from generator.geometry import inside_margin, quaternion_matrix, yaw_quaternion
 
 from .certificate import (
@@ -228,8 +228,8 @@ def _check(tasks: Sequence[str], episodes: int, workers: int, most: int) -> None
         if task not in NAMES:
             raise InputError(f"Unknown task {task!r}." + choices(str(task), NAMES))
     for name, value, limit in (
-        ("episodes", episodes, MOST_EPISODES), ("workers", workers, 1024),
+        ("episodes", episodes, MOST_EPISODES),
+        ("workers", workers, 1024),
         ("most", most, MOST_INSTANCES // len(NAMES)),
-    ):  # fmt: skip
-        if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= limit:
-            raise InputError(f"{name} must be a whole number from 1 to {limit}, got {value!r}.")
+    ):
+        require_number(f"certify needs {name}", value, least=1, most=limit, whole=True)

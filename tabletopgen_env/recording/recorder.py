@@ -9,7 +9,14 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
 
-from generator.errors import InputError, SceneError, StorageError, TabletopError, choices
+from generator.errors import (
+    InputError,
+    SceneError,
+    StorageError,
+    TabletopError,
+    choices,
+    require_number,
+)
 
 from .config import FORMATS, Format, RecordConfig
 from .playing import Played, played
@@ -48,8 +55,7 @@ def record(
     """
     if format not in FORMATS:
         raise InputError(f"Unknown format {format!r}." + choices(str(format), FORMATS))
-    if isinstance(workers, bool) or not isinstance(workers, int) or workers < 1:
-        raise InputError(f"workers must be a whole number from 1, got {workers!r}.")
+    require_number("record needs workers", workers, least=1, whole=True)
     config.check()
     check_installed(format)
     target = _target(config, out, format)

@@ -187,7 +187,7 @@ def test_wrong_requests_are_explained(tmp_path: Path, lift: Path) -> None:
         (replace(LIFT, noise=-1.0), {}, "noise"),
         (LIFT, {"format": "hdf"}, "Did you mean 'hdf5'"),
         (LIFT, {"format": "npz", "out": None}, "Say where"),
-        (LIFT, {"workers": 0}, "workers must be"),
+        (LIFT, {"workers": 0}, "workers to be a whole number >= 1"),
         (LIFT, {"out": lift}, "is there already"),
         (LIFT, {"out": tmp_path / "lift"}, "no name of a Minari dataset.*'lift-v0'"),
         (replace(LIFT, cameras=("back",)), {}, "Unknown camera 'back'"),  # type: ignore[arg-type]
