@@ -141,6 +141,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._world: World | None = None
         self._episode: Episode | None = None
         self._certified = False
+        self._instruction = ""
         self._active = 0
         self._from_source = False
         self._succeeded: bool | None = None  # None before the first step of an episode
@@ -166,6 +167,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
         self._tell_source()
         self._world, self._episode, self._certified = self._draw(options)
+        self._instruction = self.task.instruction(self._world, self._episode.goals)
         self._from_source = "scene" not in options
         self._active = -1
         self.controller.reset(self._world)
@@ -314,7 +316,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "reward_terms": terms,
             "success": success,
             "is_success": success,
-            "instruction": self.episode.instruction,
+            "instruction": self._instruction,
             "scene": self.world.scene.name,
             "target": self.goal.target,
             "goal": self.goal.reference or SPOT,
