@@ -81,9 +81,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     "instruction", "scene", "target" and "goal" (of the active goal: the object that carries it, or
     "spot"), "goals" (the active goal's index and how many there are), "certified" (whether the
     episode was drawn among certified instances) and "off_table" (the objects that fell off the
-    table); that of ``reset`` also "randomization", what was drawn. An episode
-    never terminates by itself, since the dense reward stays highest where the task stays done; the
-    time limit truncates it.
+    table); that of ``reset`` also "randomization", what was drawn. An episode never terminates by
+    itself, since the dense reward stays highest where the task stays done; the time limit truncates
+    it.
     """
 
     def __init__(

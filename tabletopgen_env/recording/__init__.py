@@ -26,7 +26,8 @@ npz        a folder: ``episode_<k>.npz`` each, its nested names joined by slashe
 =========  =======================================================================================
 
 Nothing is lossy and nothing is pickled. With the seed of an episode and its actions, the
-environment plays it again.
+environment plays it again, if its scenes and their certificates are the same (scenes that the clock
+renews never are).
 """
 
 from .config import FORMATS, Format, RecordConfig
