@@ -31,6 +31,7 @@ from generator.bundle import load
 from generator.compose import compose
 from generator.errors import SceneError, TabletopError
 from generator.scene import Scene
+from tabletopgen_env.episodes import HOLD, Held
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.statistics import wilson
 from tabletopgen_env.tasks import NAMES
@@ -41,9 +42,6 @@ FIELDS = (
     *KEY, "rows", "success", "steps", "attempts", "phase", "goals", "target", "category", "goal",
     "instruction", "phases", "error",
 )  # fmt: skip
-HOLD = 10
-"""Steps for which a success has to hold."""
-
 HELD_OUT = 1000
 """First seed of the scenes that nothing was developed on."""
 
@@ -110,25 +108,25 @@ def episode(env: gym.Env, seed: int, scene: Scene) -> Row:
     """Run one episode and return what it came to."""
     _, info = env.reset(seed=seed)
     expert = TaskExpert(env)
-    held = steps = 0
-    truncated = False
+    held, steps = Held(), 0
+    solved = truncated = False
     phases: list[list[str | int]] = []
     error = ""
     try:
         expert.reset()
     except SceneError as failed:
         truncated, error = True, tables.failure(failed)
-    while held < HOLD and not truncated:
+    while not (solved or truncated):
         action = expert.act()
         if not phases or phases[-1][0] != expert.phase:
             phases.append([expert.phase, 0])
         phases[-1][1] = int(phases[-1][1]) + 1
         _, _, _, truncated, info = env.step(action)
-        held = held + 1 if info["success"] else 0
+        solved = held.after(info)
         steps += 1
     target = info["target"]
     return {
-        "success": int(held >= HOLD),
+        "success": int(solved),
         "steps": steps,
         "attempts": expert.attempts if not error else "",
         "phase": expert.phase,

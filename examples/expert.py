@@ -14,6 +14,7 @@ import numpy as np
 from PIL import Image
 
 from generator.render.sheet import grid
+from tabletopgen_env.episodes import Held
 from tabletopgen_env.expert.run import TaskExpert
 
 
@@ -22,13 +23,13 @@ def play(env: gym.Env, seed: int, **options: Any) -> tuple[bool, str, list[Any]]
     _, info = env.reset(seed=seed, options=options or None)
     expert = TaskExpert(env)
     expert.reset()
-    frames, done, held = [env.render()], False, 0
-    while not done and held < 10:
+    frames, held = [env.render()], Held()
+    solved = over = False
+    while not (solved or over):
         _, _, terminated, truncated, info = env.step(expert.act())
         frames.append(env.render())
-        held = held + 1 if info["success"] else 0
-        done = terminated or truncated
-    return bool(info["success"]), info["instruction"], frames
+        solved, over = held.after(info), terminated or truncated
+    return solved, info["instruction"], frames
 
 
 def play_until_solved(

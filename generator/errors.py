@@ -68,20 +68,48 @@ def require(
     Raises:
         InputError: one is not.
     """
+    for name in names:
+        require_number(
+            f"{type(settings).__name__} needs {name}", getattr(settings, name),
+            least=least, above=above, most=most, whole=whole, endless=endless,
+        )  # fmt: skip
+
+
+def require_number(
+    needs: str,
+    value: object,
+    *,
+    least: float | None = None,
+    above: float | None = None,
+    most: float | None = None,
+    whole: bool = False,
+    endless: bool = False,
+) -> None:
+    """Check one number as ``require`` does.
+
+    Args:
+        needs: how the message begins: who needs what, as in "certify needs episodes".
+        value: the number.
+        least: see ``require``, as for the others.
+        above: likewise.
+        most: likewise.
+        whole: likewise.
+        endless: likewise.
+
+    Raises:
+        InputError: it is none, or out of range.
+    """
     kind = numbers.Integral if whole else numbers.Real
     low, high = f" >= {least:g}" if least is not None else "", ""
     low = f" > {above:g}" if above is not None else low
     if most is not None:
         high = f" and <= {most:g}" if low else f" <= {most:g}"
-    for name in names:
-        value = getattr(settings, name)
-        number = isinstance(value, kind) and not isinstance(value, bool)
-        size = float(value) if number else math.nan
-        good = endless or math.isfinite(size)
-        good = good and size >= (-math.inf if least is None else least)
-        good = good and size > above if above is not None else good
-        if not (good and size <= (math.inf if most is None else most)):
-            raise InputError(
-                f"{type(settings).__name__} needs {name} to be a "
-                f"{'whole ' if whole else ''}number{low}{high}, got {value!r}."
-            )
+    number = isinstance(value, kind) and not isinstance(value, bool)
+    size = float(value) if number else math.nan  # type: ignore[arg-type]
+    good = endless or math.isfinite(size)
+    good = good and size >= (-math.inf if least is None else least)
+    good = good and size > above if above is not None else good
+    if not (good and size <= (math.inf if most is None else most)):
+        raise InputError(
+            f"{needs} to be a {'whole ' if whole else ''}number{low}{high}, got {value!r}."
+        )

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
+from typing import Annotated
 
 import tyro
 from tyro import conf
@@ -12,6 +14,8 @@ from generator.errors import BundleError, InputError, SceneError, StorageError, 
 
 from .certify import certify as certified
 from .learning.commands import enjoy, plot, train
+from .recording import Format, RecordConfig
+from .recording.command import record as recorded
 from .tasks import NAMES
 
 EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
@@ -52,10 +56,28 @@ def certify(
                   f"{seen.successes} of {seen.episodes}")  # fmt: skip
 
 
+def record(
+    config: Annotated[RecordConfig, conf.OmitArgPrefixes],
+    *,
+    out: Path | None = None,
+    format: Format = "minari",
+    workers: int = 1,
+) -> None:
+    """Record the scripted expert's demonstrations of a task as a dataset.
+
+    Args:
+        config: What to record.
+        out: The dataset's own folder, or file (hdf5). A Minari dataset's name ends with its
+            version: data/lift-v0. Left out, it goes into your Minari store.
+        format: Its format.
+        workers: Processes; they do not change what is recorded.
+    """
+    recorded(config, out, format, workers)
+
+
 app = tyro.extras.SubcommandApp()
-app.command(certify)
-for command in (train, enjoy, plot):
-    app.command(command)
+for _command in (certify, record, train, enjoy, plot):
+    app.command(_command)
 
 
 def run(arguments: list[str]) -> int:

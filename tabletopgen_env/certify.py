@@ -6,7 +6,8 @@ that stand free by up to 3 mm and 3 degrees. ``certificate.json``, beside the bu
 keeps how many it solved, with the digest of the scene, the seed and the versions it was made with.
 Bundles do not list it, so that they stay what they were.
 
-A success is ``info["success"]`` held for ``HOLD`` steps within the time limit of the task's id.
+A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the time limit of the
+task's id.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from generator.bundle import load
-from generator.errors import InputError, SceneError, choices
+from generator.errors import InputError, SceneError, choices, require_number
 from generator.geometry import inside_margin, quaternion_matrix, yaw_quaternion
 
 from .certificate import (
@@ -34,15 +35,13 @@ from .certificate import (
     write_certificate,
 )
 from .certificate import certified_instances as certified_instances
+from .episodes import Held
 from .tasks import NAMES
 
 if TYPE_CHECKING:
     from .env import TabletopEnv
     from .tasks.task import Episode
     from .world import World
-
-HOLD = 10
-"""Steps for which a success has to hold."""
 
 JOINT_JITTER = 0.06
 """How far the arm's joints are off at the start, radians."""
@@ -163,12 +162,8 @@ def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> b
         expert.reset()
     except SceneError:
         return False
-    held = 0
-    for _ in range(_limit(instance.task)):
-        held = held + 1 if env.step(expert.act())[4]["success"] else 0
-        if held >= HOLD:
-            return True
-    return False
+    held = Held()
+    return any(held.after(env.step(expert.act())[4]) for _ in range(_limit(instance.task)))
 
 
 def perturb(env: TabletopEnv, rng: np.random.Generator) -> None:
@@ -213,7 +208,7 @@ def _standing_free(world: World) -> Iterator[str]:
 def _env(folder: Path, task: str) -> TabletopEnv:
     from .env import make_env
 
-    return make_env(folder, task=task)
+    return make_env(folder, task=task, certified=False)
 
 
 def _limit(task: str) -> int:
@@ -233,8 +228,8 @@ def _check(tasks: Sequence[str], episodes: int, workers: int, most: int) -> None
         if task not in NAMES:
             raise InputError(f"Unknown task {task!r}." + choices(str(task), NAMES))
     for name, value, limit in (
-        ("episodes", episodes, MOST_EPISODES), ("workers", workers, 1024),
+        ("episodes", episodes, MOST_EPISODES),
+        ("workers", workers, 1024),
         ("most", most, MOST_INSTANCES // len(NAMES)),
-    ):  # fmt: skip
-        if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= limit:
-            raise InputError(f"{name} must be a whole number from 1 to {limit}, got {value!r}.")
+    ):
+        require_number(f"certify needs {name}", value, least=1, most=limit, whole=True)

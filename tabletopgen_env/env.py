@@ -12,6 +12,7 @@ from generator.errors import InputError, SceneError, choices
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
 from .grasp_hint import GraspHint
+from .instances import sampled
 from .observations import ObservationMode, flat_state, observation_space, slot_order
 from .point_cloud import point_cloud
 from .randomization import Randomization, Randomizer
@@ -65,19 +66,26 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         renderer: "auto", "gl" or "software"; see ``rendering``.
         randomization: what differs from episode to episode: a ``Randomization``, "light",
             "strong", or None for nothing; see ``randomization``.
+        certified: at a bundle with a certificate (see ``certify``), draw targets and goals only
+            among the instances of the task that the expert solved; False ignores certificates.
         robot: the robot; None for ``Panda()``.
         cache: how many compiled worlds are kept.
         masters: compiled worlds to copy, shared with other environments; None to compile.
 
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
-    and "goal" (an object's name, "spot", or a point in the world frame; see the task's page).
+    and "goal" (an object's name, "spot", or a point in the world frame; see the task's page). What
+    options ask for need not be certified. A certificate is of the table as the scene has it: where
+    ``randomization`` has moved things, and where a certificate lists nothing of the task, targets
+    and goals are drawn freely. A scene of which it lists only what the expert does not solve
+    offers nothing to do.
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
     "instruction", "scene", "target" and "goal" (of the active goal: the object that carries it, or
-    "spot"), "goals" (the active goal's index and how many there are) and "off_table" (the objects
-    that fell off the table); that of ``reset`` also "randomization", what was drawn. An episode
-    never terminates by itself, since the dense reward stays highest where the task stays done; the
-    time limit truncates it.
+    "spot"), "goals" (the active goal's index and how many there are), "certified" (whether the
+    episode was drawn among certified instances) and "off_table" (the objects that fell off the
+    table); that of ``reset`` also "randomization", what was drawn. An episode never terminates by
+    itself, since the dense reward stays highest where the task stays done; the time limit truncates
+    it.
     """
 
     def __init__(
@@ -99,6 +107,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         render_size: tuple[int, int] = (480, 640),
         renderer: RendererChoice = "auto",
         randomization: Randomization | str | None = None,
+        certified: bool = True,
         robot: Panda | None = None,
         cache: int = 16,
         masters: Masters | None = None,
@@ -117,6 +126,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._closes_source = self.source is not scenes  # else others may draw from it, too
         self.task = task or PickPlace()
         self._randomizer = Randomizer(randomization)
+        self._wants_certified = certified
         self._views = ObservationConfig(cameras, kinds, image_size, points)
         self.hint = GraspHint() if grasp_hint else None
         self.observation_space = observation_space(
@@ -136,6 +146,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._window = Window(1 / control_hz)
         self._world: World | None = None
         self._episode: Episode | None = None
+        self._certified = False
+        self._instruction = ""
         self._active = 0
         self._from_source = False
         self._succeeded: bool | None = None  # None before the first step of an episode
@@ -151,6 +163,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         Raises:
             InputError: an unknown option, or one that names nothing in the scene.
             SceneError: none of the scenes drawn offers anything to do.
+            BundleError: a scene or its certificate is damaged.
         """
         super().reset(seed=seed)
         options = dict(options or {})
@@ -159,7 +172,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             if key not in known:
                 raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
         self._tell_source()
-        self._world, self._episode = self._draw(options)
+        self._world, self._episode, self._certified = self._draw(options)
+        self._instruction = self.task.instruction(self._world, self._episode.goals)
         self._from_source = "scene" not in options
         self._active = -1
         self.controller.reset(self._world)
@@ -260,8 +274,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             record(self.source, self._succeeded)
         self._succeeded = None
 
-    def _draw(self, options: dict[str, Any]) -> tuple[World, Episode]:
-        """Draw scenes until one offers something to do."""
+    def _draw(self, options: dict[str, Any]) -> tuple[World, Episode, bool]:
+        """Draw scenes until one offers something to do; tell whether that is certified."""
         source = resolve(options["scene"]) if "scene" in options else self.source
         tried: set[str] = set()
         self._randomizer.restart(self.np_random)
@@ -269,12 +283,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             ref = source.draw(self.np_random)
             world = self._world_of(ref)
             self._randomizer.begin(world)
+            certified = self._wants_certified and not self._randomizer.rearranged
             try:
-                episode = self.task.sample(
-                    world, self.np_random, options.get("target"), options.get("goal")
-                )
+                episode, known = sampled(self.task, world, self.np_random, options, certified)
                 self._randomizer.finish(world, named_by(episode.goals))
-                return world, episode
+                return world, episode, known
             except SceneError as error:
                 tried.add(str(error))
         raise SceneError(f"Nothing to do in {DRAWS} drawn scenes. " + " ".join(sorted(tried)[:3]))
@@ -316,11 +329,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "reward_terms": terms,
             "success": success,
             "is_success": success,
-            "instruction": self.episode.instruction,
+            "instruction": self._instruction,
             "scene": self.world.scene.name,
             "target": self.goal.target,
             "goal": self.goal.reference or SPOT,
             "goals": (self._active, len(self.episode.goals)),
+            "certified": self._certified,
             "off_table": self.world.off_table(),
         }
 

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from generator.scene import Object, Scene
 
 _ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth")
 
 
-def refer(scene: Scene, obj: Object) -> str:
+def refer(scene: Scene, obj: Object, absent: Collection[str] = ()) -> str:
     """Return a phrase that means ``obj`` and nothing else in ``scene``, such as "the red mug".
+
+    ``absent`` objects are not there, and are not counted.
 
     The label alone if it is unique; with its colour if the plan tells colours apart; otherwise
     counted from the left as the reference image shows the table.
     """
-    alike = [o for o in scene.objects if o.label == obj.label]
+    alike = [o for o in scene.objects if o.label == obj.label and o.name not in absent]
     colors = {o.name: _color(scene, o.name) for o in alike}
     mine = colors[obj.name]
     if len(alike) == 1 or (mine and list(colors.values()).count(mine) == 1):

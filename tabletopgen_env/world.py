@@ -13,11 +13,13 @@ import copy
 import math
 from collections.abc import Mapping
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from jaxtyping import Float, Int
 
+from generator.bundle import digest
 from generator.errors import SceneError, choices
 from generator.geometry import rotation_z
 from generator.mjcf import compiled
@@ -32,6 +34,7 @@ from .affordance import (
     plateau,
     why_not_graspable,
 )
+from .certificate import Certificate, read_certificate
 from .composition import MARKER, PREFIX, compose
 from .robot.mount import Mount
 from .robot.panda import (
@@ -62,6 +65,7 @@ class World:
 
     Attributes:
         scene: the scene.
+        bundle: the bundle's folder that it was read from; None for others.
         mount: where the robot's base stands, in the world frame.
         model, data: MuJoCo's.
         names: the scene's objects; the order of every per-object array.
@@ -74,10 +78,17 @@ class World:
         absent: objects that are out of this episode; see ``randomization``.
     """
 
-    def __init__(self, scene: Scene, robot: Panda, mount: Mount | None = None) -> None:
+    def __init__(
+        self,
+        scene: Scene,
+        robot: Panda,
+        mount: Mount | None = None,
+        bundle: Path | None = None,
+    ) -> None:
         import mujoco
 
-        self.scene = scene
+        self.bundle = bundle
+        self.scene = self._given = scene
         self.seat(mount or Mount.beside(scene))
         self.absent: frozenset[str] = frozenset()
         self.model = compiled(compose(scene, robot, self.mount), scene.name)
@@ -204,6 +215,22 @@ class World:
         """Half the extents of the table top's outline, the longer one first, metres."""
         half = np.ptp(self.scene.table.outline, axis=0) / 2
         return np.array([half.max(), half.min()])
+
+    @cached_property
+    def digest(self) -> str:
+        """The digest of the scene as it was given; see ``generator.bundle.digest``."""
+        return digest(self._given)
+
+    @cached_property
+    def certificate(self) -> Certificate | None:
+        """What the expert has been seen to do here, if the bundle has a certificate.
+
+        Read once: what is written to the bundle afterwards does not show.
+
+        Raises:
+            BundleError: it is damaged.
+        """
+        return None if self.bundle is None else read_certificate(self.bundle)
 
     @cached_property
     def openings(self) -> Mapping[str, Opening | None]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 from .robot.panda import Panda
 from .scenes import SceneRef
+from .scenes.fixed import folder
 from .world import World
 
 
@@ -36,12 +37,16 @@ class WorldCache:
         """
         world = self._worlds.get(ref.key)
         if world is None:
-            world = self._masters.twin(ref) if self._masters else World(ref.load(), self._robot)
+            world = self._masters.twin(ref) if self._masters else _world(ref, self._robot)
             self._worlds[ref.key] = world
             while len(self._worlds) > self._size:
                 on_drop(self._worlds.popitem(last=False)[1])
         self._worlds.move_to_end(ref.key)
         return world
+
+
+def _world(ref: SceneRef, robot: Panda) -> World:
+    return World(ref.load(), robot, bundle=folder(ref))
 
 
 @dataclass(eq=False)
@@ -77,5 +82,5 @@ class Masters:
                 self._masters.popitem(last=False)
         with master.lock:
             if master.world is None:
-                master.world = World(ref.load(), self._robot)
+                master.world = _world(ref, self._robot)
             return master.world.twin()

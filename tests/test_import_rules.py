@@ -222,11 +222,14 @@ def foreign(path: Path) -> set[str]:
 
 def test_what_is_imported_is_what_is_installed() -> None:
     """Every package imported is a dependency, and the other way round."""
-    used, learning = set(), set()
+    used, learning, recording = set(), set(), set()
     for name, path in modules():
-        (learning if name.startswith("tabletopgen_env.learning") else used).update(foreign(path))
+        part = ".".join(name.split(".")[:2])
+        extras = {"tabletopgen_env.learning": learning, "tabletopgen_env.recording": recording}
+        extras.get(part, used).update(foreign(path))
     assert used | INDIRECT == declared()
     assert learning - declared() == declared("train")
+    assert recording - declared() == declared("record")
     assert {line.split("==")[0] for line in constraints()} >= declared()
 
 

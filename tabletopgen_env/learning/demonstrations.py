@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,25 +12,25 @@ from jaxtyping import Float
 
 from generator.errors import SceneError
 
+from ..episodes import Held
 from ..expert.run import TaskExpert
 
 PATIENCE = 4.0
 """How patient the expert is with a learner."""
 
-HELD = 5
-"""For how many steps in a row success has to hold for an episode to count as solved."""
-
-Policy = Callable[[Float[np.ndarray, "o"]], Float[np.ndarray, "a"]]
+Policy = Callable[[Any], Float[np.ndarray, "a"]]
+"""Who acts on what is seen."""
 
 
 @dataclass(frozen=True, eq=False)
 class Demonstration:
     """One episode: what was seen, what the expert would do there, what was done, and what came.
 
-    ``observations`` has one row more than the others; ``solved`` says how it ended.
+    ``observations`` is an array (t + 1, o), one row more than the others have, or a dict of such
+    arrays where the environment's observations are dicts; ``solved`` says how it ended.
     """
 
-    observations: Float[np.ndarray, "t1 o"]
+    observations: Any
     advice: Float[np.ndarray, "t a"]
     actions: Float[np.ndarray, "t a"]
     rewards: Float[np.ndarray, "t"]
@@ -43,6 +43,7 @@ def demonstrate(
     seed: int,
     policy: Policy | None = None,
     noise: float = 0.0,
+    told: Callable[[dict[str, Any]], None] | None = None,
 ) -> Demonstration | None:
     """Play one episode with the expert watching; None if it knows no way.
 
@@ -52,34 +53,44 @@ def demonstrate(
         policy: who acts; None for the expert itself.
         noise: standard deviation of what is added to the expert's motion (not to the gripper), so
             that it shows how to come back.
+        told: called with the info of ``reset`` and of each step.
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)
+    if told:
+        told(info)
     expert = TaskExpert(env, 1.0 if policy is None else PATIENCE)
     try:
         expert.reset()
     except SceneError:
         return None
     shown, advised, done, earned = [seen], [], [], []
-    held, over = 0, False
-    while not over and held < HELD:
+    held, over, solved = Held(), False, False
+    while not (over or solved):
         advice = expert.act()
         action = advice if policy is None else policy(seen)
         if policy is None and noise:
             shaken = advice[:-1] + rng.normal(0.0, noise, len(advice) - 1)
             action = np.append(np.clip(shaken, -1, 1), advice[-1]).astype(np.float32)
         seen, reward, ended, cut, info = env.step(action)
-        over = ended or cut
-        held = held + 1 if info["success"] else 0
+        over, solved = ended or cut, held.after(info)
+        if told:
+            told(info)
         shown.append(seen)
         advised.append(advice)
         done.append(action)
         earned.append(reward)
     return Demonstration(
-        np.asarray(shown, np.float32), np.asarray(advised, np.float32),
-        np.asarray(done, np.float32), np.asarray(earned, np.float32),
-        held >= HELD, info["instruction"],
+        _stacked(shown), np.asarray(advised, np.float32), np.asarray(done, np.float32),
+        np.asarray(earned, np.float32), solved, info["instruction"],
     )  # fmt: skip
+
+
+def _stacked(seen: Sequence[Any]) -> Any:
+    """Return observations as one array with a row for each, or a dict of such arrays."""
+    if isinstance(seen[0], Mapping):
+        return {name: _stacked([each[name] for each in seen]) for name in seen[0]}
+    return np.stack(seen)
 
 
 def demonstrations(

@@ -9,8 +9,8 @@ from typing import Any, Protocol
 import gymnasium as gym
 import numpy as np
 
+from ..episodes import Held
 from ..statistics import wilson
-from .demonstrations import HELD
 
 SEED = 10_000
 """Of evaluations during training: each run, and each time, sees the same episodes."""
@@ -67,7 +67,7 @@ class Evaluation:
 def play(
     env: gym.Env[Any, np.ndarray], policy: Predicts, seed: int, frames: list[Any] | None = None
 ) -> Played:
-    """Play one episode until success has held for ``HELD`` steps, or to the time limit.
+    """Play one episode until success has held (``episodes.Held``), or to the time limit.
 
     Args:
         env: the environment.
@@ -80,17 +80,16 @@ def play(
     if frames is not None:
         frames.append(env.render())
     rewards: list[float] = []
-    held, over = 0, False
-    while not over and held < HELD:
+    held, over, solved = Held(), False, False
+    while not (over or solved):
         action = policy.predict(seen, deterministic=True)[0]
         seen, reward, ended, cut, info = env.step(action)
         rewards.append(float(reward))
-        held = held + 1 if info["success"] else 0
-        over = ended or cut
-        if frames is not None and (len(rewards) % FRAME_EVERY == 0 or over or held >= HELD):
+        over, solved = ended or cut, held.after(info)
+        if frames is not None and (len(rewards) % FRAME_EVERY == 0 or over or solved):
             frames.append(env.render())
     mean = float(np.mean(rewards))
-    return Played(held >= HELD, len(rewards), mean, str(info["instruction"]))
+    return Played(solved, len(rewards), mean, str(info["instruction"]))
 
 
 def evaluate(

@@ -15,8 +15,8 @@ from stable_baselines3.common.buffers import ReplayBuffer
 
 from generator.errors import InputError, SceneError
 
+from ..episodes import Held
 from ..expert.run import TaskExpert
-from .demonstrations import HELD
 
 MISSES = 100
 """After so many episodes in a row that the expert does not solve, filling ends in an error."""
@@ -81,15 +81,14 @@ def expert_episode(env: gym.Env[Any, np.ndarray], seed: int) -> list[Transition]
     except SceneError:
         return None
     made: list[Transition] = []
-    held, longest = 0, 0
+    held, solved = Held(), False
     while not made or not (made[-1].ended or made[-1].cut):
         action = expert.act()
         after, reward, ended, cut, info = env.step(action)
         made.append(Transition(seen, action, float(reward), after, ended, cut))
-        held = held + 1 if info["success"] else 0
-        longest = max(longest, held)
+        solved = held.after(info) or solved
         seen = after
-    return made if longest >= HELD else None
+    return made if solved else None
 
 
 def _solved(env: gym.Env[Any, np.ndarray], seed: int) -> Iterator[list[Transition]]:

@@ -62,6 +62,11 @@ class Randomizer:
         """What was drawn for this episode, by switch; plain numbers, lists and dicts."""
         return self._drawn
 
+    @property
+    def rearranged(self) -> bool:
+        """Whether things stand elsewhere in this episode than the scene has them."""
+        return bool(self._drawn.get("poses", {}).get("moved"))
+
     def restart(self, rng: np.random.Generator) -> None:
         """Take a new random stream from ``rng``, whose own draws stay what they were."""
         if self._on:

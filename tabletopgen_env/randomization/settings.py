@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from generator.errors import InputError, choices
+from generator.errors import InputError, choices, require
 
 Range = tuple[float, float]
 """Lowest and highest factor; (1, 1) changes nothing."""
@@ -103,11 +103,8 @@ class Randomization:
 
     def __post_init__(self) -> None:
         for name, most in _MOST.items():
-            value = getattr(self, name)
-            if not (_number(value) and 0 <= value <= most):
-                raise InputError(
-                    f"Randomization.{name} must be between 0 and {most:.4g}, got {value!r}."
-                )
+            require(self, name, least=0, most=most)
+        require(self, "delay", least=0, most=_LATEST, whole=True)
         for name in _RANGES:
             low, high = self._pair(name, "two factors (low, high) above 0")
             if not (_number(low) and _number(high) and 0 < low <= high):
@@ -115,11 +112,6 @@ class Randomization:
                     f"Randomization.{name} must be two factors (low, high) with "
                     f"0 < low <= high, got {(low, high)}."
                 )
-        if not (_count(self.delay) and self.delay <= _LATEST):
-            raise InputError(
-                f"Randomization.delay must be a whole number of steps from 0 to {_LATEST}, got "
-                f"{self.delay!r}."
-            )
         if self.distractors is not None:
             low, high = self._pair("distractors", "two whole numbers (fewest, most)")
             if not (_count(low) and _count(high) and low <= high):

@@ -64,6 +64,11 @@ def bundle_ref(path: Path) -> SceneRef:
     return SceneRef(f"bundle:{place}", Bundle(place))
 
 
+def folder(ref: SceneRef) -> Path | None:
+    """Return the folder of a scene's bundle; None for other scenes."""
+    return ref.load.path if isinstance(ref.load, Bundle) else None
+
+
 def is_there(ref: SceneRef) -> bool:
     """Tell whether a scene can still be loaded, as far as a glance at the disk tells."""
     return not isinstance(ref.load, Bundle) or ref.load.exists()
@@ -98,7 +103,7 @@ class FixedScenes:
         if is_there(ref):
             return ref
         left = [other for other in self.refs if is_there(other)]
-        missing = f"The bundle {_place(ref)} is gone since the environment was made"
+        missing = f"The bundle {folder(ref)} is gone since the environment was made"
         if not left:
             others = f", and so are the other {len(self) - 1}" if len(self) > 1 else ""
             raise BundleError(f"{missing}{others}. Put it back, or pass other scenes.")
@@ -126,7 +131,3 @@ class FixedScenes:
                 "categories, or give more scenes."
             )
         return FixedScenes(kept)
-
-
-def _place(ref: SceneRef) -> Path | str:
-    return ref.load.path if isinstance(ref.load, Bundle) else ref.key

@@ -30,6 +30,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ..affordance import Opening, Plateau
+from ..language import refer
 
 if TYPE_CHECKING:
     from ..world import World
@@ -102,6 +103,10 @@ class Goal(Protocol):
         """Return whether the target is in the state asked for, wherever it is."""
         ...
 
+    def words(self, world: World) -> str:
+        """Return what to do, in words that fit what is on the table now."""
+        ...
+
 
 @dataclass(frozen=True, eq=False)
 class Reached:
@@ -119,6 +124,10 @@ class Reached:
     def settled(self, world: World) -> bool:
         """Return True: nothing is asked but to be there."""
         return True
+
+    def words(self, world: World) -> str:
+        """Return what to do."""
+        return "move the hand to the marked point"
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,6 +150,10 @@ class Raised:
         """Return whether both fingers hold it."""
         left, right, _ = world.touched(self.target)
         return left and right
+
+    def words(self, world: World) -> str:
+        """Return what to do."""
+        return f"lift {the(world, self.target)}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,6 +180,10 @@ class Pushed:
         lying = world.lowest(self.target) <= world.scene.table.height + _LYING
         return bool(upright and lying and at_rest(world, self.target))
 
+    def words(self, world: World) -> str:
+        """Return what to do."""
+        return f"push {the(world, self.target)} to the marked {SPOT}"
+
 
 @dataclass(frozen=True, eq=False)
 class OnSpot:
@@ -185,6 +202,10 @@ class OnSpot:
     def settled(self, world: World) -> bool:
         """Return whether it rests, let go."""
         return at_rest(world, self.target) and not world.touched(self.target)[2]
+
+    def words(self, world: World) -> str:
+        """Return what to do."""
+        return f"move {the(world, self.target)} to the marked {SPOT}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -215,6 +236,10 @@ class Into:
         below = world.lowest(self.target)
         floor = base + up[2] * (hollow.floor - hollow.thickness / 2)
         return bool(up[2] >= _UPRIGHT and floor <= below <= base + up[2] * hollow.rim - INSIDE)
+
+    def words(self, world: World) -> str:
+        """Return what to do."""
+        return f"put {the(world, self.target)} into {the(world, self.reference)}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -252,11 +277,20 @@ class OnTop:
         top = world.position(self.reference) + world.rotation(self.reference) @ self.plateau.center
         return abs(world.lowest(self.target) - float(top[2])) <= _GAP
 
+    def words(self, world: World) -> str:
+        """Return what to do."""
+        return f"put {the(world, self.target)} on {the(world, self.reference)}"
+
 
 def named_by(goals: Iterable[Goal]) -> list[str]:
     """Return the objects that goals need: what is to be moved, and what carries their regions."""
     names = (name for goal in goals for name in (goal.target, goal.reference))
     return list(dict.fromkeys(name for name in names if name is not None))
+
+
+def the(world: World, name: str) -> str:
+    """Return what an object is called among those on the table now, such as "the red mug"."""
+    return refer(world.scene, world.scene.object(name), world.absent)
 
 
 def at_rest(world: World, name: str) -> bool:

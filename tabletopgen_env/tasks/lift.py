@@ -13,7 +13,6 @@ import numpy as np
 from generator.errors import InputError
 from generator.scene import Object
 
-from ..language import refer
 from .goals import Raised
 from .sampling import drawn, liftable
 from .task import Episode, Task, episode
@@ -40,6 +39,6 @@ class Lift(Task):
 
         def make(obj: Object) -> Episode:
             goals = (Raised(obj.name, world.position(obj.name)),)
-            return episode(world, goals, f"lift {refer(world.scene, obj)}")
+            return episode(world, goals)
 
         return drawn(world, rng, target, liftable(world), make, "")

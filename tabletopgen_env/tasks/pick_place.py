@@ -13,8 +13,6 @@ import numpy as np
 
 from generator.scene import Object
 
-from ..language import refer
-from .goals import SPOT
 from .sampling import containers, drawn, into, known, liftable, named, on_spot, spot_of
 from .task import Episode, Task, episode
 
@@ -46,21 +44,14 @@ class PickPlace(Task):
 
         def make(obj: Object) -> Episode | None:
             if wanted is not None:
-                return put_into(world, obj, world.scene.object(wanted))
+                return episode(world, (into(world, obj, world.scene.object(wanted)),))
             fitting = list(containers(world, obj)) if goal is None else []
             if fitting and rng.random() < 0.5:
-                return put_into(world, obj, fitting[int(rng.integers(len(fitting)))])
+                return episode(world, (into(world, obj, fitting[int(rng.integers(len(fitting)))]),))
             spot = spot_of(world, obj, goal, rng)
             if spot is not None:
-                text = f"move {refer(world.scene, obj)} to the marked {SPOT}"
-                return episode(world, (on_spot(world, obj, spot),), text)
-            return put_into(world, obj, fitting[0]) if fitting else None
+                return episode(world, (on_spot(world, obj, spot),))
+            return episode(world, (into(world, obj, fitting[0]),)) if fitting else None
 
         lacks = "no container that it fits and no free spot in reach"
         return drawn(world, rng, target, reasons, make, lacks)
-
-
-def put_into(world: World, obj: Object, container: Object) -> Episode:
-    """Return the episode of putting ``obj`` into ``container``."""
-    text = f"put {refer(world.scene, obj)} into {refer(world.scene, container)}"
-    return episode(world, (into(world, obj, container),), text)

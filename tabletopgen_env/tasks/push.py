@@ -19,7 +19,6 @@ from generator.scene import Object
 
 from ..affordance import grasp_width, resting_height
 from ..expert.strokes import beside, plan_stroke
-from ..language import refer
 from .goals import SPOT, Pushed
 from .sampling import Reasons, blocked, drawn, given_point, on_table, rest_height
 from .task import Episode, Task, episode
@@ -64,9 +63,7 @@ class Push(Task):
                 return None
             spot = np.array([*xy, world.scene.table.height])
             up = world.rotation(obj.name)[2]
-            pushed = Pushed(obj.name, spot, rest_height(world, obj.name), up)
-            text = f"push {refer(world.scene, obj)} to the marked {SPOT}"
-            return episode(world, (pushed,), text)
+            return episode(world, (Pushed(obj.name, spot, rest_height(world, obj.name), up),))
 
         lacks = "no free way to push it along"
         return drawn(world, rng, target, slidable(world), make, lacks, held=False)

@@ -45,7 +45,7 @@ class Reach(Task):
             raise InputError("Reach has no target; leave the option 'target' out.")
         wanted = "The goal of Reach is a point (x, y, z), world frame"
         point = free_point(world, rng) if goal is None else coordinates(goal, 3, wanted)
-        return episode(world, (Reached(point),), "move the hand to the marked point")
+        return episode(world, (Reached(point),))
 
 
 def free_point(world: World, rng: np.random.Generator) -> Float[np.ndarray, "3"]:

@@ -26,10 +26,9 @@ import numpy as np
 from generator.errors import InputError, SceneError, choices
 from generator.scene import Object
 
-from ..language import refer
 from .goals import SPOT, Goal
 from .sampling import containers, into, liftable, nothing, on_spot, spot_of
-from .stack import on_top, put_on, supports
+from .stack import on_top, supports
 from .swap import Swap
 from .task import Episode, Task, episode
 
@@ -99,6 +98,11 @@ class Sequence(Task):
         self.scenes = Task.scenes if self.preset is None else self.preset.scenes
         self.aside = Swap.aside if self.preset and self.preset.swap else Task.aside
 
+    @property
+    def listed_as(self) -> str | None:
+        """As for every task; certificates list no presets."""
+        return None if self.preset else super().listed_as
+
     def sample(
         self,
         world: World,
@@ -124,7 +128,13 @@ class Sequence(Task):
             if reasons[name] is not None:
                 raise nothing(world, {name: reasons[name]})
         goals = tuple(_goal(world, step) for step in self.preset.steps)
-        return episode(world, goals, self.preset.instruction)
+        return episode(world, goals)
+
+    def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
+        """Return the preset's sentence, or what the drawn ``goals`` ask for."""
+        if self.preset is None:
+            return super().instruction(world, goals)
+        return Swap().instruction(world, goals) if self.preset.swap else self.preset.instruction
 
 
 def _labelled(world: World, label: str) -> Object:
@@ -149,25 +159,22 @@ def _drawn(world: World, rng: np.random.Generator, count: int) -> Episode:
     reasons = liftable(world)
     names = [name for name, why in reasons.items() if why is None]
     goals: list[Goal] = []
-    texts: list[str] = []
     busy: set[str] = set()
     for k in rng.permutation(len(names)):
         obj = world.scene.object(names[k])
         if obj.name in busy or not world.has_grasp(obj.name):
             reasons[obj.name] = "its neighbours leave no room for the hand"
             continue
-        step = _step(world, obj, rng, busy, goals)
-        if step is None:
+        goal = _step(world, obj, rng, busy, goals)
+        if goal is None:
             reasons[obj.name] = "no place for it"
             continue
-        goal, text = step
         goals.append(goal)
-        texts.append(text)
         busy |= {obj.name} | ({goal.reference} if goal.reference else set())
         if len(goals) == count:
-            return episode(world, tuple(goals), ", then ".join(texts))
+            break
     if len(goals) >= 2:
-        return episode(world, tuple(goals), ", then ".join(texts))
+        return episode(world, tuple(goals))
     for goal in goals:
         reasons[str(goal.target)] = "the only thing that can be moved somewhere"
     raise nothing(world, reasons)
@@ -175,24 +182,21 @@ def _drawn(world: World, rng: np.random.Generator, count: int) -> Episode:
 
 def _step(
     world: World, obj: Object, rng: np.random.Generator, busy: set[str], before: list[Goal]
-) -> tuple[Goal, str] | None:
-    """Return a drawn goal of ``obj`` and its words, or None.
+) -> Goal | None:
+    """Return a drawn goal of ``obj``, or None.
 
     ``busy`` things are left alone, and the spots of the goals ``before`` this one.
     """
     hollow = [c for c in containers(world, obj) if c.name not in busy]
     flat = [s for s in supports(world, obj) if s.name not in busy]
-    named = refer(world.scene, obj)
-    ways: list[tuple[Goal, str]] = []
+    ways: list[Goal] = []
     if hollow:
-        place = hollow[int(rng.integers(len(hollow)))]
-        ways.append((into(world, obj, place), f"put {named} into {refer(world.scene, place)}"))
+        ways.append(into(world, obj, hollow[int(rng.integers(len(hollow)))]))
     if flat:
-        place = flat[int(rng.integers(len(flat)))]
-        ways.append((on_top(world, obj, place), put_on(world, obj, place)))
+        ways.append(on_top(world, obj, flat[int(rng.integers(len(flat)))]))
     spot = None if ways else spot_of(world, obj, SPOT, rng)
     if spot is not None and all(
         g.spot is None or np.linalg.norm(g.spot - spot) >= _APART for g in before
     ):
-        ways.append((on_spot(world, obj, spot), f"move {named} to the marked {SPOT}"))
+        ways.append(on_spot(world, obj, spot))
     return ways[int(rng.integers(len(ways)))] if ways else None

@@ -16,7 +16,6 @@ from generator.geometry import quaternion_matrix
 from generator.scene import Object
 
 from ..affordance import grasp_width, resting_height
-from ..language import refer
 from ..robot.mount import reachable
 from .goals import OnTop
 from .sampling import drawn, given_object, liftable, on_table, rest_height
@@ -55,7 +54,7 @@ class Stack(Task):
             if not found:
                 return None
             base = found[int(rng.integers(len(found)))]
-            return episode(world, (on_top(world, obj, base),), put_on(world, obj, base))
+            return episode(world, (on_top(world, obj, base),))
 
         lacks = "no flat top in reach that carries it"
         return drawn(world, rng, target, liftable(world), make, lacks)
@@ -93,8 +92,3 @@ def on_top(world: World, obj: Object, base: Object) -> OnTop:
         raise InputError(f"{base.name!r} has no flat top to put {obj.name!r} on.")
     up = quaternion_matrix(base.pose.quaternion)[2]
     return OnTop(obj.name, base.name, top, rest_height(world, obj.name), up)
-
-
-def put_on(world: World, obj: Object, base: Object) -> str:
-    """Return the instruction in words."""
-    return f"put {refer(world.scene, obj)} on {refer(world.scene, base)}"

@@ -16,9 +16,8 @@ import numpy as np
 from generator.geometry import inside_margin
 from generator.scene import Object
 
-from ..language import refer
 from ..workspace import FREE_MARGIN
-from .goals import OnSpot
+from .goals import Goal, OnSpot, the
 from .sampling import drawn, given_object, liftable, on_spot, on_table, spot_of
 from .task import Episode, Task, episode
 
@@ -65,14 +64,18 @@ class Swap(Task):
         lacks = "nothing else that could change places with it"
         return drawn(world, rng, target, reasons, make, lacks)
 
+    def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
+        """Return what ``goals`` ask for in the end."""
+        first, second = (str(goals[k].target) for k in (1, 2))
+        return f"swap {the(world, first)} and {the(world, second)}"
+
 
 def swap(world: World, obj: Object, other: Object, aside: OnSpot) -> Episode:
     """Return the episode in which two objects change places by way of ``aside``."""
     height = world.scene.table.height
     here, there = (np.array([*o.pose.position[:2], height]) for o in (obj, other))
     goals = (aside, on_spot(world, obj, there), on_spot(world, other, here))
-    text = f"swap {refer(world.scene, obj)} and {refer(world.scene, other)}"
-    return episode(world, goals, text)
+    return episode(world, goals)
 
 
 def _fits(world: World, obj: Object, place: Object) -> bool:

@@ -63,12 +63,11 @@ class Episode:
     """What one episode asks for.
 
     goals: in the order in which they are shown; starts: heights of their targets' centres at the
-    start, world frame; instruction: the same in words.
+    start, world frame.
     """
 
     goals: tuple[Goal, ...]
     starts: tuple[float, ...]
-    instruction: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,10 +91,10 @@ class Agreement:
         return last if self.met[first] else min(first, last)
 
 
-def episode(world: World, goals: tuple[Goal, ...], instruction: str) -> Episode:
+def episode(world: World, goals: tuple[Goal, ...]) -> Episode:
     """Return the episode of ``goals``, which begins now."""
     starts = tuple(0.0 if g.target is None else float(world.position(g.target)[2]) for g in goals)
-    return Episode(goals, starts, instruction)
+    return Episode(goals, starts)
 
 
 class Task(ABC):
@@ -134,6 +133,16 @@ class Task(ABC):
             SceneError: the scene offers nothing to do; says why for each object.
             InputError: what was asked for does not exist.
         """
+
+    def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
+        """Return what ``goals`` ask for, in words that fit what is on the table now."""
+        return ", then ".join(goal.words(world) for goal in goals)
+
+    @property
+    def listed_as(self) -> str | None:
+        """The name under which certificates list it; None for a task of one's own."""
+        kind = type(self)
+        return kind.__name__ if kind.__module__.startswith(f"{__package__}.") else None
 
     # -------------------------------------------------------------------------------- goal vectors
 

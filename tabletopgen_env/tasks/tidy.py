@@ -15,8 +15,7 @@ import numpy as np
 from generator.errors import InputError
 from generator.scene import Object
 
-from ..language import refer
-from .goals import Into
+from .goals import Goal, Into, the
 from .sampling import containers, given_object, into, liftable, nothing
 from .task import Episode, Task, episode
 
@@ -66,10 +65,14 @@ class Tidy(Task):
             taken = _together(world, container, loads[container.name])
             if len(taken) >= 2:
                 goals: tuple[Into, ...] = tuple(into(world, o, container) for o in taken)
-                listed = [refer(world.scene, o) for o in taken]
-                text = f"put {', '.join(listed[:-1])} and {listed[-1]} into "
-                return episode(world, goals, text + refer(world.scene, container))
+                return episode(world, goals)
         raise nothing(world, reasons)
+
+    def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
+        """Return what ``goals`` ask for, in one sentence."""
+        *listed, last = (the(world, str(goal.target)) for goal in goals)
+        container = the(world, str(goals[0].reference))
+        return f"put {', '.join(listed)} and {last} into {container}"
 
 
 def _together(world: World, container: Object, things: list[Object]) -> list[Object]:

@@ -14,6 +14,7 @@ from generator.scene import PlannedObject, PlannedTable, ScenePlan
 from tabletopgen_env.actions import SUBSTEPS
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.language import refer
+from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.tasks import NAMES, task_named
 from tabletopgen_env.tasks.goals import SPOT
 from tabletopgen_env.tasks.pick_place import PickPlace
@@ -184,6 +185,32 @@ def test_the_instruction_tells_alike_things_apart() -> None:
     )
     plan = ScenePlan("two mugs", PlannedTable(), planned)
     assert refer(two.replace(plan=plan), two.objects[0]) == "the red mug"
+
+
+def test_the_instruction_counts_only_what_is_on_the_table() -> None:
+    def mug(k: int, x: float):
+        return toy_object(f"mug_{k}", (0.06, 0.06, 0.09), (x, 0.0))
+
+    bowls = [
+        toy_object(f"bowl_{k}", (0.17, 0.17, 0.06), (0.3 * k, -0.2), wall=0.008) for k in (0, 1)
+    ]
+    scene = toy_scene((mug(1, 0.15), mug(2, -0.15), mug(3, 0.0), *bowls))
+    asked = {"target": "mug_3", "goal": "bowl_1"}
+    full = make_env(scene).reset(seed=0, options=asked)[1]
+    assert full["instruction"] == "put the second mug from the left into the right bowl"
+    env = make_env(scene, randomization=Randomization(distractors=(0, 2)))
+    told = set()
+    for seed in range(12):
+        info = env.reset(seed=seed, options=asked)[1]
+        gone = set(info["randomization"]["distractors"]["absent"])
+        mugs = {"mug_1": "left", "mug_2": "right"}
+        left = [side for name, side in mugs.items() if name not in gone]
+        word = {0: "mug", 1: f"{left[0] if left else ''} mug", 2: "second mug from the left"}
+        bowl = "bowl" if "bowl_0" in gone else "right bowl"
+        assert info["instruction"] == f"put the {word[len(left)]} into the {bowl}"
+        told.add(info["instruction"])
+    assert len(told) > 3
+    assert env.step(STILL)[4]["instruction"] == info["instruction"]
 
 
 def test_a_hindsight_goal_is_met_by_what_was_achieved() -> None:

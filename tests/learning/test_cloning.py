@@ -11,8 +11,9 @@ from toy import toy_scene
 
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
+from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.learning.cloning import CloningConfig, clone, policy_of
-from tabletopgen_env.learning.demonstrations import HELD, demonstrate
+from tabletopgen_env.learning.demonstrations import demonstrate
 from tabletopgen_env.learning.network import TableExtractor
 from tabletopgen_env.observations import SLOTS
 
@@ -47,12 +48,23 @@ def test_a_demonstration_holds_what_was_seen_done_and_advised() -> None:
     assert shown is not None and shown.solved
     assert len(shown.observations) == len(shown.actions) + 1 == len(shown.rewards) + 1
     assert np.array_equal(shown.actions, shown.advice)
-    assert (shown.rewards[-HELD:] == pytest.approx(1.0)) and shown.rewards[0] < 0.9
+    assert (shown.rewards[-HOLD:] == pytest.approx(1.0)) and shown.rewards[0] < 0.9
     shaken = demonstrate(lift(), seed=3, noise=0.2)
     assert shaken is not None and not np.array_equal(shaken.actions, shaken.advice)
     assert np.array_equal(shaken.actions[:, -1], shaken.advice[:, -1])
     idle = demonstrate(lift(), seed=3, policy=lambda seen: np.zeros(5, np.float32))
     assert idle is not None and not idle.solved and np.abs(idle.advice).max() > 0.5
+
+
+def test_what_is_seen_may_be_a_dict_and_infos_are_told() -> None:
+    env = gym.wrappers.TimeLimit(make_env(toy_scene(), task="Lift", observation="goal"), 80)
+    told: list[dict] = []
+    shown = demonstrate(env, seed=3, told=told.append)
+    assert shown is not None and set(shown.observations) == set(env.observation_space.spaces)
+    seen = shown.observations["observation"]
+    assert seen.dtype == np.float32 and len(seen) == len(told) == len(shown.actions) + 1
+    assert np.array_equal(seen, demonstrate(lift(), seed=3).observations[:, :268])
+    assert "randomization" in told[0] and told[-1]["success"]
 
 
 def test_cloning_comes_nearer_to_the_advice_and_repeats_itself() -> None:

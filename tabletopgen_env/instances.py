@@ -1,0 +1,59 @@
+"""Which instance of its task an episode plays: one that is certified, where that is known."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from generator.errors import BundleError, InputError, SceneError
+
+from .certificate import FILE, LEAST
+
+if TYPE_CHECKING:
+    from .tasks.task import Episode, Task
+    from .world import World
+
+
+def sampled(
+    task: Task,
+    world: World,
+    rng: np.random.Generator,
+    options: Mapping[str, Any],
+    certified: bool,
+) -> tuple[Episode, bool]:
+    """Draw an episode; return it and whether it plays a certified instance.
+
+    What ``options`` ask for is taken. Without a target or goal in them, and if ``certified``, the
+    instances are drawn from that the bundle's certificate says the expert solves, all equally
+    likely. A bundle without a certificate, or whose certificate lists nothing of the task, is
+    sampled freely.
+
+    Raises:
+        SceneError: the scene offers nothing to do, or nothing of which the expert solved a share
+            of at least ``LEAST``.
+        InputError: what the options ask for does not exist.
+        BundleError: the certificate is damaged.
+    """
+    target, goal = options.get("target"), options.get("goal")
+    asked = target is not None or goal is not None
+    certificate = world.certificate if certified and not asked else None
+    listed = [i for i in certificate.instances if i.task == task.listed_as] if certificate else []
+    if not listed:
+        return task.sample(world, rng, target, goal), False
+    solved = [instance for instance in listed if instance.share >= LEAST]
+    if not solved:
+        raise SceneError(
+            f"Scene {world.scene.name!r} offers nothing certified: of {len(listed)} instances of "
+            f"{task.listed_as} the expert solved none in {LEAST:.0%} of its tries. Use other "
+            "scenes, or make the environment with certified=False."
+        )
+    instance = solved[int(rng.integers(len(solved)))]
+    try:
+        return task.sample(world, rng, instance.target, instance.goal), True
+    except InputError as error:
+        raise BundleError(
+            f"{world.bundle}: {FILE} lists what cannot be done there: {error} Remove it, or "
+            "certify the bundle again."
+        ) from error

@@ -1,0 +1,31 @@
+"""The command ``record``: a recording with its progress shown."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from .config import Format, RecordConfig
+from .recorder import record as run
+
+
+def record(config: RecordConfig, out: Path | None, format: Format, workers: int) -> None:
+    """Record, show how far it is on standard error, and print where the dataset is."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
+               TimeElapsedColumn(), TextColumn("{task.fields[note]}"))  # fmt: skip
+    played = 0
+    with Progress(*columns, console=Console(stderr=True)) as progress:
+        shown = progress.add_task(config.name, total=config.episodes, note="")
+
+        def told(kept: int, tried: int) -> None:
+            nonlocal played
+            played = tried
+            note = f"of {tried} played" if tried > kept else ""
+            progress.update(shown, completed=kept, note=note)
+
+        path = run(config, out, format, workers, told)
+    print(f"{path}: {config.episodes} episodes of {played} played")
+    if format == "minari":
+        print(f'  MINARI_DATASETS_PATH={path.parent}  minari.load_dataset("{path.name}")')

@@ -1,0 +1,152 @@
+"""Recording: play, keep what was solved, and publish the dataset by one rename."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import tempfile
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import closing, contextmanager
+from pathlib import Path
+
+from generator.errors import (
+    InputError,
+    SceneError,
+    StorageError,
+    TabletopError,
+    choices,
+    require_number,
+)
+
+from .config import FORMATS, Format, RecordConfig
+from .playing import Played, played
+from .writers import Writer, check_installed, writer
+
+MOST_MISSES = 50
+"""So many episodes in a row may give nothing to keep."""
+
+
+def record(
+    config: RecordConfig,
+    out: str | Path | None = None,
+    format: Format = "minari",
+    workers: int = 1,
+    told: Callable[[int, int], None] | None = None,
+) -> Path:
+    """Record the expert's demonstrations; return where the dataset is.
+
+    It is there once it is whole: whatever goes wrong before leaves nothing behind.
+
+    Args:
+        config: what to record.
+        out: the dataset's own folder, or file ("hdf5"), which must not be there yet. The name of a
+            Minari dataset is its id and ends with a version ("data/lift-v0"); None is
+            ``TabletopGen-<task>-v0`` in the user's Minari store.
+        format: "minari", "hdf5" or "npz".
+        workers: processes that play. They do not change what is recorded, unless the scenes are
+            renewed by the clock ("refreshing").
+        told: called after each episode with how many are kept and how many were played.
+
+    Raises:
+        InputError: a setting is wrong, a package is missing, or ``out`` is there already.
+        BundleError: no bundle fits the scenes, or one is damaged.
+        SceneError: the expert solved none of ``MOST_MISSES`` episodes in a row.
+        StorageError: the disk refused.
+    """
+    if format not in FORMATS:
+        raise InputError(f"Unknown format {format!r}." + choices(str(format), FORMATS))
+    require_number("record needs workers", workers, least=1, whole=True)
+    config.check()
+    check_installed(format)
+    target = _target(config, out, format)
+    env = config.environment()
+    try:
+        with (
+            _published(target) as part,
+            closing(writer(format, part, config, env)) as dataset,
+            closing(played(config, env, workers)) as episodes,
+        ):
+            _write(config, episodes, dataset, told)
+    finally:
+        env.close()
+    return target
+
+
+def _write(
+    config: RecordConfig,
+    episodes: Iterable[Played | SceneError],
+    dataset: Writer,
+    told: Callable[[int, int], None] | None,
+) -> None:
+    """Write as many episodes as are asked for."""
+    kept = missed = 0
+    for number, episode in enumerate(episodes, 1):
+        if isinstance(episode, SceneError):
+            missed += 1
+            if missed == MOST_MISSES:
+                raise SceneError(
+                    f"{missed} episodes in a row gave nothing to keep, the last since {episode}. "
+                    "Use other scenes, another task or less noise."
+                )
+        else:
+            missed = 0
+            kept += 1
+            dataset.add(episode)
+        if told:
+            told(kept, number)
+        if kept == config.episodes:
+            return
+
+
+def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Path:
+    """Return where the dataset goes.
+
+    Raises:
+        InputError: nothing says where, the name is no dataset's, or something is there already.
+    """
+    if out is None and format != "minari":
+        raise InputError(f"Say where the {format} dataset goes, with 'out'.")
+    if out is None:
+        from minari.storage import get_dataset_path
+
+        target = get_dataset_path(f"TabletopGen-{config.name}-v0")
+    else:
+        target = Path(os.path.abspath(out))  # noqa: PTH100  links stay as they are
+    if format == "minari":
+        from minari.dataset.minari_dataset import parse_dataset_id
+
+        try:
+            parse_dataset_id(target.name)
+        except (ValueError, TypeError) as error:
+            raise InputError(
+                f"{target.name!r} is no name of a Minari dataset: letters, digits, '-' and '_', "
+                f"with a version at the end, such as '{config.name.lower()}-v0'."
+            ) from error
+    if os.path.lexists(target):
+        raise InputError(f"{target} is there already. Remove it, or choose another place.")
+    return target
+
+
+@contextmanager
+def _published(target: Path) -> Iterator[Path]:
+    """Give a place beside ``target``, and move what was made there to it at the end.
+
+    If something goes wrong, or Ctrl-C is pressed, all of it is removed.
+    """
+    part = None
+    try:
+        target.parent.mkdir(parents=True, exist_ok=True)
+        part = Path(tempfile.mkdtemp(".part", f".{target.name}-", target.parent))
+        yield part / target.name
+        if os.path.lexists(target):
+            raise InputError(f"{target} has come to be there meanwhile. Choose another place.")
+        (part / target.name).rename(target)
+    except OSError as error:
+        if isinstance(error, TabletopError):
+            raise
+        raise StorageError(
+            f"The dataset cannot be written to {target}: {error.strerror or error}."
+        ) from error
+    finally:
+        if part is not None:
+            shutil.rmtree(part, ignore_errors=True)

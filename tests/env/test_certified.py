@@ -1,0 +1,202 @@
+"""Environments draw what a bundle's certificate says can be done, unless told otherwise."""
+
+from __future__ import annotations
+
+import pickle
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from assets_cache import find
+from generator.bundle import load
+from generator.errors import BundleError, InputError, SceneError
+from tabletopgen_env import certificate
+from tabletopgen_env.certificate import FILE, Certificate, Instance, scene_digest
+from tabletopgen_env.certify import _instance, offered
+from tabletopgen_env.env import make_env
+from tabletopgen_env.randomization import Randomization
+from tabletopgen_env.tasks import NAMES
+from tabletopgen_env.tasks.lift import Lift
+from tabletopgen_env.tasks.sequence import Sequence
+from tabletopgen_env.vector import TabletopVectorEnv
+
+Certify = Callable[..., Path]
+
+
+@pytest.fixture
+def bundle(tmp_path: Path) -> Path:
+    [starter] = find("office-desk-*")
+    return shutil.copytree(starter, tmp_path / starter.name)
+
+
+@pytest.fixture
+def certify(bundle: Path) -> Certify:
+    """Writes instances into the bundle's certificate."""
+
+    def write(*instances: Instance) -> Path:
+        made = Certificate(scene_digest(bundle), 0, {}, instances)
+        certificate.write_certificate(bundle, made)
+        return bundle
+
+    return write
+
+
+def seen(env: Any, key: str, count: int = 8) -> set[Any]:
+    """What an info says over several resets."""
+    return {env.reset(seed=k)[1][key] for k in range(count)}
+
+
+@pytest.fixture(scope="module")
+def names() -> list[str]:
+    """What can be lifted there."""
+    return sorted(seen(make_env("office-desk-*", task="Lift", certified=False), "target", 20))
+
+
+def test_only_certified_instances_are_drawn(
+    bundle: Path, certify: Certify, names: list[str]
+) -> None:
+    first, second, *_ = names
+    solved = Instance("Lift", second, None, 8, 10)
+    certify(Instance("Lift", first, None, 7, 10), solved, Instance("Push", first, None, 10, 10))
+    env = make_env(bundle, task="Lift")
+    assert seen(env, "target") == {second} and seen(env, "certified") == {True}
+    still = np.zeros(5, np.float32)
+    assert env.step(still)[4]["certified"] is True
+    free = make_env(bundle, task="Lift", certified=False)
+    assert len(seen(free, "target")) > 1 and seen(free, "certified") == {False}
+
+
+def test_all_certified_instances_are_drawn_by_the_seed(
+    bundle: Path, certify: Certify, names: list[str]
+) -> None:
+    certify(*(Instance("Lift", name, None, 9, 10) for name in names[:3]))
+    one, other = make_env(bundle, task="Lift"), make_env(bundle, task="Lift")
+    assert seen(one, "target", 20) == set(names[:3])
+    for k in range(5):
+        assert one.reset(seed=k)[1]["target"] == other.reset(seed=k)[1]["target"]
+
+
+def test_points_are_goals_as_listed(bundle: Path, certify: Certify) -> None:
+    instance, *_ = offered(bundle, "Reach", 0, 1)
+    certify(Instance("Reach", None, instance.goal, 1, 1))
+    env = make_env(bundle, task="Reach")
+    env.reset(seed=3)
+    assert tuple(env.goal.spot) == instance.goal
+
+
+@pytest.mark.parametrize("task", [name for name in NAMES if name != "Tidy"])  # has no tray
+def test_what_certify_lists_of_a_task_is_drawn(task: str, bundle: Path, certify: Certify) -> None:
+    free = make_env(bundle, task=task)
+    free.reset(seed=4)
+    listed = replace(_instance(task, free.episode), successes=1, episodes=1)
+    certify(listed)
+    env = make_env(bundle, task=task)
+    assert env.reset(seed=0)[1]["certified"]
+    again = _instance(task, env.episode)
+    assert (again.target, again.goal) == (listed.target, listed.goal)
+
+
+def test_what_options_ask_for_wins(bundle: Path, certify: Certify, names: list[str]) -> None:
+    first, second, *_ = names
+    certify(Instance("Lift", second, None, 10, 10))
+    info = make_env(bundle, task="Lift").reset(seed=0, options={"target": first})[1]
+    assert info["target"] == first and info["certified"] is False
+    info = make_env("kitchen-cutting-*", task="Lift").reset(seed=0, options={"scene": bundle})[1]
+    assert info["target"] == second and info["certified"] is True
+
+
+def test_without_a_word_on_the_task_it_is_sampled_freely(bundle: Path, certify: Certify) -> None:
+    certify(Instance("Push", "mug_1", (0.1, 0.1), 10, 10))
+    assert seen(make_env(bundle, task="Lift"), "certified", 2) == {False}
+    (bundle / FILE).unlink()
+    assert seen(make_env(bundle, task="Lift"), "certified", 1) == {False}
+    assert seen(make_env(load(bundle), task="Lift"), "certified", 1) == {False}
+
+
+def test_a_scene_without_a_solved_instance_is_passed_over(
+    bundle: Path, certify: Certify, names: list[str]
+) -> None:
+    certify(Instance("Lift", names[0], None, 1, 10))
+    env = make_env([bundle, "kitchen-cutting-*"], task="Lift")
+    assert seen(env, "scene") == {"kitchen-cutting"}
+    with pytest.raises(SceneError, match=r"nothing certified: of 1 instances of Lift .*=False"):
+        make_env(bundle, task="Lift").reset(seed=0)
+
+
+def test_certificates_say_nothing_of_presets_or_of_tasks_of_ones_own() -> None:
+    class Mine(Lift):
+        """A task of one's own."""
+
+    assert Sequence().listed_as == "Sequence" and Sequence("kitchen").listed_as is None
+    assert Lift().listed_as == "Lift" and Mine().listed_as is None
+
+
+def test_where_things_are_moved_nothing_is_certified(
+    bundle: Path, certify: Certify, names: list[str]
+) -> None:
+    certify(Instance("Lift", names[0], None, 10, 10))
+    moved = make_env(bundle, task="Lift", randomization=Randomization(move=0.01))
+    assert moved.reset(seed=0)[1]["certified"] is False
+    heavier = make_env(bundle, task="Lift", randomization=Randomization(mass=(0.9, 1.1)))
+    assert heavier.reset(seed=0)[1]["certified"] is True
+
+
+@pytest.mark.parametrize(
+    "listed", [Instance("Lift", "unicorn_1", None, 1, 1), Instance("Lift", None, "spot", 1, 1)]
+)
+def test_a_damaged_certificate_is_refused_unless_it_is_ignored(
+    listed: Instance, bundle: Path, certify: Certify
+) -> None:
+    certify(listed)
+    with pytest.raises(BundleError, match=f"{FILE} lists what cannot be done there"):
+        make_env(bundle, task="Lift").reset(seed=0)
+    (bundle / FILE).write_text("{")
+    with pytest.raises(BundleError, match="no sound certificate"):
+        make_env(bundle, task="Lift").reset(seed=0)
+    make_env(bundle, task="Lift", certified=False).reset(seed=0)
+
+
+def test_it_is_read_once(
+    bundle: Path, certify: Certify, names: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    certify(Instance("Lift", names[0], None, 10, 10))
+    env = make_env(bundle, task="Lift")
+    env.reset(seed=0)
+    shutil.move(bundle / FILE, bundle.parent / FILE)
+    assert env.reset(seed=1)[1]["certified"] is True
+
+
+def test_every_kind_of_environment_heeds_it(
+    bundle: Path, certify: Certify, names: list[str]
+) -> None:
+    _, second, *_ = names
+    certify(Instance("Lift", second, None, 10, 10))
+    goals = make_env(bundle, task="Lift", observation="goal")
+    assert seen(goals, "target", 3) == {second}
+    again = pickle.loads(pickle.dumps(goals))
+    assert seen(again, "target", 3) == {second} and seen(again, "certified", 1) == {True}
+    many = TabletopVectorEnv(3, scenes=bundle, task="Lift")
+    info = many.reset(seed=0)[1]
+    assert set(info["target"]) == {second} and info["certified"].all()
+    many.close()
+
+
+def test_certifying_again_looks_at_everything(
+    bundle: Path, certify: Certify, names: list[str]
+) -> None:
+    before = offered(bundle, "Lift", 0, 4)
+    certify(Instance("Lift", names[0], None, 10, 10))
+    assert offered(bundle, "Lift", 0, 4) == before and len(before) > 1
+
+
+def test_options_that_are_wrong_are_still_the_callers(
+    bundle: Path, certify: Certify, names: list[str]
+) -> None:
+    certify(Instance("Lift", names[0], None, 10, 10))
+    with pytest.raises(InputError, match="No object 'unicorn_1'"):
+        make_env(bundle, task="Lift").reset(options={"target": "unicorn_1"})
