@@ -18,6 +18,7 @@ from __future__ import annotations
 import csv
 import json
 import shutil
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -39,6 +40,7 @@ LATEST, BEST = "policy.safetensors", "best.safetensors"
 COLUMNS = ("steps", "seconds", "episodes", "solved", "reward", "length")
 
 _RECIPE, _EVALUATIONS, _CHECKPOINT = "recipe.json", "evaluations.csv", "checkpoint-"
+_CURVES = "tensorboard"
 
 
 @dataclass(frozen=True)
@@ -82,6 +84,25 @@ class Run:
             p for p in self.path.glob(f"{_CHECKPOINT}*") if p.name[len(_CHECKPOINT) :].isdigit()
         ]
         return max(found, key=lambda p: int(p.name[len(_CHECKPOINT) :]), default=None)
+
+    @property
+    def curves(self) -> Path:
+        """The folder of TensorBoard's curves."""
+        return self.path / _CURVES
+
+    @property
+    def kept(self) -> bool:
+        """Whether there is anything that was learned: a policy or a checkpoint."""
+        return self.checkpoint is not None or any((self.path / p).exists() for p in (LATEST, BEST))
+
+    def take_back(self, folder_too: bool) -> None:
+        """Delete what a run has written before it learned anything, and its folder if asked."""
+        shutil.rmtree(self.curves, ignore_errors=True)
+        with suppress(OSError):  # it is on its way out by another error
+            for name in (_RECIPE, _EVALUATIONS):
+                (self.path / name).unlink(missing_ok=True)
+            if folder_too:
+                self.path.rmdir()
 
     def rows(self) -> list[Row]:
         """Return the run's evaluations.

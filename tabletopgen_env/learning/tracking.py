@@ -53,7 +53,10 @@ class Plan:
 
 @dataclass
 class Tracker:
-    """A training under way: its run, where it is evaluated, and how far it is."""
+    """A training under way: its run, where it is evaluated, and how far it is.
+
+    ``learned`` says whether a step was taken to learn from, or a round of cloning done.
+    """
 
     run: Run
     plan: Plan
@@ -62,6 +65,7 @@ class Tracker:
     logger: Logger
     say: Say
     counts: Counts = field(default_factory=Counts)
+    learned: bool = False
     _since: float = field(default_factory=time.monotonic)
 
     def evaluate(self, model: BaseAlgorithm, steps: int) -> None:
@@ -131,6 +135,7 @@ class Progress(BaseCallback):
             self._next = (steps // self._every + 1) * self._every
 
     def _on_step(self) -> bool:
+        self._tracker.learned = True
         return True
 
     def end(self) -> None:
@@ -144,7 +149,7 @@ def logger_of(run: Run, say: Say) -> Logger:
     there = tensorboard_there()
     if not there:
         say(f"TensorBoard is not installed, so there are no curves of it ({PIP}).")
-    return configure(str(run.path / "tensorboard"), ["tensorboard"] if there else [])
+    return configure(str(run.curves), ["tensorboard"] if there else [])
 
 
 def bar(total: int) -> Callable[[int | None], None]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import shutil
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass
@@ -74,6 +73,7 @@ def train(
         trials = single_env(recipe.task, recipe.env, held_out)
         last.callback(trials.close)
         _check(recipe, trials)
+        there = out.exists()
         run = _resumed(out, recipe, plan.seed) if resume else begin(out, recipe, plan.seed)
         last.enter_context(_one_thread())
         stop = last.enter_context(heeding(say))
@@ -84,8 +84,9 @@ def train(
         try:
             return Trained(run, learn(tracker, scenes), stop.is_set())
         except TabletopError:
-            if not resume and not run.rows():
-                shutil.rmtree(run.path, ignore_errors=True)  # it never began
+            if not (resume or tracker.learned or run.kept):
+                logger.close()
+                run.take_back(folder_too=not there)
             raise
 
 
@@ -188,6 +189,7 @@ def _clone(
     assert isinstance(model, SAC)
 
     def told(r: Round) -> None:
+        tracker.learned = True
         tracker.say(
             f"round {r.number + 1}: {r.states:,} states, {100 * r.solved:.0f} % of its episodes "
             f"solved, loss {r.loss:.4f}"

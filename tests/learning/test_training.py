@@ -171,6 +171,22 @@ def test_a_run_that_never_began_leaves_nothing_behind(small, folder: Path, monke
     with pytest.raises(SceneError, match="solves none"):
         train(small(demonstrations=2), folder, QUICK, say=quiet)
     assert not folder.exists()
+    folder.mkdir()
+    with pytest.raises(SceneError, match="solves none"):
+        train(small(demonstrations=2), folder, QUICK, say=quiet)
+    assert list(folder.iterdir()) == [], "the folder was there before"
+
+
+def test_a_late_error_deletes_nothing(small, folder: Path, monkeypatch) -> None:
+    def broken(*args) -> None:
+        raise SceneError("the table fell over")
+
+    with monkeypatch.context() as changed, pytest.raises(SceneError, match="fell over"):
+        changed.setattr(tracking, "evaluate", broken)
+        train(small(), folder, QUICK, say=quiet)
+    assert opened(folder).recipe == small() and opened(folder).rows() == []
+    assert list((folder / "tensorboard").iterdir())
+    assert train(small(), folder, QUICK, True, quiet).steps >= 120, "it can be begun again"
 
 
 def test_a_damaged_checkpoint_is_refused_and_kept(small, folder: Path) -> None:
