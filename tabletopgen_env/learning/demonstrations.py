@@ -37,6 +37,12 @@ class Demonstration:
     solved: bool
     instruction: str
 
+    def seen(self, step: int) -> Any:
+        """Return what was seen before a step, or after the last one (``step`` = t)."""
+        if isinstance(self.observations, dict):
+            return {name: part[step] for name, part in self.observations.items()}
+        return self.observations[step]
+
 
 def demonstrate(
     env: gym.Env[Any, np.ndarray],
@@ -44,8 +50,11 @@ def demonstrate(
     policy: Policy | None = None,
     noise: float = 0.0,
     told: Callable[[dict[str, Any]], None] | None = None,
+    to_the_limit: bool = False,
 ) -> Demonstration | None:
     """Play one episode with the expert watching; None if it knows no way.
+
+    It ends when success has held (``episodes.Held``), or at the time limit.
 
     Args:
         env: an environment in the action mode "ee_delta".
@@ -54,6 +63,8 @@ def demonstrate(
         noise: standard deviation of what is added to the expert's motion (not to the gripper), so
             that it shows how to come back.
         told: called with the info of ``reset`` and of each step.
+        to_the_limit: go on to the time limit in any case; solved is then what ends in a success
+            that has held.
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)
@@ -66,7 +77,7 @@ def demonstrate(
         return None
     shown, advised, done, earned = [seen], [], [], []
     held, over, solved = Held(), False, False
-    while not (over or solved):
+    while not over and (to_the_limit or not solved):
         advice = expert.act()
         action = advice if policy is None else policy(seen)
         if policy is None and noise:
@@ -81,15 +92,15 @@ def demonstrate(
         done.append(action)
         earned.append(reward)
     return Demonstration(
-        _stacked(shown), np.asarray(advised, np.float32), np.asarray(done, np.float32),
+        stacked(shown), np.asarray(advised, np.float32), np.asarray(done, np.float32),
         np.asarray(earned, np.float32), solved, info["instruction"],
     )  # fmt: skip
 
 
-def _stacked(seen: Sequence[Any]) -> Any:
+def stacked(seen: Sequence[Any]) -> Any:
     """Return observations as one array with a row for each, or a dict of such arrays."""
     if isinstance(seen[0], Mapping):
-        return {name: _stacked([each[name] for each in seen]) for name in seen[0]}
+        return {name: stacked([each[name] for each in seen]) for name in seen[0]}
     return np.stack(seen)
 
 

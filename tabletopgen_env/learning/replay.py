@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,8 +14,7 @@ from stable_baselines3.common.buffers import ReplayBuffer
 
 from generator.errors import InputError, SceneError
 
-from ..episodes import Held
-from ..expert.run import TaskExpert
+from .demonstrations import Demonstration, demonstrate, stacked
 
 MISSES = 100
 """After so many episodes in a row that the expert does not solve, filling ends in an error."""
@@ -25,20 +23,8 @@ _ARRAYS = ("actions", "rewards", "dones", "timeouts")
 _EPISODES = ("ep_start", "ep_length")
 
 
-@dataclass(frozen=True, eq=False)
-class Transition:
-    """One step of the expert, as a replay buffer takes it."""
-
-    seen: Any
-    action: np.ndarray
-    reward: float
-    after: Any
-    ended: bool
-    cut: bool
-
-
 def fill(buffer: ReplayBuffer, env: gym.Env[Any, np.ndarray], episodes: int, seed: int) -> int:
-    """Put solved episodes of the expert into a buffer; return how many.
+    """Put episodes of the expert that end in success into a buffer; return how many.
 
     Episodes go on to the time limit, so that the buffer shows what staying there is worth; their
     last transitions are marked as timeouts, not as ends. A buffer of several environments takes
@@ -59,65 +45,43 @@ def fill(buffer: ReplayBuffer, env: gym.Env[Any, np.ndarray], episodes: int, see
     solved = _solved(env, seed)
     for _ in range(rounds):
         together = [next(solved) for _ in range(wide)]
-        length = len(together[0])
+        length = len(together[0].actions)
         if rounds * length > buffer.buffer_size:
             raise InputError(
                 f"{rounds * wide} demonstrations of {length} steps do not fit into a buffer of "
                 f"{buffer.buffer_size * wide}; make it larger (options.buffer_size)."
             )
-        if any(len(e) != length for e in together):
+        if any(len(d.actions) != length for d in together):
             raise InputError("Demonstrations need a task whose episodes are all as long.")
-        for steps in zip(*together, strict=True):
-            _add(buffer, steps)
+        for step in range(length):
+            _add(buffer, together, step)
     return rounds * wide
 
 
-def expert_episode(env: gym.Env[Any, np.ndarray], seed: int) -> list[Transition] | None:
-    """Return an episode of the expert to the time limit; None unless it solves it."""
-    seen, info = env.reset(seed=seed)
-    expert = TaskExpert(env)
-    try:
-        expert.reset()
-    except SceneError:
-        return None
-    made: list[Transition] = []
-    held, solved = Held(), False
-    while not made or not (made[-1].ended or made[-1].cut):
-        action = expert.act()
-        after, reward, ended, cut, info = env.step(action)
-        made.append(Transition(seen, action, float(reward), after, ended, cut))
-        solved = held.after(info) or solved
-        seen = after
-    return made if solved else None
-
-
-def _solved(env: gym.Env[Any, np.ndarray], seed: int) -> Iterator[list[Transition]]:
-    """Yield solved episodes without end."""
+def _solved(env: gym.Env[Any, np.ndarray], seed: int) -> Iterator[Demonstration]:
+    """Yield episodes that end in success, without end."""
     rng = np.random.default_rng((seed, 4))
     missed = 0
     while missed < MISSES:
-        made = expert_episode(env, int(rng.integers(2**31)))
-        missed = missed + 1 if made is None else 0
-        if made is not None:
-            yield made
+        shown = demonstrate(env, int(rng.integers(2**31)), to_the_limit=True)
+        if shown is not None and shown.solved:
+            missed = 0
+            yield shown
+        else:
+            missed += 1
     raise SceneError(
         f"The expert solves none of {MISSES} episodes here; use other scenes, or no demonstrations."
     )
 
 
-def _add(buffer: ReplayBuffer, steps: tuple[Transition, ...]) -> None:
+def _add(buffer: ReplayBuffer, together: Sequence[Demonstration], step: int) -> None:
+    last = step == len(together[0].actions) - 1
     buffer.add(
-        _stacked([s.seen for s in steps]), _stacked([s.after for s in steps]),
-        np.stack([s.action for s in steps]), np.array([s.reward for s in steps], np.float32),
-        np.array([s.ended or s.cut for s in steps]),
-        [{"TimeLimit.truncated": s.cut and not s.ended} for s in steps],
+        stacked([d.seen(step) for d in together]), stacked([d.seen(step + 1) for d in together]),
+        np.stack([d.actions[step] for d in together]),
+        np.stack([d.rewards[step] for d in together]),
+        np.full(len(together), last), [{"TimeLimit.truncated": last}] * len(together),
     )  # fmt: skip
-
-
-def _stacked(seen: list[Any]) -> Any:
-    if isinstance(seen[0], dict):
-        return {key: np.stack([s[key] for s in seen]) for key in seen[0]}
-    return np.stack(seen)
 
 
 def write_buffer(buffer: ReplayBuffer, path: Path) -> None:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import gymnasium as gym
 import numpy as np
 import pytest
 import torch
 from stable_baselines3 import HerReplayBuffer
 
 from generator.errors import InputError, SceneError
+from tabletopgen_env.episodes import HOLD
+from tabletopgen_env.learning.demonstrations import demonstrate
 from tabletopgen_env.learning.making import many_envs, new_model, single_env, source_of
 from tabletopgen_env.learning.replay import fill, read_buffer, write_buffer
 
@@ -40,6 +43,43 @@ def test_demonstrations_end_by_the_time_limit_alone(small) -> None:
     assert buffer.rewards[LIMIT - 1].min() == pytest.approx(1.0), "the expert has solved it"
     assert np.abs(buffer.actions[: buffer.pos]).max() <= 1.0
     envs.close()
+
+
+class Slipping(gym.Wrapper):
+    """Success of the first episode holds for a while, and is lost again before its end."""
+
+    def reset(self, **given):
+        self.episodes = getattr(self, "episodes", 0) + 1
+        self.steps = 0
+        return super().reset(**given)
+
+    def step(self, action):
+        self.steps += 1
+        seen, reward, ended, cut, info = super().step(action)
+        return seen, reward, ended, cut, info | {
+            "success": HOLD < self.steps < LIMIT if self.episodes == 1 else info["success"]
+        }
+
+
+def test_only_what_ends_in_success_is_kept(small) -> None:
+    recipe = small(envs=1)
+    env = Slipping(single_env(recipe.task, recipe.env, source_of(recipe.scenes, "train")))
+    model = new_model(recipe, env, 0)
+    fill(model.replay_buffer, env, 1, 0)
+    assert env.episodes == 2 and model.replay_buffer.pos == LIMIT
+    shown = demonstrate(env, 0, to_the_limit=True)
+    assert shown is not None and len(shown.actions) == LIMIT, "success has held long before"
+
+
+def test_a_demonstration_of_pick_place_ends_where_the_thing_belongs(small) -> None:
+    recipe = small(task="PickPlace", envs=1, scenes="office-round-*")
+    env = single_env(recipe.task, recipe.env, source_of(recipe.scenes, "train"))
+    model = new_model(recipe, env, 0)
+    assert fill(model.replay_buffer, env, 1, 0) == 1
+    buffer = model.replay_buffer
+    assert (buffer.rewards[buffer.pos - HOLD : buffer.pos] == pytest.approx(1.0)), "dense reward"
+    assert buffer.timeouts[buffer.pos - 1].all()
+    env.close()
 
 
 def test_demonstrations_can_be_replayed_in_hindsight(small) -> None:
@@ -73,7 +113,7 @@ def test_more_than_fits_is_refused(small) -> None:
 
 
 def test_an_expert_that_solves_nothing_ends_in_an_error(small, monkeypatch) -> None:
-    monkeypatch.setattr("tabletopgen_env.learning.replay.expert_episode", lambda env, seed: None)
+    monkeypatch.setattr("tabletopgen_env.learning.replay.demonstrate", lambda *a, **k: None)
     with pytest.raises(SceneError, match="solves none of 100"):
         filled(small())
 

@@ -167,7 +167,7 @@ def test_a_wrong_recipe_leaves_nothing_behind(small, folder: Path) -> None:
 
 
 def test_a_run_that_never_began_leaves_nothing_behind(small, folder: Path, monkeypatch) -> None:
-    monkeypatch.setattr("tabletopgen_env.learning.replay.expert_episode", lambda env, seed: None)
+    monkeypatch.setattr("tabletopgen_env.learning.replay.demonstrate", lambda *a, **k: None)
     with pytest.raises(SceneError, match="solves none"):
         train(small(demonstrations=2), folder, QUICK, say=quiet)
     assert not folder.exists()
