@@ -1,4 +1,4 @@
-"""A toy bundle on disk, and recipes small enough for a test."""
+"""Toy bundles on disk, one to train at and one held out, and recipes small enough for a test."""
 
 from __future__ import annotations
 
@@ -33,19 +33,29 @@ def one_thread() -> Iterator[None]:
 
 @pytest.fixture(scope="session")
 def table(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """The path of a bundle of one cube."""
-    made = toy_scene((toy_object("cube_1", (0.04, 0.04, 0.04), (-0.1, 0.0)),))
-    return str(save(made.replace(report=judge(made)), tmp_path_factory.mktemp("store")))
+    """The path of a bundle of one cube, to train at."""
+    return _saved("table", 0.04, tmp_path_factory.mktemp("store"))
+
+
+@pytest.fixture(scope="session")
+def other(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The path of a bundle of another cube, held out."""
+    return _saved("other", 0.05, tmp_path_factory.mktemp("store"))
+
+
+def _saved(name: str, size: float, store: Path) -> str:
+    made = toy_scene((toy_object("cube_1", (size,) * 3, (-0.1, 0.0)),), name=name)
+    return str(save(made.replace(report=judge(made)), store))
 
 
 @pytest.fixture
-def small(table: str):
-    """Return a function that makes small recipes of an algorithm for the toy bundle."""
+def small(table: str, other: str):
+    """Return a function that makes small recipes of an algorithm for the toy bundles."""
 
     def make(algorithm: str = "sac", **changes: Any) -> Recipe:
         return recipe_of({
             "name": f"small-{algorithm}", "task": "Reach", "algorithm": algorithm, "steps": 120,
-            "envs": 2, "scenes": table, "held_out": table, "options": SMALL[algorithm],
+            "envs": 2, "scenes": table, "held_out": other, "options": SMALL[algorithm],
             "network": {"layers": [16, 16], "width": 8},
             **changes,
         })  # fmt: skip

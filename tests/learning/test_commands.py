@@ -37,12 +37,12 @@ def command(*args: str) -> int:
 
 
 @pytest.fixture(scope="session")
-def trained(tmp_path_factory: pytest.TempPathFactory, table: str) -> Path:
+def trained(tmp_path_factory: pytest.TempPathFactory, table: str, other: str) -> Path:
     """A run's folder, made by the command."""
     folder = tmp_path_factory.mktemp("runs")
     (folder / "tiny.toml").write_text(RECIPE)
     code = command(
-        "train", str(folder / "tiny.toml"), "--scenes", table, "--held-out", table,
+        "train", str(folder / "tiny.toml"), "--scenes", table, "--held-out", other,
         "--out", str(folder / "one"), "--episodes", "2", "--seed", "3", "--set", "envs=2",
     )  # fmt: skip
     assert code == 0
@@ -54,8 +54,8 @@ def test_training_leaves_a_policy(trained: Path) -> None:
     assert (card.recipe, card.seed, card.steps) == ("tiny", 3, 32)
 
 
-def test_resuming_by_the_command(trained: Path, table: str, capsys) -> None:
-    same = ("train", str(trained.parent / "tiny.toml"), "--scenes", table, "--held-out", table,
+def test_resuming_by_the_command(trained: Path, table: str, other: str, capsys) -> None:
+    same = ("train", str(trained.parent / "tiny.toml"), "--scenes", table, "--held-out", other,
             "--out", str(trained), "--seed", "3", "--set", "envs=2")  # fmt: skip
     assert command(*same) == 2
     assert "go on with --resume" in capsys.readouterr().err
@@ -63,16 +63,16 @@ def test_resuming_by_the_command(trained: Path, table: str, capsys) -> None:
     assert "32 steps of tiny" in capsys.readouterr().out
 
 
-def test_enjoying_reports_success_with_its_interval(trained: Path, table: str, capsys) -> None:
+def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, capsys) -> None:
     told = []
     for name in (trained, trained / LATEST, trained):
-        assert command("enjoy", str(name), "--scenes", table, "--episodes", "2") == 0
+        assert command("enjoy", str(name), "--scenes", other, "--episodes", "2") == 0
         told.append(capsys.readouterr().out)
     rest = [lines.partition("\n")[2] for lines in told]
     assert rest[0] == rest[1] == rest[2]
-    assert told[0].startswith(f"best.safetensors: tiny, seed 3, 32 steps; 0 of 2 at {table}\n")
+    assert told[0].startswith(f"best.safetensors: tiny, seed 3, 32 steps; 0 of 2 at {other}\n")
     assert told[0].count("failed in  60 steps: ") == 2
-    assert f"Reach at {table}: 0 of 2 solved, 0 % (0 to 66 %)" in told[0]
+    assert f"Reach at {other}: 0 of 2 solved, 0 % (0 to 66 %)" in told[0]
 
 
 def test_a_film_strip_is_written(trained: Path, table: str, tmp_path: Path) -> None:

@@ -6,13 +6,15 @@ import json
 import os
 import signal
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from stable_baselines3 import SAC
 
 from generator.errors import InputError, SceneError, TabletopError
-from tabletopgen_env.learning import extra, tracking
+from tabletopgen_env.env import TabletopEnv
+from tabletopgen_env.learning import extra, tracking, training
 from tabletopgen_env.learning.making import load_zip
 from tabletopgen_env.learning.policies import load_policy
 from tabletopgen_env.learning.runs import BEST, LATEST, opened
@@ -57,6 +59,47 @@ def test_every_family_trains(small, folder: Path, family: str) -> None:
     best = load_policy(folder / BEST).card.evaluated["solved"]
     assert best == max(r.solved for r in rows)
     assert list((folder / "tensorboard").iterdir())
+
+
+@pytest.mark.parametrize(
+    ("family", "wanted"),
+    [
+        ("sac with demonstrations", {"fill", "learn", "evaluate"}),
+        ("sac from a clone", {"clone", "learn", "evaluate"}),
+        ("clone", {"clone", "evaluate"}),
+    ],
+)
+def test_only_evaluations_are_at_held_out_tables(
+    small, folder: Path, monkeypatch, family: str, wanted: set[str]
+) -> None:
+    met: dict[str, set[str]] = {}
+    doing = ["checking"]
+
+    def noting(what: str, call: Any) -> Any:
+        def noted(*args: Any, **kwargs: Any) -> Any:
+            doing.append(what)
+            try:
+                return call(*args, **kwargs)
+            finally:
+                doing.pop()
+
+        return noted
+
+    def reset(self: TabletopEnv, **kwargs: Any) -> Any:
+        seen, info = begun(self, **kwargs)
+        met.setdefault(doing[-1], set()).add(info["scene"])
+        return seen, info
+
+    begun = TabletopEnv.reset
+    monkeypatch.setattr(TabletopEnv, "reset", reset)
+    for place, name in ((training, "fill"), (training, "clone"), (tracking, "evaluate")):
+        monkeypatch.setattr(place, name, noting(name, getattr(place, name)))
+    monkeypatch.setattr(SAC, "learn", noting("learn", SAC.learn))
+    algorithm, changes = FAMILIES[family]
+    train(small(algorithm, **changes), folder, QUICK, say=quiet)
+    assert met.pop("evaluate") == {"other"}
+    met.pop("checking")
+    assert met == dict.fromkeys(wanted - {"evaluate"}, {"table"})
 
 
 def weights(folder: Path) -> dict[str, np.ndarray]:
@@ -236,7 +279,7 @@ def test_tensorboard_is_not_needed(small, folder: Path, monkeypatch) -> None:
 
 def test_training_on_held_out_scenes_is_said(small, folder: Path, table: str) -> None:
     told: list[str] = []
-    train(small("ppo", steps=32), folder, Plan(episodes=1), say=told.append)
+    train(small("ppo", steps=32, held_out=table), folder, Plan(episodes=1), say=told.append)
     assert any("1 of the held-out scenes are trained on" in line for line in told)
 
 
