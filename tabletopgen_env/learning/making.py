@@ -22,10 +22,11 @@ from stable_baselines3.common.torch_layers import (
 from stable_baselines3.common.vec_env import VecEnv, VecMonitor
 from torch import nn
 
+from generator.bundle import digest
 from generator.errors import InputError, choices
 
-from ..scenes import FRESH, REFRESHING, SceneSource, resolve, split
-from ..scenes.splitting import Side
+from ..scenes import FRESH, REFRESHING, SceneRef, SceneSource, resolve, split
+from ..scenes.splitting import Described, Side
 from ..vector import TabletopVectorEnv
 from .goal_extractor import GoalExtractor
 from .network import TableExtractor
@@ -61,9 +62,25 @@ def source_of(scenes: str | tuple[str, ...], side: Side) -> SceneSource:
 
 
 def shared(source: SceneSource, other: SceneSource) -> int:
-    """Return how many scenes two sources have in common, of those they have at hand."""
-    own, others = ({ref.key for ref in getattr(s, "refs", ())} for s in (source, other))
-    return len(own & others)
+    """Return how many tables two sources have in common, of those they have at hand.
+
+    Tables are told apart by what they are, not by where they are kept. Of a refreshing pool those
+    it begins with count, too.
+
+    Raises:
+        BundleError: a bundle is gone or damaged.
+    """
+    return len(_at_hand(source) & _at_hand(other))
+
+
+def _at_hand(source: SceneSource) -> set[str]:
+    """Return the digests of the scenes that a source has before it makes any."""
+    held = (source, getattr(source, "initial", None))
+    return {_digest(ref) for each in held for ref in getattr(each, "refs", ())}
+
+
+def _digest(ref: SceneRef) -> str:
+    return ref.load.digest() if isinstance(ref.load, Described) else digest(ref.load())
 
 
 def single_env(

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
+import shutil
 from pathlib import Path
 
 import pytest
 
+from generator.bundle import load
 from generator.errors import InputError
 from tabletopgen_env.learning.making import (
     many_envs,
@@ -18,7 +20,8 @@ from tabletopgen_env.learning.making import (
 )  # fmt: skip
 from tabletopgen_env.learning.recipes import recipe, recipe_names, recipe_of
 from tabletopgen_env.learning.training import cloning_config
-from tabletopgen_env.scenes import RefreshingScenes
+from tabletopgen_env.scenes import FixedScenes, RefreshingScenes
+from tabletopgen_env.scenes.fixed import HeldRef
 
 GOOD = {"name": "mine", "task": "Lift", "algorithm": "sac"}
 
@@ -137,3 +140,14 @@ def test_scenes_made_on_demand_are_kept_to_a_side() -> None:
     assert isinstance(source, RefreshingScenes) and [r.side for r in source._parts()[0].rules] == [
         "train"
     ]
+
+
+def test_tables_in_common_are_told_by_what_they_are(table: str, other: str, tmp_path: Path) -> None:
+    copied = str(shutil.copytree(table, tmp_path / "copied"))
+    one, two = source_of(table, "train"), source_of((copied, other), "held_out")
+    assert shared(one, two) == shared(two, one) == 1
+    assert shared(one, source_of(other, "held_out")) == 0
+    assert shared(one, FixedScenes((HeldRef(load(Path(copied))),))) == 1
+    pool, starters = source_of("refreshing", "train"), source_of("starter:train", "train")
+    assert shared(pool, starters) > 1, "what a pool begins with"
+    assert shared(pool, source_of("starter:held_out", "held_out")) == 0
