@@ -4,20 +4,33 @@ from __future__ import annotations
 
 import dataclasses
 import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import Positional, arg
 
-from generator.errors import InputError
+from generator.errors import InputError, TabletopError
 
 from .extra import need_sb3
 
 if TYPE_CHECKING:
+    from ..scenes import SceneSource
     from .evaluating import Predicts
 
 STRIP = 6
 """Pictures in a film strip."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Loaded:
+    """A policy, its task, its environment's keywords, and where it was trained."""
+
+    actor: Predicts
+    task: str
+    env: Mapping[str, Any]
+    scenes: tuple[str, ...]
 
 
 def train(
@@ -85,6 +98,8 @@ def enjoy(
 ) -> None:
     """Let a trained policy play, and report how often it succeeds.
 
+    Says so where it was trained at some of the tables.
+
     Args:
         policy: Name of a shipped policy, a policy file, a run's folder (its best policy), or a zip
             of Stable-Baselines3.
@@ -105,17 +120,18 @@ def enjoy(
     from .evaluating import play, seeds, summed
     from .making import single_env, source_of
 
-    actor, task, keywords = _loaded(policy, trust, recipe)
+    own = _loaded(policy, trust, recipe)
     source = source_of(_one(scenes), "held_out")
+    _warn(own.scenes, source)
     drawn = {"render_mode": "human"} if render else {}
     if video_strip:
         drawn = {"render_mode": "rgb_array", "render_size": (240, 320)}
-    env = single_env(task, keywords, source, **drawn)
+    env = single_env(own.task, own.env, source, **drawn)
     try:
         played = []
-        for number, own in enumerate(seeds(seed, episodes)):
+        for number, of_episode in enumerate(seeds(seed, episodes)):
             frames: list[Any] | None = [] if video_strip and not number else None
-            played.append(play(env, actor, own, frames))
+            played.append(play(env, own.actor, of_episode, frames))
             done = played[-1]
             print(f"{'solved' if done.solved else 'failed'} in {done.steps:3d} steps: "
                   f"{done.instruction}")  # fmt: skip
@@ -124,7 +140,7 @@ def enjoy(
     finally:
         env.close()
         close(source)
-    print(f"{task} at {', '.join(scenes)}: {summed(played)}")
+    print(f"{own.task} at {', '.join(scenes)}: {summed(played)}")
 
 
 def plot(
@@ -156,8 +172,21 @@ def plot(
     print(f"drawn in {out}")
 
 
-def _loaded(name: str, trust: bool, recipe: str | None) -> tuple[Predicts, str, Any]:
-    """Return a policy, its task and its environment's keywords."""
+def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
+    """Say so if a policy is about to be judged at tables it was trained at."""
+    from .making import shared, source_of
+
+    try:
+        both = shared(source_of(_one(trained), "train"), source)
+        if both:
+            what = "1 of these tables was" if both == 1 else f"{both} of these tables were"
+            print(f"{what} trained at: this says little of others.", file=sys.stderr)
+    except TabletopError as error:
+        print(f"Whether it was trained at these tables cannot be told: {error}", file=sys.stderr)
+
+
+def _loaded(name: str, trust: bool, recipe: str | None) -> _Loaded:
+    """Return a policy with what is known of it."""
     from .policies import find_policy, load_policy
     from .runs import BEST, LATEST
 
@@ -172,13 +201,14 @@ def _loaded(name: str, trust: bool, recipe: str | None) -> tuple[Predicts, str, 
     if path.suffix == ".zip":
         return _unzipped(path, trust, recipe)
     policy = load_policy(path)
-    card, seen = policy.card, policy.card.evaluated
-    told = f"; {seen['solved']} of {seen['episodes']} at {seen['scenes']}" if seen else ""
+    card, seen = policy.card, policy.card.validation
+    told = (f"; validation: {seen['solved']} of {seen['episodes']} at {seen['scenes']} "
+            f"(tables: {seen['tables']})") if seen else ""  # fmt: skip
     print(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{told}")
-    return policy, policy.card.task, policy.card.env
+    return _Loaded(policy, card.task, card.env, card.scenes)
 
 
-def _unzipped(path: Path, trust: bool, recipe: str | None) -> tuple[Predicts, str, Any]:
+def _unzipped(path: Path, trust: bool, recipe: str | None) -> _Loaded:
     """Return a model of a zip of Stable-Baselines3, if it is to be trusted."""
     from .making import load_zip
     from .recipes import recipe as named
@@ -194,7 +224,8 @@ def _unzipped(path: Path, trust: bool, recipe: str | None) -> tuple[Predicts, st
     else:
         folder = path.resolve().parent
         own = opened(folder.parent if folder.name.startswith("checkpoint-") else folder).recipe
-    return load_zip(path, own), own.task, own.env
+    scenes = (own.scenes,) if isinstance(own.scenes, str) else own.scenes
+    return _Loaded(load_zip(path, own), own.task, own.env, scenes)
 
 
 def _write_strip(frames: list[Any], path: Path) -> None:

@@ -29,22 +29,30 @@ class Predicts(Protocol):
 
 @dataclass(frozen=True)
 class Played:
-    """One episode: whether it was solved, after how many steps, the mean reward of a step."""
+    """One episode: whether it was solved, after how many steps, the mean reward of a step.
+
+    ``table`` is the digest of the table and its objects.
+    """
 
     solved: bool
     steps: int
     reward: float
     instruction: str
+    table: str
 
 
 @dataclass(frozen=True)
 class Evaluation:
-    """What some episodes came to; ``reward`` and ``steps`` are means over them."""
+    """What some episodes came to, at ``tables`` different tables.
+
+    ``reward`` and ``steps`` are means over them.
+    """
 
     episodes: int
     solved: int
     reward: float
     steps: float
+    tables: int
 
     @property
     def share(self) -> float:
@@ -59,7 +67,8 @@ class Evaluation:
     def __str__(self) -> str:
         low, high = self.interval
         return (
-            f"{self.solved} of {self.episodes} solved, {100 * self.share:.0f} % "
+            f"{self.solved} of {self.episodes} solved at {self.tables} "
+            f"{'table' if self.tables == 1 else 'tables'}, {100 * self.share:.0f} % "
             f"({100 * low:.0f} to {100 * high:.0f} %)"
         )
 
@@ -88,8 +97,8 @@ def play(
         over, solved = ended or cut, held.after(info)
         if frames is not None and (len(rewards) % FRAME_EVERY == 0 or over or solved):
             frames.append(env.render())
-    mean = float(np.mean(rewards))
-    return Played(solved, len(rewards), mean, str(info["instruction"]))
+    table = env.get_wrapper_attr("world").digest
+    return Played(solved, len(rewards), float(np.mean(rewards)), str(info["instruction"]), table)
 
 
 def evaluate(
@@ -104,6 +113,7 @@ def summed(played: list[Played]) -> Evaluation:
     return Evaluation(
         len(played), sum(p.solved for p in played),
         float(np.mean([p.reward for p in played])), float(np.mean([p.steps for p in played])),
+        len({p.table for p in played}),
     )  # fmt: skip
 
 

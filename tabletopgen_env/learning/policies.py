@@ -61,7 +61,11 @@ class Card:
         recipe: name of the recipe.
         seed: of the training.
         steps: of the environments until then.
-        evaluated: "solved", "episodes" and "scenes" of its last evaluation, where there was one.
+        scenes: where it was trained, as the recipe says; of scenes made on demand, their training
+            side.
+        validation: "solved", "episodes", "tables" (how many different ones) and "scenes" of its
+            last evaluation during training, where there was one. The best policy of a run is chosen
+            by it, so it is no test.
         versions: of the libraries it was trained with.
     """
 
@@ -74,7 +78,8 @@ class Card:
     recipe: str
     seed: int
     steps: int
-    evaluated: Mapping[str, Any]
+    scenes: tuple[str, ...]
+    validation: Mapping[str, Any]
     versions: Mapping[str, str]
 
 
@@ -114,7 +119,7 @@ def policy_from(
     model: BaseAlgorithm,
     recipe: Recipe,
     seed: int,
-    evaluated: Mapping[str, Any] | None = None,
+    validation: Mapping[str, Any] | None = None,
     steps: int | None = None,
 ) -> TrainedPolicy:
     """Return a copy of what a model does now.
@@ -123,14 +128,15 @@ def policy_from(
         model: made by ``making.new_model``.
         recipe: with which.
         seed: of the training.
-        evaluated: what the card says of an evaluation.
+        validation: what the card says of an evaluation.
         steps: trained for; None for what the model says.
     """
     actor, squash = actor_of(model, recipe.network)
+    scenes = (recipe.scenes,) if isinstance(recipe.scenes, str) else recipe.scenes
     card = Card(
         recipe.task, dict(recipe.env), recipe.network, inputs_of(model.observation_space),
         actor.last.out_features, squash, recipe.name, seed,
-        model.num_timesteps if steps is None else steps, dict(evaluated or {}),
+        model.num_timesteps if steps is None else steps, scenes, dict(validation or {}),
         {name: _version(name) for name in _VERSIONS},
     )  # fmt: skip
     return TrainedPolicy(card, actor)
@@ -300,17 +306,19 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
     return Card(
         task, env, network, inputs, payload["actions"], squash,  # pyright: ignore
         _of(payload["recipe"], str), _of(payload["seed"], int), _of(payload["steps"], int),
-        _evaluated(_of(payload["evaluated"], dict)), versions,
+        tuple(_of(v, str) for v in _of(payload["scenes"], list)),
+        _validation(_of(payload["validation"], dict)), versions,
     ), answers  # fmt: skip
 
 
-def _evaluated(payload: dict[str, Any]) -> dict[str, Any]:
+def _validation(payload: dict[str, Any]) -> dict[str, Any]:
     if not payload:
         return {}
-    solved, played = _of(payload["solved"], int), _of(payload["episodes"], int)
-    if not 0 <= solved <= played:
-        raise ValueError(f"{solved} of {played} episodes cannot be")
-    return {"solved": solved, "episodes": played, "scenes": str(payload["scenes"])}
+    solved, played, tables = (_of(payload[k], int) for k in ("solved", "episodes", "tables"))
+    if not (0 <= solved <= played and 0 < tables <= played):
+        raise ValueError(f"{solved} of {played} episodes at {tables} tables cannot be")
+    scenes = _of(payload["scenes"], str)
+    return {"solved": solved, "episodes": played, "tables": tables, "scenes": scenes}
 
 
 def _of(value: Any, kind: type) -> Any:

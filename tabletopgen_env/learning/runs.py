@@ -3,7 +3,8 @@
 ======================  ===========================================================================
 ``recipe.json``         the recipe, the seed and the format's version
 ``evaluations.csv``     a row an evaluation: steps, seconds, episodes, solved, reward, length
-``policy.safetensors``  the latest policy; ``best.safetensors`` the best evaluated one
+``policy.safetensors``  the latest policy; ``best.safetensors`` the one that solved the most
+                        held-out episodes (a choice, so no test: see ``enjoy``)
 ``checkpoint-STEPS/``   the newest checkpoint: ``model.zip`` (weights and optimisers; also what
                         Stable-Baselines3 loads), ``counts.json``, ``replay.npz``
 ``tensorboard/``        curves, where TensorBoard is installed

@@ -100,7 +100,7 @@ class Tracker:
     def _keep(self, model: BaseAlgorithm, seen: Evaluation | None, better: bool) -> None:
         scenes = self.run.recipe.held_out
         told = {} if seen is None else {
-            "solved": seen.solved, "episodes": seen.episodes,
+            "solved": seen.solved, "episodes": seen.episodes, "tables": seen.tables,
             "scenes": scenes if isinstance(scenes, str) else ", ".join(scenes),
         }  # fmt: skip
         policy = policy_from(model, self.run.recipe, self.run.seed, told, self.counts.steps)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ast
+import dataclasses
 import runpy
+import shutil
 import sys
 from pathlib import Path
 
@@ -15,7 +17,7 @@ from tabletopgen_env.__main__ import run
 from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.learning.evaluating import evaluate, play, seeds
 from tabletopgen_env.learning.making import single_env, source_of
-from tabletopgen_env.learning.policies import load_policy
+from tabletopgen_env.learning.policies import load_policy, save_policy
 from tabletopgen_env.learning.runs import LATEST
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "train_lift.py"
@@ -70,9 +72,25 @@ def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, c
         told.append(capsys.readouterr().out)
     rest = [lines.partition("\n")[2] for lines in told]
     assert rest[0] == rest[1] == rest[2]
-    assert told[0].startswith(f"best.safetensors: tiny, seed 3, 32 steps; 0 of 2 at {other}\n")
+    first = f"best.safetensors: tiny, seed 3, 32 steps; validation: 0 of 2 at {other} (tables: 1)"
+    assert told[0].startswith(first + "\n")
     assert told[0].count("failed in  60 steps: ") == 2
-    assert f"Reach at {other}: 0 of 2 solved, 0 % (0 to 66 %)" in told[0]
+    assert f"Reach at {other}: 0 of 2 solved at 1 table, 0 % (0 to 66 %)" in told[0]
+
+
+def test_enjoying_where_it_was_trained_is_said(
+    trained: Path, table: str, other: str, tmp_path: Path, capsys
+) -> None:
+    copied = str(shutil.copytree(table, tmp_path / "copied"))
+    for scenes, said in ((copied, "1 of these tables was trained at"), (other, "")):
+        assert command("enjoy", str(trained), "--scenes", scenes, "--episodes", "1") == 0
+        err = capsys.readouterr().err
+        assert said in err and bool(said) == bool(err)
+    policy = load_policy(trained / LATEST)
+    gone = dataclasses.replace(policy.card, scenes=("/none",))
+    path = save_policy(dataclasses.replace(policy, card=gone), tmp_path / "p.safetensors")
+    assert command("enjoy", str(path), "--scenes", other, "--episodes", "1") == 0
+    assert "cannot be told: No bundle" in capsys.readouterr().err
 
 
 def test_a_film_strip_is_written(trained: Path, table: str, tmp_path: Path) -> None:
@@ -138,8 +156,13 @@ def test_success_has_to_be_held(table: str) -> None:
     class Held:
         """Stands in for an environment that has succeeded for some steps."""
 
+        digest = "a table"
+
         def __init__(self, steps: int) -> None:
             self.steps = steps
+
+        def get_wrapper_attr(self, name):
+            return self
 
         def reset(self, seed):
             self.at = 0

@@ -19,7 +19,7 @@ def made(path: Path, recipe, seed: int, shares: dict[int, int]) -> Run:
     """A run that was evaluated: episodes solved of 10, by steps."""
     run = begin(path, recipe, seed)
     for steps, solved in shares.items():
-        run.add(steps, steps * 3.6, Evaluation(10, solved, 0.5, 40.0))
+        run.add(steps, steps * 3.6, Evaluation(10, solved, 0.5, 40.0, 3))
     return run
 
 

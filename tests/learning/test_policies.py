@@ -91,8 +91,9 @@ def test_the_same_policy_gives_the_same_bytes(small, tmp_path: Path) -> None:
     assert files[0] == files[1] != files[2]
 
 
-def test_the_card_says_where_it_is_from(small, policy: TrainedPolicy) -> None:
+def test_the_card_says_where_it_is_from(small, policy: TrainedPolicy, table: str) -> None:
     card = policy.card
+    assert card.scenes == (table,) and card.validation == {}
     assert (card.task, card.recipe, card.seed, card.actions) == ("Reach", "small-sac", 0, 5)
     assert card.inputs == {"": 279} and {"mujoco", "torch"} <= set(card.versions)
 
@@ -131,7 +132,10 @@ def respelt(path: Path, **changes) -> Path:
         ({"network": {"layers": [16], "width": 8}}, "not those of its network"),
         ({"squash": "sigmoid"}, "sigmoid"),
         ({"seed": "0"}, "type int"),
-        ({"evaluated": {"solved": 9, "episodes": 4, "scenes": "x"}}, "9 of 4"),
+        ({"validation": {"solved": 9, "episodes": 4, "tables": 1, "scenes": "x"}}, "9 of 4"),
+        ({"validation": {"solved": 2, "episodes": 4, "tables": 5, "scenes": "x"}}, "5 tables"),
+        ({"scenes": "starter"}, "type list"),
+        ({"scenes": [3]}, "type str"),
         ({"versions": {"mujoco": 3}}, "type str"),
         ({"more": 1}, "has the keys"),
     ],

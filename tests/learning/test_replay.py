@@ -56,9 +56,14 @@ class Slipping(gym.Wrapper):
     def step(self, action):
         self.steps += 1
         seen, reward, ended, cut, info = super().step(action)
-        return seen, reward, ended, cut, info | {
-            "success": HOLD < self.steps < LIMIT if self.episodes == 1 else info["success"]
-        }
+        return (
+            seen,
+            reward,
+            ended,
+            cut,
+            info
+            | {"success": HOLD < self.steps < LIMIT if self.episodes == 1 else info["success"]},
+        )
 
 
 def test_only_what_ends_in_success_is_kept(small) -> None:
@@ -77,7 +82,7 @@ def test_a_demonstration_of_pick_place_ends_where_the_thing_belongs(small) -> No
     model = new_model(recipe, env, 0)
     assert fill(model.replay_buffer, env, 1, 0) == 1
     buffer = model.replay_buffer
-    assert (buffer.rewards[buffer.pos - HOLD : buffer.pos] == pytest.approx(1.0)), "dense reward"
+    assert buffer.rewards[buffer.pos - HOLD : buffer.pos] == pytest.approx(1.0), "dense reward"
     assert buffer.timeouts[buffer.pos - 1].all()
     env.close()
 

@@ -55,8 +55,9 @@ def test_every_family_trains(small, folder: Path, family: str) -> None:
         assert rows[0].steps in range(60, 100)
     policy = load_policy(folder / LATEST)
     assert policy.card.steps == done.steps
-    assert policy.card.evaluated["solved"] == rows[-1].solved
-    best = load_policy(folder / BEST).card.evaluated["solved"]
+    told = {"solved": rows[-1].solved, "episodes": 2, "tables": 1, "scenes": recipe.held_out}
+    assert policy.card.validation == told and policy.card.scenes == (recipe.scenes,)
+    best = load_policy(folder / BEST).card.validation["solved"]
     assert best == max(r.solved for r in rows)
     assert list((folder / "tensorboard").iterdir())
 
