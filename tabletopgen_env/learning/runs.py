@@ -10,8 +10,9 @@
 ``tensorboard/``        curves, where TensorBoard is installed
 ======================  ===========================================================================
 
-A checkpoint is published by one rename, or absent. Going on reads its weights as tensors, its
-counts as JSON and its replay buffer as arrays: nothing is unpickled.
+A checkpoint is published by one rename, or absent. Going on reads its weights through torch's
+restricted loader (``weights_only``, sound from torch 2.6 on), its counts as JSON and its replay
+buffer as arrays; the rest of ``model.zip``, which is pickled, is not read.
 """
 
 from __future__ import annotations

@@ -100,7 +100,7 @@ def test_only_evaluations_are_at_held_out_tables(
     train(small(algorithm, **changes), folder, QUICK, say=quiet)
     assert met.pop("evaluate") == {"other"}
     met.pop("checking")
-    assert met == dict.fromkeys(wanted - {"evaluate"}, {"table"})
+    assert met == {name: {"table"} for name in wanted - {"evaluate"}}
 
 
 def weights(folder: Path) -> dict[str, np.ndarray]:
