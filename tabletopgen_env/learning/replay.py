@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -23,7 +23,13 @@ _ARRAYS = ("actions", "rewards", "dones", "timeouts")
 _EPISODES = ("ep_start", "ep_length")
 
 
-def fill(buffer: ReplayBuffer, env: gym.Env[Any, np.ndarray], episodes: int, seed: int) -> int:
+def fill(
+    buffer: ReplayBuffer,
+    env: gym.Env[Any, np.ndarray],
+    episodes: int,
+    seed: int,
+    between: Callable[[], None] | None = None,
+) -> int:
     """Put episodes of the expert that end in success into a buffer; return how many.
 
     Episodes go on to the time limit, so that the buffer shows what staying there is worth; their
@@ -35,6 +41,7 @@ def fill(buffer: ReplayBuffer, env: gym.Env[Any, np.ndarray], episodes: int, see
         env: where the expert acts; it observes what the buffer holds.
         episodes: how many.
         seed: of the episodes.
+        between: called before each episode, and may raise to end it.
 
     Raises:
         InputError: the buffer has no room for them.
@@ -42,7 +49,7 @@ def fill(buffer: ReplayBuffer, env: gym.Env[Any, np.ndarray], episodes: int, see
     """
     wide = buffer.n_envs
     rounds = -(-episodes // wide)
-    solved = _solved(env, seed)
+    solved = _solved(env, seed, between or (lambda: None))
     for _ in range(rounds):
         together = [next(solved) for _ in range(wide)]
         length = len(together[0].actions)
@@ -58,11 +65,14 @@ def fill(buffer: ReplayBuffer, env: gym.Env[Any, np.ndarray], episodes: int, see
     return rounds * wide
 
 
-def _solved(env: gym.Env[Any, np.ndarray], seed: int) -> Iterator[Demonstration]:
+def _solved(
+    env: gym.Env[Any, np.ndarray], seed: int, between: Callable[[], None]
+) -> Iterator[Demonstration]:
     """Yield episodes that end in success, without end."""
     rng = np.random.default_rng((seed, 4))
     missed = 0
     while missed < MISSES:
+        between()
         shown = demonstrate(env, int(rng.integers(2**31)), to_the_limit=True)
         if shown is not None and shown.solved:
             missed = 0

@@ -49,7 +49,8 @@ _CURVES = "tensorboard"
 class Counts:
     """How far a run is: environment steps, gradient steps, episodes, seconds, and its best share.
 
-    ``best`` is -1 before the first evaluation.
+    ``best`` is -1 before the first evaluation; ``cloned`` says whether the actor's cloned start is
+    done.
     """
 
     steps: int = 0
@@ -57,6 +58,7 @@ class Counts:
     episodes: int = 0
     seconds: float = 0.0
     best: float = -1.0
+    cloned: bool = False
 
 
 @dataclass(frozen=True)

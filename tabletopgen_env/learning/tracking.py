@@ -66,6 +66,7 @@ class Tracker:
     say: Say
     counts: Counts = field(default_factory=Counts)
     learned: bool = False
+    _evaluated: int | None = None
     _since: float = field(default_factory=time.monotonic)
 
     def evaluate(self, model: BaseAlgorithm, steps: int) -> None:
@@ -73,6 +74,7 @@ class Tracker:
         seen = evaluate(self.trials, model, self.plan.episodes)
         better = seen.share > self.counts.best
         self._count(model, steps)
+        self._evaluated = steps
         self.counts = dataclasses.replace(self.counts, best=max(self.counts.best, seen.share))
         self._keep(model, seen, better)
         self.run.add(steps, self.counts.seconds, seen)
@@ -83,11 +85,16 @@ class Tracker:
         self.say(f"{steps:,} steps, {self.counts.seconds / 60:.1f} min: {seen} held out")
 
     def checkpoint(self, model: BaseAlgorithm, steps: int) -> None:
-        """Keep a checkpoint after so many steps."""
-        if steps != self.counts.steps:  # not evaluated
+        """Keep a checkpoint after so many steps, and the policy if it was not just evaluated."""
+        if steps != self._evaluated:
             self._count(model, steps)
             self._keep(model, None, better=False)
         self.run.save(model, self.counts, self.plan.keep_replay)
+
+    def heed(self) -> None:
+        """Raise ``StopAsked`` after Ctrl-C."""
+        if self.stop.is_set():
+            raise StopAsked
 
     def _count(self, model: BaseAlgorithm, steps: int) -> None:
         now = time.monotonic()
@@ -127,8 +134,7 @@ class Progress(BaseCallback):
         steps = self.model.num_timesteps
         if self._bar is not None:
             self._bar(steps)
-        if self._tracker.stop.is_set():
-            raise StopAsked
+        self._tracker.heed()
         if steps >= self._next:
             self._tracker.evaluate(self.model, steps)
             self._tracker.checkpoint(self.model, steps)

@@ -46,7 +46,8 @@ def train(
 ) -> Trained:
     """Train a policy, and leave all there is to know of it in a folder; see ``runs``.
 
-    Ctrl-C ends it after what it has begun, with a checkpoint; a second one ends it at once.
+    Ctrl-C ends it after the rollout, the demonstration or the round of cloning it has begun, with a
+    checkpoint of what can go on; a second one ends it at once.
 
     Args:
         recipe: how.
@@ -125,14 +126,16 @@ def _learn(tracker: Tracker, scenes: SceneSource) -> int:
         if begun >= run.recipe.steps:
             tracker.say(f"{run.path} has {begun:,} steps already; ask for more with --steps.")
             return begun
-        if isinstance(model, OffPolicyAlgorithm) and not replayed:
-            if begun:
-                tracker.say("The replay buffer was not kept: it is filled anew.")
-                model.learning_starts += begun
-            _demonstrate(tracker, model, scenes)
         with suppress(StopAsked):
-            if run.recipe.cloning is not None and not begun:
+            if isinstance(model, OffPolicyAlgorithm) and not replayed:
+                if begun:
+                    tracker.say("The replay buffer was not kept: it is filled anew.")
+                    model.learning_starts += begun
+                _demonstrate(tracker, model, scenes)
+            if not (run.recipe.cloning is None or tracker.counts.cloned or begun):
                 _clone(tracker, model, scenes)
+                tracker.counts = dataclasses.replace(tracker.counts, cloned=True)
+                tracker.checkpoint(model, begun)
             _go_on(tracker, model)
         done = model.num_timesteps
         if done > tracker.counts.steps:
@@ -159,10 +162,14 @@ def _demonstrate(tracker: Tracker, model: OffPolicyAlgorithm, scenes: SceneSourc
     env = single_env(recipe.task, recipe.env, scenes)
     try:
         assert model.replay_buffer is not None
-        count = fill(model.replay_buffer, env, recipe.demonstrations, tracker.plan.seed)
+        count = fill(
+            model.replay_buffer, env, recipe.demonstrations, tracker.plan.seed, tracker.heed
+        )
     finally:
         env.close()
     tracker.say(f"{count} demonstrations in the replay buffer")
+    if not tracker.counts.steps:
+        tracker.checkpoint(model, 0)
 
 
 def _clone_alone(tracker: Tracker, scenes: SceneSource) -> int:
@@ -186,6 +193,7 @@ def _clone(
 ) -> None:
     """Fit the model's actor to the expert; ``then`` is called after each round."""
     recipe = tracker.run.recipe
+    config = cloning_config(recipe)
     assert isinstance(model, SAC)
 
     def told(r: Round) -> None:
@@ -196,12 +204,12 @@ def _clone(
         )
         if then is not None:
             then(r)
-        if tracker.stop.is_set():
-            raise StopAsked
+        if r.number + 1 < config.rounds:
+            tracker.heed()
 
     env = single_env(recipe.task, recipe.env, scenes)
     try:
-        clone(model, env, cloning_config(recipe), tracker.plan.seed, told)
+        clone(model, env, config, tracker.plan.seed, told)
     finally:
         env.close()
 

@@ -14,7 +14,8 @@ from stable_baselines3 import SAC
 
 from generator.errors import InputError, SceneError, TabletopError
 from tabletopgen_env.env import TabletopEnv
-from tabletopgen_env.learning import extra, tracking, training
+from tabletopgen_env.learning import extra, replay, tracking, training
+from tabletopgen_env.learning.demonstrations import demonstrate
 from tabletopgen_env.learning.making import load_zip
 from tabletopgen_env.learning.policies import load_policy
 from tabletopgen_env.learning.runs import BEST, LATEST, opened
@@ -258,6 +259,39 @@ def test_the_first_interrupt_ends_with_a_checkpoint(small, folder: Path) -> None
     assert any("Ctrl-C again" in line for line in told)
     again = train(small(steps=done.steps + 20), folder, QUICK, True, quiet)
     assert again.steps == done.steps + 20
+
+
+def test_demonstrations_can_be_interrupted(small, folder: Path, monkeypatch) -> None:
+    begun = []
+
+    def interrupting(*args: Any, **kwargs: Any) -> Any:
+        begun.append(1)
+        os.kill(os.getpid(), signal.SIGINT)
+        return demonstrate(*args, **kwargs)
+
+    recipe = small(demonstrations=8)
+    with monkeypatch.context() as changed:
+        changed.setattr(replay, "demonstrate", interrupting)
+        done = train(recipe, folder, QUICK, say=quiet)
+    assert done.interrupted and done.steps == 0 and len(begun) == 1
+    assert not opened(folder).kept, "half of them are no start"
+    assert train(recipe, folder, QUICK, True, quiet).steps >= 120
+
+
+def test_what_comes_before_the_first_step_is_kept(small, folder: Path, monkeypatch) -> None:
+    def say(line: str) -> None:
+        if line.startswith("2 demonstrations"):
+            os.kill(os.getpid(), signal.SIGINT)
+
+    recipe = small(demonstrations=2, cloning={**CLONING, "rounds": 1})
+    done = train(recipe, folder, QUICK, say=say)
+    assert done.interrupted and done.steps == 0
+    kept = opened(folder).checkpoint
+    assert kept.name == "checkpoint-0" and (kept / "replay.npz").is_file()
+    assert load_policy(folder / LATEST).card.steps == 0
+    for name in ("fill", "clone"):
+        monkeypatch.setattr(training, name, None)  # neither is done again
+    assert train(recipe, folder, QUICK, True, quiet).steps >= 120
 
 
 def test_cloning_can_be_interrupted_too(small, folder: Path) -> None:
