@@ -24,7 +24,9 @@ class GoalExtractor(BaseFeaturesExtractor):
     """Features of goal observations of one goal: those ``TableExtractor`` has of the flat state.
 
     The state's goal entries are written from the desired and the achieved goal, so that they
-    follow when hindsight replaces them. Which object carries the goal is left out.
+    follow when hindsight replaces them. Whether an object carries the goal is left out (entry 268
+    is 0). Slot 1 of the observation does not follow: it stays the object that carries the true
+    goal, if one does, also where the goal is a replayed one; and so does the grasp hint.
 
     Raises:
         InputError: the observation is no goal observation of one goal.

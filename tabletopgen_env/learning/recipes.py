@@ -134,6 +134,9 @@ class Recipe:
         for wrong, why in (
             (self.hindsight and self.observation != "goal", "hindsight needs observation='goal'"),
             (self.hindsight and self.algorithm not in ("sac", "td3"), "hindsight needs SAC or TD3"),
+            (self.hindsight and self.env.get("grasp_hint"),
+             "hindsight cannot be with grasp_hint, whose entries follow the true goal and not the "
+             "replayed one; leave one of them out"),
             (self.demonstrations and self.algorithm not in ("sac", "td3"),
              "demonstrations go into the replay buffer of SAC or TD3"),
             (self.cloning is not None and self.algorithm not in ("sac", "clone"),

@@ -106,6 +106,8 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
         ({"scenes": []}, "scenes is a text"),
         ({"held_out": 3}, "held_out is a text"),
         ({"hindsight": 4}, "observation='goal'"),
+        ({"hindsight": 4, "env": {"observation": "goal", "grasp_hint": True},
+          "network": {"extractor": "goal"}}, "cannot be with grasp_hint"),
         ({"algorithm": "ppo", "demonstrations": 3}, "replay buffer"),
         ({"algorithm": "clone"}, "needs cloning"),
         ({"algorithm": "td3", "cloning": {}}, "only SAC"),
