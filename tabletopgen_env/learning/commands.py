@@ -150,12 +150,13 @@ def plot(
     out: Path = Path("success.png"),
     by: Literal["steps", "hours"] = "steps",
 ) -> None:
-    """Draw the held-out success of runs; those of one recipe as their mean and range.
+    """Draw the held-out success of runs; those of one recipe and settings as their mean and range.
 
     Args:
         runs: The runs' folders.
         out: The PNG to write.
-        by: What is across: steps or hours.
+        by: What is across: steps of the training environments (of cloning, the states in which the
+            expert gave advice), or hours, evaluations included.
     """
     if not runs:
         raise InputError("Name at least one run's folder to plot.")

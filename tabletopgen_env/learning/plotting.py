@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from jaxtyping import Float, UInt8
@@ -14,9 +14,15 @@ from PIL import Image, ImageDraw, ImageFont
 from generator.errors import InputError, StorageError
 from generator.mjcf import encode_png
 
+from .recipes import Recipe
 from .runs import Run
 
 By = Literal["steps", "hours"]
+ACROSS: Mapping[By, str] = {
+    "steps": "steps of the training environments",
+    "hours": "hours, evaluations included",
+}
+"""What is across."""
 
 _COLORS = ((31, 119, 180), (214, 69, 65), (44, 140, 60), (148, 90, 180), (220, 130, 20))
 _INK, _PALE = (40, 44, 52), (214, 218, 224)
@@ -38,22 +44,50 @@ class Band:
 def bands(runs: Sequence[Run], by: By = "steps") -> dict[str, Band]:
     """Return a band a recipe, by its name, interpolated between evaluations.
 
+    Runs make one band if their recipes say the same but for the number of steps. If recipes of one
+    name do not, what differs stands beside the name.
+
     Args:
-        runs: the runs; those of one recipe differ in their seeds.
-        by: "steps" or "hours" of training.
+        runs: the runs; one that is given twice counts once.
+        by: "steps" of the training environments (of cloning, the states in which the expert gave
+            advice), or "hours" of a run, evaluations included.
 
     Raises:
         InputError: a run has no evaluation, or runs of one recipe have nothing in common.
     """
+    own = list({run.path.resolve(): run for run in runs}.values())
+    names = labels([run.recipe for run in own])
     curves: dict[str, list[tuple[list[float], list[float]]]] = {}
-    for run in runs:
+    for name, run in zip(names, own, strict=True):
         rows = run.rows()
         if not rows:
             raise InputError(f"{run.path} has no evaluation yet.")
         at = [float(r.steps) if by == "steps" else r.seconds / 3600 for r in rows]
         curve = (at, [r.solved / r.episodes for r in rows])
-        curves.setdefault(run.recipe.name, []).append(curve)
-    return {name: _band(name, own) for name, own in curves.items()}
+        curves.setdefault(name, []).append(curve)
+    return {name: _band(name, several) for name, several in curves.items()}
+
+
+def labels(recipes: Sequence[Recipe]) -> list[str]:
+    """Return a name for each recipe, the same for those that say the same but for their steps."""
+    said = [_flat({k: v for k, v in r.facts().items() if k != "steps"}) for r in recipes]
+    found = []
+    for recipe, own in zip(recipes, said, strict=True):
+        others = [s for r, s in zip(recipes, said, strict=True) if r.name == recipe.name]
+        keys = sorted({key for s in others for key in s})
+        odd = [key for key in keys if any(s.get(key) != own.get(key) for s in others)]
+        told = ", ".join(f"{key}={own.get(key, 'none')}" for key in odd)
+        found.append(f"{recipe.name} ({told})" if told else recipe.name)
+    return found
+
+
+def _flat(facts: Mapping[str, Any], before: str = "") -> dict[str, Any]:
+    """Return nested settings by their dotted names."""
+    found: dict[str, Any] = {}
+    for key, value in facts.items():
+        inner = isinstance(value, Mapping)
+        found |= _flat(value, f"{before}{key}.") if inner else {before + key: value}
+    return found
 
 
 def _band(name: str, curves: list[tuple[list[float], list[float]]]) -> Band:
@@ -84,7 +118,7 @@ def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 
         x = point(value, 0)[0]
         pen.line((x, _TOP, x, _TOP + tall), _PALE)
         pen.text((x, _TOP + tall + 6), number(value), _INK, small, anchor="mt")
-    pen.text((_LEFT + wide / 2, _HEIGHT - 24), by, _INK, small, anchor="mt")
+    pen.text((_LEFT + wide / 2, _HEIGHT - 24), ACROSS[by], _INK, small, anchor="mt")
     for k, (name, band) in enumerate(found.items()):
         color = _COLORS[k % len(_COLORS)]
         upper = [point(a, m) for a, m in zip(band.at, band.most, strict=True)]

@@ -12,7 +12,7 @@ from generator.errors import InputError
 from tabletopgen_env.__main__ import run as command
 from tabletopgen_env.learning.evaluating import Evaluation
 from tabletopgen_env.learning.plotting import bands, draw, number, ticks
-from tabletopgen_env.learning.runs import Run, begin
+from tabletopgen_env.learning.runs import Run, begin, opened
 
 
 def made(path: Path, recipe, seed: int, shares: dict[int, int]) -> Run:
@@ -37,6 +37,22 @@ def test_runs_of_a_recipe_make_a_band_where_all_have_been(small, tmp_path: Path)
     assert band.mean[-1] == pytest.approx(2 / 3)
     assert bands(runs, "hours")["small-sac"].at[-1] == pytest.approx(0.2)
     assert found["small-ppo"].mean.tolist() == pytest.approx([0.3] * len(found["small-ppo"].at))
+
+
+def test_runs_of_other_settings_are_told_apart(small, tmp_path: Path) -> None:
+    one = made(tmp_path / "a", small(), 0, {0: 1, 100: 1})
+    longer = made(tmp_path / "b", small(steps=999), 1, {0: 1, 100: 3})
+    gamma = {"learning_starts": 20, "buffer_size": 2000, "batch_size": 16, "gamma": 0.5}
+    other = made(tmp_path / "c", small(options=gamma), 0, {0: 1, 100: 9})
+    again = opened(tmp_path / "a" / ".." / "a")
+    found = bands([one, longer, again])
+    assert {name: band.runs for name, band in found.items()} == {"small-sac": 2}
+    assert found["small-sac"].mean[-1] == pytest.approx(0.2)
+    found = bands([one, other, longer])
+    assert {name: band.runs for name, band in found.items()} == {
+        "small-sac (options.gamma=none)": 2,
+        "small-sac (options.gamma=0.5)": 1,
+    }
 
 
 def test_runs_without_a_common_stretch_are_refused(small, tmp_path: Path) -> None:
