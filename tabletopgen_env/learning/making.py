@@ -91,7 +91,7 @@ def single_env(
 
 
 def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
-    """Return a recipe's environments for training; slot k has the seed ``seed + k``.
+    """Return a recipe's environments for training; each slot has a seed of its own.
 
     The scenes are left to who made them.
     """

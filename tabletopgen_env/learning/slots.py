@@ -44,6 +44,15 @@ class SlotVecEnv(VecEnv):
         self._reset_options()
         return seen
 
+    def seed(self, seed: int | None = None) -> Sequence[int | None]:
+        """Give each slot a seed of its own for the next reset; other runs' slots have others."""
+        if seed is None:
+            return super().seed()
+        self._seeds = [
+            int(s) for s in np.random.SeedSequence((seed, 5)).generate_state(self.num_envs)
+        ]
+        return self._seeds
+
     def step_async(self, actions: np.ndarray) -> None:
         """Keep the actions for ``step_wait``."""
         self._actions = actions

@@ -15,6 +15,7 @@ import torch
 from stable_baselines3 import SAC
 from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
+from stable_baselines3.common.type_aliases import TrainFreq
 
 from generator.errors import InputError, TabletopError
 
@@ -28,8 +29,6 @@ from .recipes import Recipe
 from .replay import fill
 from .runs import Run, begin, differences, opened
 from .tracking import Plan, Progress, Say, Tracker, logger_of
-
-_STRIDE = 7919  # between the seeds of the environments of a run and of one that goes on
 
 
 @dataclass(frozen=True)
@@ -122,21 +121,21 @@ def _learn(tracker: Tracker, scenes: SceneSource) -> int:
         model.set_logger(tracker.logger)
         tracker.counts, replayed = run.restore(model)
         begun = tracker.counts.steps
-        envs.seed(seed + _STRIDE * begun)  # other tables than those it began with
+        if begun:  # other tables, and other tries, than those it began with
+            model.set_random_seed(int(np.random.SeedSequence((seed, begun)).generate_state(1)[0]))
         if begun >= run.recipe.steps:
             tracker.say(f"{run.path} has {begun:,} steps already; ask for more with --steps.")
             return begun
         with suppress(StopAsked):
+            refill = False
             if isinstance(model, OffPolicyAlgorithm) and not replayed:
-                if begun:
-                    tracker.say("The replay buffer was not kept: it is filled anew.")
-                    model.learning_starts += begun
+                refill = begun > 0
                 _demonstrate(tracker, model, scenes)
             if not (run.recipe.cloning is None or tracker.counts.cloned or begun):
                 _clone(tracker, model, scenes)
                 tracker.counts = dataclasses.replace(tracker.counts, cloned=True)
                 tracker.checkpoint(model, begun)
-            _go_on(tracker, model)
+            _go_on(tracker, model, refill)
         done = model.num_timesteps
         if done > tracker.counts.steps:
             if not tracker.stop.is_set():
@@ -145,13 +144,32 @@ def _learn(tracker: Tracker, scenes: SceneSource) -> int:
         return done
 
 
-def _go_on(tracker: Tracker, model: BaseAlgorithm) -> None:
+def _go_on(tracker: Tracker, model: BaseAlgorithm, refill: bool) -> None:
     callback = Progress(tracker)
     try:
+        if refill:
+            assert isinstance(model, OffPolicyAlgorithm)
+            tracker.say(
+                "The replay buffer was not kept: the policy fills it anew before it learns."
+            )
+            _refill(model, callback, tracker.run.recipe.steps)
         left = tracker.run.recipe.steps - model.num_timesteps
         model.learn(left, callback, reset_num_timesteps=False)
     finally:
         callback.end()
+
+
+def _refill(model: OffPolicyAlgorithm, callback: Progress, most: int) -> None:
+    """Let the policy act, not learn, for as many steps as a new one would try at random."""
+    until = min(model.num_timesteps + model.learning_starts, most)
+    _, called = model._setup_learn(until, callback, reset_num_timesteps=False)
+    assert model.env is not None and model.replay_buffer is not None
+    assert isinstance(model.train_freq, TrainFreq)  # since _setup_learn
+    while model.num_timesteps < until:
+        model.collect_rollouts(
+            model.env, called, model.train_freq, model.replay_buffer, model.action_noise,
+            learning_starts=0,
+        )  # fmt: skip
 
 
 def _demonstrate(tracker: Tracker, model: OffPolicyAlgorithm, scenes: SceneSource) -> None:

@@ -41,8 +41,7 @@ def same(a, b) -> bool:
 def test_it_gives_what_sb3s_own_gives(observation: str) -> None:
     ours, theirs = both(observation)
     assert ours.observation_space == theirs.observation_space
-    ours.seed(3)
-    theirs.seed(3)
+    theirs._seeds = list(ours.seed(3))
     assert same(ours.reset(), theirs.reset())
     assert [i["target"] for i in ours.reset_infos] == [i["target"] for i in theirs.reset_infos]
     rng = np.random.default_rng(0)
@@ -62,6 +61,13 @@ def test_it_gives_what_sb3s_own_gives(observation: str) -> None:
                 assert mine["TimeLimit.truncated"] is True is other["TimeLimit.truncated"]
                 assert same(mine["terminal_observation"], other["terminal_observation"])
     assert ended == 4
+    ours.close()
+
+
+def test_slots_of_neighbouring_runs_have_other_seeds() -> None:
+    ours, _ = both("state")
+    seeds = [s for run in range(50) for s in ours.seed(run)]
+    assert len(set(seeds)) == 100 and list(ours.seed(3)) == list(ours.seed(3))
     ours.close()
 
 

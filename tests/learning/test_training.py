@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import signal
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from stable_baselines3 import SAC
+import torch
+from gymnasium.spaces import Box
+from stable_baselines3 import PPO, SAC
+from stable_baselines3.common.vec_env import VecMonitor
 
 from generator.errors import InputError, SceneError, TabletopError
 from tabletopgen_env.env import TabletopEnv
@@ -166,13 +170,43 @@ def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder:
     assert state and state.keys() == loaded.actor.optimizer.state_dict()["state"].keys()
 
 
-def test_without_its_replay_buffer_a_run_fills_it_anew(small, folder: Path) -> None:
+def test_without_its_replay_buffer_a_run_fills_it_anew(small, folder: Path, monkeypatch) -> None:
     plan = Plan(episodes=1, keep_replay=False)
     train(small(steps=40, demonstrations=2), folder, plan, say=quiet)
     told: list[str] = []
-    train(small(steps=80, demonstrations=2), folder, plan, True, told.append)
-    assert any("filled anew" in line for line in told)
+    before = json.loads((opened(folder).checkpoint / "counts.json").read_text())
+
+    def random(self: Box, *args: Any, **kwargs: Any) -> None:
+        raise AssertionError("what has been learned acts, not chance")
+
+    monkeypatch.setattr(Box, "sample", random)
+    done = train(small(steps=80, demonstrations=2), folder, plan, True, told.append)
+    assert any("policy fills it anew" in line for line in told)
     assert any("2 demonstrations" in line for line in told)
+    after = json.loads((opened(folder).checkpoint / "counts.json").read_text())
+    steps = done.steps - before["steps"] - 20  # learning_starts
+    assert after["updates"] - before["updates"] == steps // 2 > 0
+
+
+def test_what_goes_on_does_not_repeat_itself(small, tmp_path: Path, monkeypatch) -> None:
+    drawn: list[tuple[int, tuple[int | None, ...]]] = []
+    learn = PPO.learn
+
+    def noting(self: PPO, *args: Any, **kwargs: Any) -> Any:
+        assert isinstance(self.env, VecMonitor)
+        drawn.append((torch.initial_seed(), tuple(self.env.venv._seeds)))
+        return learn(self, *args, **kwargs)
+
+    monkeypatch.setattr(PPO, "learn", noting)
+    plan = Plan(episodes=1)
+    train(small("ppo", steps=32), tmp_path / "a", plan, say=quiet)
+    for name in "bc":
+        shutil.copytree(tmp_path / "a", tmp_path / name)
+        train(small("ppo", steps=64), tmp_path / name, plan, True, quiet)
+    train(small("ppo", steps=96), tmp_path / "c", plan, True, quiet)
+    begun, first, second, third = drawn
+    assert first == second and len({begun, first, third}) == 3
+    assert len({seed for _, slots in (begun, first, third) for seed in slots}) == 6
 
 
 def test_a_finished_run_says_so(small, folder: Path) -> None:
