@@ -122,19 +122,23 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
             buffer.pos, buffer.full = position, bool(full)
             if isinstance(buffer, HerReplayBuffer):
                 buffer._current_ep_start[:] = file["began"]
-                _end_episodes(buffer)
+        _end_episodes(buffer)
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
         raise InputError(
             f"{path} is no replay buffer of this run ({error}). Delete it to go on without."
         ) from error
 
 
-def _end_episodes(buffer: HerReplayBuffer) -> None:
+def _end_episodes(buffer: ReplayBuffer) -> None:
     """End unfinished episodes as by a time limit, as the environments begin anew."""
+    if not (buffer.pos or buffer.full):
+        return
     last = (buffer.pos - 1) % buffer.buffer_size
-    for k in np.flatnonzero(buffer._current_ep_start != buffer.pos):
-        buffer.dones[last, k] = buffer.timeouts[last, k] = 1.0
-        buffer._compute_episode_length(int(k))
+    running = np.flatnonzero(buffer.dones[last] == 0)
+    buffer.dones[last, running] = buffer.timeouts[last, running] = 1.0
+    if isinstance(buffer, HerReplayBuffer):
+        for k in np.flatnonzero(buffer._current_ep_start != buffer.pos):
+            buffer._compute_episode_length(int(k))
 
 
 def _arrays(buffer: ReplayBuffer) -> dict[str, np.ndarray]:

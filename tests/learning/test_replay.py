@@ -123,6 +123,26 @@ def test_an_expert_that_solves_nothing_ends_in_an_error(small, monkeypatch) -> N
         filled(small())
 
 
+def test_returns_of_several_steps_do_not_reach_over_the_seam(small, tmp_path: Path) -> None:
+    options = {"learning_starts": 20, "buffer_size": 2000, "n_steps": 3}
+    recipe = small(options=options)
+    envs = many_envs(recipe, source_of(recipe.scenes, "train"), 0)
+    buffer = new_model(recipe, envs, 0).replay_buffer
+    seen = envs.reset()
+    ends, goes_on = np.array([1.0, 0.0]), np.zeros(2)
+    buffer.add(seen, seen, np.zeros((2, 5)), np.full(2, 7.0), ends, [{}, {}])
+    write_buffer(buffer, tmp_path / "replay.npz")
+    again = new_model(recipe, envs, 0).replay_buffer
+    read_buffer(again, tmp_path / "replay.npz")
+    assert again.dones[0].tolist() == [1.0, 1.0] and again.timeouts[0].tolist() == [0.0, 1.0]
+    for _ in range(3):
+        again.add(seen, seen, np.zeros((2, 5)), np.full(2, 1.0), goes_on, [{}, {}])
+    np.random.seed(0)  # noqa: NPY002  the buffer draws from it
+    rewards = again._get_samples(np.zeros(50, int)).rewards
+    assert set(rewards.flatten().tolist()) == {7.0}
+    envs.close()
+
+
 @pytest.mark.parametrize("hindsight", [0, 4])
 def test_a_buffer_comes_back_from_disk(small, tmp_path: Path, hindsight: int) -> None:
     goal = {"observation": "goal"} if hindsight else {}
