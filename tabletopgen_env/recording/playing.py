@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Generator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextvars import ContextVar
 from dataclasses import dataclass
 from itertools import count
 from multiprocessing import get_context
+from multiprocessing.util import Finalize
 from typing import Any
 
 import gymnasium as gym
@@ -59,13 +62,16 @@ def played(
 
     Args:
         config: what to record.
-        env: where a single worker plays; several make their own.
+        env: where a single worker plays; several make one each of their own.
         workers: processes.
+
+    Raises:
+        SceneError: a process has ended abruptly.
     """
     if workers == 1:
         yield from (_attempt(config, env, number) for number in count())
     few = min(CHUNK, -(-config.episodes // workers))
-    pool = ProcessPoolExecutor(workers, get_context("spawn"))
+    pool = ProcessPoolExecutor(workers, get_context("spawn"), _begin, (config,))
     try:
         numbers, begun = count(0, few), count(0, few)
         ahead: deque[Future[list[Played | SceneError]]] = deque()
@@ -74,17 +80,29 @@ def played(
             while len(ahead) < min(2 * workers, wanted):
                 ahead.append(pool.submit(_chunk, config, next(begun), few))
             yield from ahead.popleft().result()
+    except BrokenProcessPool as error:
+        raise SceneError(
+            "A process that played episodes has ended abruptly: killed, or out of memory. Use "
+            "fewer workers. A script calls record under `if __name__ == '__main__':`."
+        ) from error
     finally:
         pool.shutdown(cancel_futures=True)
 
 
+_environment: ContextVar[gym.Env[Any, Any]] = ContextVar("_environment")
+"""Where this process plays; set by ``_begin``."""
+
+
+def _begin(config: RecordConfig) -> None:
+    """Make the environment of a process, kept until the process ends."""
+    env = config.environment()
+    Finalize(env, env.close, exitpriority=0)
+    _environment.set(env)
+
+
 def _chunk(config: RecordConfig, first: int, few: int) -> list[Played | SceneError]:
     """Play the episodes of a process's turn."""
-    env = config.environment()
-    try:
-        return [_attempt(config, env, first + k) for k in range(few)]
-    finally:
-        env.close()
+    return [_attempt(config, _environment.get(), first + k) for k in range(few)]
 
 
 def _attempt(config: RecordConfig, env: gym.Env[Any, Any], number: int) -> Played | SceneError:

@@ -50,7 +50,8 @@ def record(
     Raises:
         InputError: a setting is wrong, a package is missing, or ``out`` is there already.
         BundleError: no bundle fits the scenes, or one is damaged.
-        SceneError: the expert solved none of ``MOST_MISSES`` episodes in a row.
+        SceneError: the expert solved none of ``MOST_MISSES`` episodes in a row, or a process that
+            played has ended abruptly.
         StorageError: the disk refused.
     """
     if format not in FORMATS:

@@ -6,7 +6,7 @@ import json
 import os
 import subprocess
 import sys
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -90,6 +90,57 @@ def test_the_same_seed_gives_the_same_arrays_whatever_the_workers(
     assert contents(again / "data/main_data.hdf5") == contents(lift / "data/main_data.hdf5")
     other = record(replace(LIFT, seed=5, episodes=1), tmp_path / "other-v0")
     assert contents(other / "data/main_data.hdf5") != contents(lift / "data/main_data.hdf5")
+
+
+@dataclass(frozen=True)
+class Counted(RecordConfig):
+    """Notes in a folder, by process, each environment that is made, and that is closed."""
+
+    folder: str = ""
+
+    def environment(self) -> Any:
+        env = super().environment()
+        self.note("made")
+        close = env.close
+
+        def closing() -> None:
+            self.note("closed")
+            close()
+
+        env.close = closing  # type: ignore[method-assign]
+        return env
+
+    def note(self, what: str) -> None:
+        with (Path(self.folder) / f"{what}-{os.getpid()}").open("a") as file:
+            file.write("x")
+
+
+class Fatal(Counted):
+    """Ends any other process than the one it was made for."""
+
+    def environment(self) -> Any:
+        if str(os.getpid()) != Path(self.folder).name:
+            os._exit(9)
+        return super().environment()
+
+
+def test_each_process_makes_one_environment_and_closes_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tabletopgen_env.recording.playing.CHUNK", 1)
+    config = Counted("Lift", scenes=(TABLE,), episodes=3, seed=4, folder=str(tmp_path))
+    record(config, tmp_path / "data", "npz", workers=2)
+    notes = {path.name: path.read_text() for path in tmp_path.glob("*-*")}
+    assert len(notes) == 6, "this process and two more"
+    assert set(notes.values()) == {"x"}
+
+
+def test_a_process_that_dies_is_an_error_of_the_project(tmp_path: Path) -> None:
+    folder = tmp_path / str(os.getpid())
+    folder.mkdir()
+    with pytest.raises(SceneError, match="ended abruptly"):
+        record(Fatal("Lift", scenes=(TABLE,), folder=str(folder)), tmp_path / "data", "npz", 2)
+    assert list(tmp_path.iterdir()) == [folder]
 
 
 def contents(path: Path) -> dict[str, Any]:
