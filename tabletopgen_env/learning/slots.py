@@ -16,9 +16,14 @@ from jaxtyping import Bool, Float
 from stable_baselines3.common.env_util import is_wrapped
 from stable_baselines3.common.vec_env import VecEnv
 
+from generator.errors import InputError
+
 from ..scenes import SceneRef, SceneSource
 from ..scenes.source import close, record
 from ..vector import TabletopVectorEnv
+
+
+_FINAL = ("final_obs", "final_info")
 
 
 class SlotVecEnv(VecEnv):
@@ -36,9 +41,18 @@ class SlotVecEnv(VecEnv):
         super().__init__(slots.num_envs, slots.single_observation_space, slots.single_action_space)
 
     def reset(self) -> Any:
-        """Reset all slots with the seeds that ``seed`` has set, and return what they see."""
-        options = next((o for o in self._options if o), None)
-        seen, infos = self.slots.reset(seed=self._seeds, options=options)
+        """Reset all slots with the seeds and options that were set, and return what they see.
+
+        Raises:
+            InputError: the slots' options differ.
+        """
+        options = self._options[0]
+        if any(other != options for other in self._options):
+            raise InputError(
+                "All slots are reset with the same options; set_options takes one dict, got "
+                f"{self._options}."
+            )
+        seen, infos = self.slots.reset(seed=self._seeds, options=options or None)
         self.reset_infos = [row(infos, k) for k in range(self.num_envs)]
         self._reset_seeds()
         self._reset_options()
@@ -69,6 +83,8 @@ class SlotVecEnv(VecEnv):
                 own = row(infos["final_info"], k)
                 own["terminal_observation"] = infos["final_obs"][k]
                 own["TimeLimit.truncated"] = bool(truncated[k] and not terminated[k])
+                began = row(infos, k)
+                self.reset_infos[k] = {n: v for n, v in began.items() if n not in _FINAL}
             else:
                 own = row(infos, k)
             told.append(own)

@@ -10,6 +10,7 @@ import pytest
 from stable_baselines3.common.vec_env import DummyVecEnv
 from toy import toy_scene
 
+from generator.errors import InputError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.learning.slots import SharedScenes, SlotVecEnv
 from tabletopgen_env.scenes import FixedScenes, SceneRef, resolve
@@ -45,7 +46,7 @@ def test_it_gives_what_sb3s_own_gives(observation: str) -> None:
     assert same(ours.reset(), theirs.reset())
     assert [i["target"] for i in ours.reset_infos] == [i["target"] for i in theirs.reset_infos]
     rng = np.random.default_rng(0)
-    ended = 0
+    ended, begun = 0, set()
     for _ in range(2 * LIMIT + 1):
         actions = rng.uniform(-1, 1, (2, 5)).astype(np.float32)
         got, wanted = ours.step(actions), theirs.step(actions)
@@ -60,7 +61,11 @@ def test_it_gives_what_sb3s_own_gives(observation: str) -> None:
             if over:
                 assert mine["TimeLimit.truncated"] is True is other["TimeLimit.truncated"]
                 assert same(mine["terminal_observation"], other["terminal_observation"])
-    assert ended == 4
+        for mine, other in zip(ours.reset_infos, theirs.reset_infos, strict=True):
+            assert mine.keys() == other.keys()
+            assert mine["reward_terms"] == other["reward_terms"]
+            begun.add(tuple(mine["reward_terms"].values()))
+    assert ended == 4 and len(begun) == 6, "renewed as slots reset themselves"
     ours.close()
 
 
@@ -68,6 +73,17 @@ def test_slots_of_neighbouring_runs_have_other_seeds() -> None:
     ours, _ = both("state")
     seeds = [s for run in range(50) for s in ours.seed(run)]
     assert len(set(seeds)) == 100 and list(ours.seed(3)) == list(ours.seed(3))
+    ours.close()
+
+
+def test_options_are_of_all_slots_alike() -> None:
+    ours, _ = both("state")
+    ours.set_options({"target": "cube_1"})
+    ours.reset()
+    assert [info["target"] for info in ours.reset_infos] == ["cube_1"] * 2
+    ours.set_options([{"target": "cube_1"}, {}])
+    with pytest.raises(InputError, match="same options"):
+        ours.reset()
     ours.close()
 
 
