@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -19,11 +20,11 @@ from stable_baselines3.common.torch_layers import (
     CombinedExtractor,
     FlattenExtractor,
 )
-from stable_baselines3.common.vec_env import VecEnv, VecMonitor
+from stable_baselines3.common.vec_env import DummyVecEnv, VecEnv, VecMonitor
 from torch import nn
 
 from generator.bundle import digest
-from generator.errors import InputError, choices
+from generator.errors import InputError, choices, require_number
 
 from ..scenes import FRESH, REFRESHING, SceneRef, SceneSource, resolve, split
 from ..scenes.splitting import Described, Side
@@ -126,6 +127,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
             )
     noise = options.pop("action_noise", None)
     if noise is not None:
+        require_number(f"{recipe.name} needs options.action_noise", noise, least=0)
         size = env.action_space.shape
         options["action_noise"] = NormalActionNoise(np.zeros(size), np.full(size, float(noise)))
     if recipe.algorithm == "clone":
@@ -143,6 +145,32 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
         )  # fmt: skip
     except (TypeError, ValueError, AssertionError) as error:
         raise InputError(f"{recipe.name}: {kind.__name__} refuses its options: {error}") from error
+
+
+def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
+    """Return a recipe's model for as many environments as it has, with a buffer for a step of each.
+
+    Args:
+        recipe: what it is like.
+        like: what the environments see and do; it is not touched.
+
+    Raises:
+        InputError: as ``new_model``.
+    """
+    count = 1 if recipe.algorithm == "clone" else recipe.envs
+    if recipe.algorithm in ("sac", "td3"):
+        size = recipe.options.get("buffer_size", count)
+        require_number(f"{recipe.name} needs options.buffer_size", size, least=count, whole=True)
+        recipe = replace(recipe, options={**recipe.options, "buffer_size": count})
+    blanks = [lambda: _Blank(like)] * count
+    return new_model(recipe, DummyVecEnv(blanks), 0)  # pyright: ignore[reportArgumentType]
+
+
+class _Blank(gym.Env):
+    """Has the spaces of an environment, and does nothing."""
+
+    def __init__(self, like: gym.Env[Any, Any]) -> None:
+        self.observation_space, self.action_space = like.observation_space, like.action_space
 
 
 def load_zip(path: Path, recipe: Recipe) -> BaseAlgorithm:
@@ -186,7 +214,8 @@ def _check_start(recipe: Recipe) -> None:
     """Refuse hindsight that would have to learn before an episode is over."""
     limit = spec_of(recipe.task).max_episode_steps or 0
     first = limit * recipe.envs
-    starts = int(recipe.options.get("learning_starts", 100))
+    starts = recipe.options.get("learning_starts", 100)
+    require_number(f"{recipe.name} needs options.learning_starts", starts, least=0, whole=True)
     if not recipe.demonstrations and starts <= first:
         raise InputError(
             f"{recipe.name}: with hindsight, learning_starts must be above {first}, the steps of "

@@ -23,7 +23,7 @@ from ..scenes import SceneSource
 from ..scenes.source import close
 from .cloning import CloningConfig, Round, clone
 from .ending import StopAsked, heeding
-from .making import many_envs, new_model, shared, single_env, source_of
+from .making import blank_model, many_envs, new_model, shared, single_env, source_of
 from .policies import policy_bytes, policy_from
 from .recipes import Recipe
 from .replay import fill
@@ -94,7 +94,7 @@ def _check(recipe: Recipe, env: gym.Env[Any, np.ndarray]) -> None:
     """Refuse what would fail later, before anything is written."""
     cloning_config(recipe)
     env.reset(seed=0)
-    policy_bytes(policy_from(new_model(recipe, env, 0), recipe, 0))
+    policy_bytes(policy_from(blank_model(recipe, env), recipe, 0))
 
 
 def _resumed(out: Path, recipe: Recipe, seed: int) -> Run:

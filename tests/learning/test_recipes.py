@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import shutil
+import warnings
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ import pytest
 from generator.bundle import load
 from generator.errors import InputError
 from tabletopgen_env.learning.making import (
+    blank_model,
     many_envs,
     new_model,
     shared,
@@ -129,12 +131,34 @@ def test_options_are_those_of_the_algorithm(small, table: str) -> None:
         new_model(small(options={"policy": "x"}), env, 0)
     with pytest.raises(InputError, match="refuses"):
         new_model(small(options={"buffer_size": "many"}), env, 0)
+    with pytest.raises(InputError, match="action_noise to be a number >= 0, got 'much'"):
+        new_model(small("td3", options={"action_noise": "much"}), env, 0)
+    hindsight = {"env": {"observation": "goal"}, "hindsight": 4, "network": {"extractor": "goal"}}
+    with pytest.raises(InputError, match="learning_starts to be a whole number"):
+        new_model(small(options={"learning_starts": "soon"}, **hindsight), env, 0)
     with pytest.raises(InputError, match="learning_starts must be above 120"):
         goal = {"observation": "goal"}
         new_model(
             small(hindsight=4, env=goal, network={"extractor": "goal"}),
             single_env("Reach", goal, source_of(table, "train")), 0,
         )  # fmt: skip
+
+
+@pytest.mark.parametrize("algorithm", ["sac", "td3", "ppo", "clone"])
+def test_a_model_is_tried_without_its_environments_or_its_memory(small, algorithm: str) -> None:
+    recipe = small(algorithm, envs=16, cloning={} if algorithm == "clone" else None)
+    options = (
+        {"n_steps": 256, "batch_size": 1024} if algorithm == "ppo" else {"buffer_size": 10**12}
+    )
+    env = single_env("Reach", {}, source_of(recipe.scenes, "train"))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        model = blank_model(dataclasses.replace(recipe, options=options), env)
+    assert model.n_envs == (1 if algorithm == "clone" else 16)
+    for wrong in ({"learning_rate": "fast"}, {"buffer_size": 1.5}, {"action_noise": "much"}):
+        if algorithm == "td3":
+            with pytest.raises(InputError):
+                blank_model(dataclasses.replace(recipe, options=wrong), env)
 
 
 def test_scenes_made_on_demand_are_kept_to_a_side() -> None:
