@@ -142,7 +142,7 @@ def policy_from(
     return TrainedPolicy(card, actor)
 
 
-def save_policy(policy: TrainedPolicy, path: Path, half: bool = False) -> Path:
+def save_policy(policy: TrainedPolicy, path: str | Path, half: bool = False) -> Path:
     """Write a policy file, whole or not at all.
 
     Args:
@@ -151,9 +151,10 @@ def save_policy(policy: TrainedPolicy, path: Path, half: bool = False) -> Path:
         half: keep half precision: half the size, slightly other actions.
 
     Raises:
-        InputError: it would be larger than ``MOST_BYTES``.
+        InputError: it would be larger than ``MOST_BYTES``, or a text of its card cannot be shown.
         StorageError: it cannot be written.
     """
+    path = Path(path)
     content = policy_bytes(policy, half)
     part = None
     try:
@@ -176,12 +177,13 @@ def policy_bytes(policy: TrainedPolicy, half: bool = False) -> bytes:
     """Return a policy file's content; see ``save_policy``.
 
     Raises:
-        InputError: it is larger than ``MOST_BYTES``.
+        InputError: it is larger than ``MOST_BYTES``, or a text of its card cannot be shown.
     """
     kind = torch.float16 if half else torch.float32
     weights = {k: v.detach().to(kind).contiguous() for k, v in policy.actor.state_dict().items()}
     kept = Actor(policy.card.network, policy.card.inputs, policy.card.actions)
     _fill(kept, weights)
+    _check_printable(asdict(policy.card))
     card = {"format": FORMAT, **asdict(policy.card), "answers": _answers(kept, policy.card.inputs)}
     content = packed(weights, {KEY: json.dumps(card, sort_keys=True, allow_nan=False)})
     if len(content) > MOST_BYTES:
@@ -197,12 +199,13 @@ def shipped_policies() -> dict[str, Path]:
     return {path.stem: path for path in sorted(SHIPPED.glob("*.safetensors"))}
 
 
-def load_policy(path: Path) -> TrainedPolicy:
+def load_policy(path: str | Path) -> TrainedPolicy:
     """Read a policy file.
 
     Raises:
         InputError: there is none, it is too large, damaged, of another version, or no policy.
     """
+    path = Path(path)
     try:
         if not path.is_file():
             raise InputError(f"There is no policy file {path}.")
@@ -281,6 +284,7 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
     if len(notes[KEY]) > _MOST_CARD:
         raise ValueError(f"its card has more than {_MOST_CARD} characters")
     payload = _of(json.loads(notes[KEY], parse_constant=_refused), dict)
+    _check_printable(payload)
     version = payload.pop("format", None)
     if version != FORMAT:
         raise ValueError(f"it is of version {version!r}, this package reads {FORMAT}")
@@ -319,6 +323,21 @@ def _validation(payload: dict[str, Any]) -> dict[str, Any]:
         raise ValueError(f"{solved} of {played} episodes at {tables} tables cannot be")
     scenes = _of(payload["scenes"], str)
     return {"solved": solved, "episodes": played, "tables": tables, "scenes": scenes}
+
+
+def _check_printable(value: Any) -> None:
+    """Refuse texts that would do something to a terminal they are shown at.
+
+    Raises:
+        InputError: there is one.
+    """
+    if isinstance(value, str) and not value.isprintable():
+        raise InputError(f"A policy's card has only text that can be shown, got {value!r}.")
+    if isinstance(value, dict):
+        value = [*value, *value.values()]
+    if isinstance(value, list | tuple):
+        for part in value:
+            _check_printable(part)
 
 
 def _of(value: Any, kind: type) -> Any:

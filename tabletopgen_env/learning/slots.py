@@ -22,7 +22,6 @@ from ..scenes import SceneRef, SceneSource
 from ..scenes.source import close, record
 from ..vector import TabletopVectorEnv
 
-
 _FINAL = ("final_obs", "final_info")
 
 

@@ -41,7 +41,11 @@ class Trained:
 
 
 def train(
-    recipe: Recipe, out: Path, plan: Plan | None = None, resume: bool = False, say: Say = print
+    recipe: Recipe,
+    out: str | Path,
+    plan: Plan | None = None,
+    resume: bool = False,
+    say: Say = print,
 ) -> Trained:
     """Train a policy, and leave all there is to know of it in a folder; see ``runs``.
 
@@ -61,7 +65,7 @@ def train(
         SceneError: the scenes offer nothing to do, or nothing the expert can.
         StorageError: the folder cannot be written.
     """
-    plan = plan or Plan()
+    out, plan = Path(out), plan or Plan()
     with ExitStack() as last:
         scenes = source_of(recipe.scenes, "train")
         last.callback(close, scenes)

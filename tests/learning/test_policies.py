@@ -58,7 +58,7 @@ def policy(small) -> TrainedPolicy:
 @pytest.mark.parametrize(("algorithm", "changes"), KINDS)
 def test_a_file_predicts_what_the_model_does(small, tmp_path: Path, algorithm, changes) -> None:
     model, seen, policy = trained(small, algorithm, **changes)
-    read = load_policy(save_policy(policy, tmp_path / "p.safetensors"))
+    read = load_policy(str(save_policy(policy, f"{tmp_path}/p.safetensors")))
     assert read.card == policy.card
     moved = set()
     for one in seen:
@@ -138,6 +138,10 @@ def respelt(path: Path, **changes) -> Path:
         ({"scenes": [3]}, "type str"),
         ({"versions": {"mujoco": 3}}, "type str"),
         ({"more": 1}, "has the keys"),
+        ({"recipe": "reach\x1b[2J"}, "text that can be shown"),
+        ({"env": {"randomization": "\u202elight"}}, "text that can be shown"),
+        ({"versions": {"mujoco\n": "3"}}, "text that can be shown"),
+        ({"scenes": ["starter\x07"]}, "text that can be shown"),
     ],
 )
 def test_a_card_that_is_not_sound_is_refused(policy, tmp_path: Path, changes, why) -> None:
@@ -241,6 +245,13 @@ def test_what_is_too_large_is_not_written(small, tmp_path: Path) -> None:
         save_policy(policy, tmp_path / "p.safetensors")
     with pytest.raises(StorageError, match="another folder"):
         save_policy(trained(small)[2], tmp_path / "none" / "p.safetensors")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_card_that_cannot_be_shown_is_not_written(small, tmp_path: Path) -> None:
+    policy = trained(small, name="mine\x1b[2J")[2]
+    with pytest.raises(InputError, match="text that can be shown"):
+        save_policy(policy, tmp_path / "p.safetensors")
     assert list(tmp_path.iterdir()) == []
 
 

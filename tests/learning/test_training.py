@@ -210,7 +210,7 @@ def test_what_goes_on_does_not_repeat_itself(small, tmp_path: Path, monkeypatch)
 
 
 def test_a_finished_run_says_so(small, folder: Path) -> None:
-    train(small("ppo", steps=32), folder, Plan(episodes=1), say=quiet)
+    train(small("ppo", steps=32), str(folder), Plan(episodes=1), say=quiet)
     told: list[str] = []
     assert train(small("ppo", steps=32), folder, Plan(episodes=1), True, told.append).steps == 32
     assert any("has 32 steps already" in line for line in told)
