@@ -26,7 +26,7 @@ from torch import nn
 from generator.bundle import digest
 from generator.errors import InputError, choices, require_number
 
-from ..scenes import FRESH, REFRESHING, SceneRef, SceneSource, resolve, split
+from ..scenes import FRESH, REFRESHING, FreshScenes, SceneRef, SceneSource, resolve, split
 from ..scenes.splitting import Described, Side
 from ..vector import TabletopVectorEnv
 from .goal_extractor import GoalExtractor
@@ -40,6 +40,9 @@ _OURS = {
     "tensorboard_log", "verbose", "device", "_init_setup_model", "rollout_buffer_class",
     "rollout_buffer_kwargs",
 }  # fmt: skip
+KEPT, MOST_KEPT = 16, 300
+"""Compiled worlds that an environment keeps, and those it keeps of scenes that are met again."""
+
 ACTIVATIONS: dict[str, type[nn.Module]] = {"relu": nn.ReLU, "tanh": nn.Tanh}
 
 
@@ -50,8 +53,16 @@ def spec_of(task: str) -> EnvSpec:
     return gym.spec(f"TabletopGen/{task}-v0")
 
 
-def source_of(scenes: str | tuple[str, ...], side: Side) -> SceneSource:
+def source_of(
+    scenes: str | tuple[str, ...], side: Side, variants: int | None = None
+) -> SceneSource:
     """Return the source of a recipe's scenes; those made on demand are kept to one side.
+
+    Args:
+        scenes: where.
+        side: which side.
+        variants: how many "fresh" tables there are on both sides; None for as many as
+            ``FreshScenes`` has.
 
     Raises:
         BundleError: no bundle fits.
@@ -59,7 +70,16 @@ def source_of(scenes: str | tuple[str, ...], side: Side) -> SceneSource:
     """
     chosen = list(scenes) if isinstance(scenes, tuple) else scenes
     on_demand = isinstance(chosen, str) and chosen.partition(":")[0] in (FRESH, REFRESHING)
-    return split(chosen, side) if on_demand else resolve(chosen)
+    source = split(chosen, side) if on_demand else resolve(chosen)
+    if isinstance(source, FreshScenes) and variants is not None:
+        return replace(source, variants=variants)
+    return source
+
+
+def worlds_kept(source: SceneSource) -> int:
+    """Return how many compiled worlds an environment at a source keeps: all, where they are few."""
+    few = isinstance(source, FreshScenes) and source.variants <= MOST_KEPT
+    return source.variants if few else KEPT
 
 
 def shared(source: SceneSource, other: SceneSource) -> int:
@@ -88,7 +108,8 @@ def single_env(
     task: str, keywords: Mapping[str, Any], source: SceneSource, **more: Any
 ) -> gym.Env[Any, np.ndarray]:
     """Return one environment of a task with a recipe's keywords, with its id's time limit."""
-    return gym.make(spec_of(task), scenes=source, **{**keywords, **more})
+    own = {"cache": worlds_kept(source), **keywords, **more}
+    return gym.make(spec_of(task), scenes=source, **own)
 
 
 def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
@@ -99,7 +120,7 @@ def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
     limit = spec_of(recipe.task).max_episode_steps
     slots = TabletopVectorEnv(
         recipe.envs, autoreset_mode="SameStep", max_episode_steps=limit, task=recipe.task,
-        scenes=SharedScenes(source), **recipe.env,
+        scenes=SharedScenes(source), cache=worlds_kept(source), **recipe.env,
     )  # fmt: skip
     made = VecMonitor(SlotVecEnv(slots))
     made.seed(seed)

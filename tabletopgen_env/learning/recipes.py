@@ -17,6 +17,7 @@ from typing import Any, Literal, get_args
 
 from generator.errors import InputError, choices, require
 
+from ..scenes.recipe import MOST_SEEDS
 from ..tasks import NAMES
 
 Algorithm = Literal["sac", "td3", "ppo", "clone"]
@@ -75,6 +76,9 @@ class Recipe:
         scenes: where it trains; anything ``scenes`` takes that is a text, or several. Of those
             made on demand ("fresh", "refreshing") only the training side is used.
         held_out: where it is evaluated; of those made on demand only the held-out side.
+        variants: how many tables "fresh" scenes are drawn from, both sides together (of a text, so
+            many of it): few enough to be met again, and compiled once, or ever new ones. Of other
+            scenes it means nothing.
         env: further keywords of the environment.
         network: what the policy is made of.
         options: keywords of Stable-Baselines3's class; "action_noise" is the standard deviation of
@@ -95,6 +99,7 @@ class Recipe:
     envs: int = 1
     scenes: str | tuple[str, ...] = "starter:train"
     held_out: str | tuple[str, ...] = "starter:held_out"
+    variants: int = 1_000_000
     env: Mapping[str, Any] = field(default_factory=dict)
     network: Network = field(default_factory=Network)
     options: Mapping[str, Any] = field(default_factory=dict)
@@ -107,6 +112,7 @@ class Recipe:
         _one_of(self, "algorithm", get_args(Algorithm))
         require(self, "steps", "envs", least=1, whole=True)
         require(self, "hindsight", "demonstrations", least=0, whole=True)
+        require(self, "variants", least=1, most=MOST_SEEDS, whole=True)
         for side in ("scenes", "held_out"):
             _check_scenes(self.name, side, getattr(self, side))
         known = env_keywords()

@@ -67,9 +67,9 @@ def train(
     """
     out, plan = Path(out), plan or Plan()
     with ExitStack() as last:
-        scenes = source_of(recipe.scenes, "train")
+        scenes = source_of(recipe.scenes, "train", recipe.variants)
         last.callback(close, scenes)
-        held_out = source_of(recipe.held_out, "held_out")
+        held_out = source_of(recipe.held_out, "held_out", recipe.variants)
         last.callback(close, held_out)
         both = shared(scenes, held_out)
         if both:

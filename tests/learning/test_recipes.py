@@ -7,10 +7,12 @@ import shutil
 import warnings
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from generator.bundle import load
 from generator.errors import InputError
+from tabletopgen_env.learning import training
 from tabletopgen_env.learning.making import (
     blank_model,
     many_envs,
@@ -19,6 +21,7 @@ from tabletopgen_env.learning.making import (
     single_env,
     source_of,
     spec_of,
+    worlds_kept,
 )  # fmt: skip
 from tabletopgen_env.learning.recipes import recipe, recipe_names, recipe_of
 from tabletopgen_env.learning.training import cloning_config
@@ -107,6 +110,8 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
         ({"network": [1]}, "table of settings"),
         ({"scenes": []}, "scenes is a text"),
         ({"held_out": 3}, "held_out is a text"),
+        ({"variants": 0}, "variants"),
+        ({"variants": 1.5}, "variants"),
         ({"hindsight": 4}, "observation='goal'"),
         ({"hindsight": 4, "env": {"observation": "goal", "grasp_hint": True},
           "network": {"extractor": "goal"}}, "cannot be with grasp_hint"),
@@ -166,6 +171,48 @@ def test_scenes_made_on_demand_are_kept_to_a_side() -> None:
     assert isinstance(source, RefreshingScenes) and [r.side for r in source._parts()[0].rules] == [
         "train"
     ]
+
+
+def test_fresh_tables_can_be_few_and_are_then_kept(table: str) -> None:
+    rng = np.random.default_rng(0)
+    sides = [source_of("fresh", side, 20) for side in ("train", "held_out")]
+    keys = [{source.draw(rng).key for _ in range(300)} for source in sides]
+    assert len(keys[0] | keys[1]) == 20 and not keys[0] & keys[1] and len(keys[1]) > 1
+    assert [worlds_kept(source) for source in sides] == [20, 20]
+    endless = source_of("fresh", "train", 10**6)
+    assert worlds_kept(endless) == worlds_kept(source_of(table, "train", 20)) == 16
+    few = recipe_of({**GOOD, "scenes": "fresh", "variants": 20})
+    envs = many_envs(few, sides[0], 0)
+    single = single_env("Lift", {}, sides[0])
+    caches = [e.unwrapped._worlds._size for e in (envs.venv.slots.envs[0], single)]
+    assert caches == [20, 20]
+    envs.close()
+
+
+def test_clones_learn_at_a_few_fresh_tables() -> None:
+    for name in ("reach-clone", "lift-clone", "pickplace-clone"):
+        found = recipe(name)
+        assert (found.scenes, found.held_out, found.variants) == ("fresh", "fresh", 150)
+
+
+def test_training_draws_from_as_many_tables_as_the_recipe_says(
+    small, folder: Path, monkeypatch
+) -> None:
+    class Enough(Exception):
+        pass
+
+    def begin(*args) -> None:
+        raise Enough
+
+    seen = []
+    monkeypatch.setattr(training, "_check", lambda recipe, env: seen.append(env))
+    monkeypatch.setattr(training, "begin", begin)
+    monkeypatch.setattr(training, "shared", lambda *both: seen.extend(both))
+    with pytest.raises(Enough):
+        training.train(small(scenes="fresh", held_out="fresh", variants=7), folder)
+    assert [source.variants for source in seen[:2]] == [7, 7]
+    assert [source.rules[0].side for source in seen[:2]] == ["train", "held_out"]
+    assert seen[2].unwrapped.source is seen[1]
 
 
 def test_tables_in_common_are_told_by_what_they_are(table: str, other: str, tmp_path: Path) -> None:
