@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import tempfile
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -14,8 +13,9 @@ from typing import Any
 import numpy as np
 
 from generator.bundle import MOST_BYTES, read_inside
-from generator.errors import BundleError, StorageError
+from generator.errors import BundleError
 
+from .files import no_constant, typed, write_whole
 from .tasks import NAMES
 
 FILE = "certificate.json"
@@ -101,7 +101,7 @@ def read_certificate(path: str | Path) -> Certificate | None:
         return None
     raw = read_inside(folder, FILE, _MOST_FILE)
     try:
-        payload = json.loads(raw, parse_constant=_refused)
+        payload = json.loads(raw, parse_constant=no_constant)
         if not isinstance(payload, dict) or payload.get("schema") != SCHEMA:
             raise ValueError(f"it is not of schema {SCHEMA}")
         found = _decoded(payload)
@@ -130,57 +130,34 @@ def write_certificate(folder: Path, certificate: Certificate) -> None:
     """
     payload = {"schema": SCHEMA, **asdict(certificate)}
     text = json.dumps(payload, indent=1, sort_keys=True, allow_nan=False) + "\n"
-    part = None
-    try:
-        with tempfile.NamedTemporaryFile("w", dir=folder, suffix=".part", delete=False) as file:
-            part = Path(file.name)
-            file.write(text)
-        part.chmod(0o644)
-        part.replace(folder / FILE)
-    except OSError as error:
-        if part is not None:
-            part.unlink(missing_ok=True)
-        raise StorageError(
-            f"The certificate cannot be written to {folder}: {error.strerror or error}. "
-            "Certify a copy of the bundle."
-        ) from error
+    write_whole(folder / FILE, text, "The certificate", "Certify a copy of the bundle.")
 
 
 def _decoded(payload: dict[str, Any]) -> Certificate:
-    scene, seed = _of(payload["scene"], str), _of(payload["seed"], int)
-    versions = {_of(k, str): _of(v, str) for k, v in _of(payload["versions"], dict).items()}
-    listed = _of(payload["instances"], list)
+    scene, seed = typed(payload["scene"], str), typed(payload["seed"], int)
+    versions = {typed(k, str): typed(v, str) for k, v in typed(payload["versions"], dict).items()}
+    listed = typed(payload["instances"], list)
     if len(listed) > MOST_INSTANCES:
         raise ValueError(f"it lists more than {MOST_INSTANCES} instances")
     return Certificate(
-        scene, seed, versions, tuple(_decoded_instance(_of(i, dict)) for i in listed)
+        scene, seed, versions, tuple(_decoded_instance(typed(i, dict)) for i in listed)
     )
 
 
 def _decoded_instance(entry: dict[str, Any]) -> Instance:
     target, goal = entry["target"], entry["goal"]
     if target is not None:
-        _of(target, str)
+        typed(target, str)
     if isinstance(goal, list):
         goal = tuple(float(v) for v in goal if not isinstance(v, bool))
         if len(goal) not in (2, 3) or not np.isfinite(goal).all():
             raise ValueError(f"{entry['goal']!r} is no point")
     elif goal is not None:
-        _of(goal, str)
-    task = _of(entry["task"], str)
+        typed(goal, str)
+    task = typed(entry["task"], str)
     if task not in NAMES:
         raise ValueError(f"there is no task {task!r}")
-    solved, played = _of(entry["successes"], int), _of(entry["episodes"], int)
+    solved, played = typed(entry["successes"], int), typed(entry["episodes"], int)
     if not 0 <= solved <= played <= MOST_EPISODES:
         raise ValueError(f"{solved} of {played} episodes cannot be")
     return Instance(task, target, goal, solved, played)
-
-
-def _of(value: Any, kind: type) -> Any:
-    if type(value) is not kind:
-        raise TypeError(f"{value!r} should be of type {kind.__name__}")
-    return value
-
-
-def _refused(constant: str) -> None:
-    raise ValueError(f"{constant} is not a finite number")

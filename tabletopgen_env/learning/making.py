@@ -40,6 +40,7 @@ _OURS = {
     "tensorboard_log", "verbose", "device", "_init_setup_model", "rollout_buffer_class",
     "rollout_buffer_kwargs",
 }  # fmt: skip
+
 KEPT, MOST_KEPT = 16, 300
 """Compiled worlds that an environment keeps, and those it keeps of scenes that are met again."""
 
@@ -78,8 +79,9 @@ def source_of(
 
 def worlds_kept(source: SceneSource) -> int:
     """Return how many compiled worlds an environment at a source keeps: all, where they are few."""
-    few = isinstance(source, FreshScenes) and source.variants <= MOST_KEPT
-    return source.variants if few else KEPT
+    if isinstance(source, FreshScenes) and source.variants <= MOST_KEPT:
+        return source.variants
+    return KEPT
 
 
 def shared(source: SceneSource, other: SceneSource) -> int:

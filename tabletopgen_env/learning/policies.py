@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import itertools
 import json
-import tempfile
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
 from importlib import metadata
@@ -24,8 +23,9 @@ from safetensors.torch import save as packed
 from stable_baselines3.common.base_class import BaseAlgorithm
 from torch import Tensor
 
-from generator.errors import InputError, StorageError, choices
+from generator.errors import InputError, choices
 
+from ..files import no_constant, typed, write_whole
 from ..tasks import NAMES
 from .actor import Actor, Squash, actor_of, inputs_of, tensors_of
 from .recipes import Network, Recipe, network_of
@@ -154,22 +154,8 @@ def save_policy(policy: TrainedPolicy, path: str | Path, half: bool = False) -> 
         InputError: it would be larger than ``MOST_BYTES``, or a text of its card cannot be shown.
         StorageError: it cannot be written.
     """
-    path = Path(path)
-    content = policy_bytes(policy, half)
-    part = None
-    try:
-        with tempfile.NamedTemporaryFile(dir=path.parent, suffix=".part", delete=False) as file:
-            part = Path(file.name)
-            file.write(content)
-        part.chmod(0o644)
-        part.replace(path)
-    except OSError as error:
-        if part is not None:
-            part.unlink(missing_ok=True)
-        raise StorageError(
-            f"The policy cannot be written to {path}: {error.strerror or error}. Choose another "
-            "folder."
-        ) from error
+    path, content = Path(path), policy_bytes(policy, half)
+    write_whole(path, content, "The policy", "Choose another folder.")
     return path
 
 
@@ -283,45 +269,45 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         raise ValueError(f"its header has no {KEY!r}")
     if len(notes[KEY]) > _MOST_CARD:
         raise ValueError(f"its card has more than {_MOST_CARD} characters")
-    payload = _of(json.loads(notes[KEY], parse_constant=_refused), dict)
+    payload = typed(json.loads(notes[KEY], parse_constant=no_constant), dict)
     _check_printable(payload)
     version = payload.pop("format", None)
     if version != FORMAT:
         raise ValueError(f"it is of version {version!r}, this package reads {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
         raise ValueError(f"its card has the keys {', '.join(sorted(payload))}")
-    inputs = {_of(k, str): _of(v, int) for k, v in _of(payload["inputs"], dict).items()}
+    inputs = {typed(k, str): typed(v, int) for k, v in typed(payload["inputs"], dict).items()}
     sizes = (*inputs.values(), payload["actions"])
     if not inputs or ("" in inputs and len(inputs) > 1) or len(inputs) > 8:
         raise ValueError(f"a policy cannot look at {inputs}")
     if not all(0 < size <= _MOST_INPUTS for size in sizes) or sizes[-1] > _MOST_ACTIONS:
         raise ValueError(f"a policy cannot have sizes {sizes}")
-    network = network_of(_of(payload["network"], dict), "its card")
-    wide = (sum(inputs.values()), *network.layers, _of(payload["actions"], int))
+    network = network_of(typed(payload["network"], dict), "its card")
+    wide = (sum(inputs.values()), *network.layers, typed(payload["actions"], int))
     if sum(a * b for a, b in itertools.pairwise(wide)) > MOST_BYTES:
         raise ValueError(f"a policy file cannot hold layers of {network.layers}")
-    task, squash = _of(payload["task"], str), _of(payload["squash"], str)
+    task, squash = typed(payload["task"], str), typed(payload["squash"], str)
     if task not in NAMES or squash not in get_args(Squash):
         raise ValueError(f"there is no task {task!r} with {squash!r}")
-    env = _of(payload["env"], dict)
+    env = typed(payload["env"], dict)
     Recipe("its card", task, "sac", env=env, network=network)  # checks that they go together
-    versions = {_of(k, str): _of(v, str) for k, v in _of(payload["versions"], dict).items()}
-    answers = [_of(v, float) for v in _of(payload["answers"], list)]
+    versions = {typed(k, str): typed(v, str) for k, v in typed(payload["versions"], dict).items()}
+    answers = [typed(v, float) for v in typed(payload["answers"], list)]
     return Card(
         task, env, network, inputs, payload["actions"], squash,  # pyright: ignore
-        _of(payload["recipe"], str), _of(payload["seed"], int), _of(payload["steps"], int),
-        tuple(_of(v, str) for v in _of(payload["scenes"], list)),
-        _validation(_of(payload["validation"], dict)), versions,
+        typed(payload["recipe"], str), typed(payload["seed"], int), typed(payload["steps"], int),
+        tuple(typed(v, str) for v in typed(payload["scenes"], list)),
+        _validation(typed(payload["validation"], dict)), versions,
     ), answers  # fmt: skip
 
 
 def _validation(payload: dict[str, Any]) -> dict[str, Any]:
     if not payload:
         return {}
-    solved, played, tables = (_of(payload[k], int) for k in ("solved", "episodes", "tables"))
+    solved, played, tables = (typed(payload[k], int) for k in ("solved", "episodes", "tables"))
     if not (0 <= solved <= played and 0 < tables <= played):
         raise ValueError(f"{solved} of {played} episodes at {tables} tables cannot be")
-    scenes = _of(payload["scenes"], str)
+    scenes = typed(payload["scenes"], str)
     return {"solved": solved, "episodes": played, "tables": tables, "scenes": scenes}
 
 
@@ -338,16 +324,6 @@ def _check_printable(value: Any) -> None:
     if isinstance(value, list | tuple):
         for part in value:
             _check_printable(part)
-
-
-def _of(value: Any, kind: type) -> Any:
-    if type(value) is not kind:
-        raise TypeError(f"{value!r} should be of type {kind.__name__}")
-    return value
-
-
-def _refused(constant: str) -> float:
-    raise ValueError(f"{constant} is not a finite number")
 
 
 def _version(name: str) -> str:

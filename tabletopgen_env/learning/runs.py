@@ -31,6 +31,7 @@ from stable_baselines3.common.save_util import load_from_zip_file, recursive_set
 
 from generator.errors import InputError, StorageError
 
+from ..files import write_whole
 from .evaluating import Evaluation
 from .recipes import Recipe, recipe_of
 from .replay import read_buffer, write_buffer
@@ -204,7 +205,8 @@ def begin(path: Path, recipe: Recipe, seed: int) -> Run:
         raise StorageError(f"{path} cannot be made: {error.strerror or error}.") from error
     _write_rows(path, [])
     facts = {"format": FORMAT, "seed": seed, "recipe": recipe.facts()}
-    _write(path / _RECIPE, json.dumps(facts, indent=1) + "\n")
+    text = json.dumps(facts, indent=1) + "\n"
+    write_whole(path / _RECIPE, text, "The recipe", "Choose another --out.")
     return Run(path, recipe, seed)
 
 
@@ -244,16 +246,12 @@ def read_rows(path: Path) -> list[Row]:
 
 def _write_rows(path: Path, rows: list[Row]) -> None:
     lines = [",".join(COLUMNS), *(",".join(f"{getattr(r, c)}" for c in COLUMNS) for r in rows)]
-    _write(path / _EVALUATIONS, "\n".join(lines) + "\n")
-
-
-def _write(path: Path, text: str) -> None:
-    part = path.with_suffix(".part")
-    try:
-        part.write_text(text, encoding="utf-8")
-        part.replace(path)
-    except OSError as error:
-        raise StorageError(f"{path} cannot be written: {error.strerror or error}.") from error
+    write_whole(
+        path / _EVALUATIONS,
+        "\n".join(lines) + "\n",
+        "The table of evaluations",
+        "Make room for it.",
+    )
 
 
 def differences(one: Recipe, other: Recipe) -> list[str]:

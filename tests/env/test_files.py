@@ -1,0 +1,36 @@
+"""Files are written whole or not at all, and JSON is read value by value."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from generator.errors import StorageError
+from tabletopgen_env.files import no_constant, typed, write_whole
+
+
+def test_what_cannot_be_written_leaves_the_old_file_and_no_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "{a}.txt"
+    write_whole(path, "old ü", "The text", "")
+    assert path.read_bytes() == "old ü".encode() and path.stat().st_mode & 0o777 == 0o644
+
+    def full(self: Path, other: Path) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(Path, "replace", full)
+    with pytest.raises(StorageError, match=r"The text .*\{a\}.txt: No space left .* Make room"):
+        write_whole(path, b"new", "The text", "Make room.")
+    assert path.read_bytes() == "old ü".encode() and list(tmp_path.iterdir()) == [path]
+
+
+def test_values_are_of_exactly_one_type() -> None:
+    assert typed(3, int) == 3
+    for value, kind in ((True, int), (3, float), ("a", list), (None, str)):
+        with pytest.raises(TypeError, match=f"of type {kind.__name__}"):
+            typed(value, kind)
+    with pytest.raises(ValueError, match="NaN is not a finite number"):
+        json.loads("[NaN]", parse_constant=no_constant)
