@@ -12,6 +12,7 @@ import pytest
 from PIL import Image
 
 from tabletopgen_env.__main__ import run
+from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.learning.evaluating import evaluate, play, seeds
 from tabletopgen_env.learning.making import single_env, source_of
 from tabletopgen_env.learning.policies import load_policy
@@ -149,9 +150,9 @@ def test_success_has_to_be_held(table: str) -> None:
             info = {"success": 3 <= self.at < 3 + self.steps, "instruction": "wait"}
             return np.zeros(1), 0.5, False, self.at == 20, info
 
-    assert not play(Held(4), Idle(), 0).solved  # type: ignore[arg-type]
-    played = play(Held(5), Idle(), 0)  # type: ignore[arg-type]
-    assert played.solved and played.steps == 7 and played.reward == 0.5
+    assert not play(Held(HOLD - 1), Idle(), 0).solved  # type: ignore[arg-type]
+    played = play(Held(HOLD), Idle(), 0)  # type: ignore[arg-type]
+    assert played.solved and played.steps == HOLD + 2 and played.reward == 0.5
     assert list(seeds(1, 5))[:3] == list(seeds(1, 3)) != list(seeds(2, 3))
     env = single_env("Reach", {}, source_of(table, "held_out"))
     assert evaluate(env, Idle(), 2) == evaluate(env, Idle(), 2) != evaluate(env, Idle(), 2, seed=1)
