@@ -33,9 +33,10 @@ _THERE = 0.008  # metres before the goal's middle, along the way, at which a str
 _ENOUGH = 0.03  # metres from the goal's middle at which no other stroke is begun
 _ASIDE = 0.03  # metres off the way at which a stroke is begun anew
 _FURTHER = 0.07  # metres by which a stroke may be longer than the way
+_PAST = 0.06  # metres by which the hand has come nearer to what it has lost
 _FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres a step: flat things, tall ones, at the end
 _TALL = 0.04  # metres from the tool in a stroke down to the table
-_ASLANT = 0.3  # cosine of how far the way may turn before a stroke is begun anew
+_ASLANT = 0.75  # cosine of how far the way may turn before a stroke is begun anew
 _STRAIGHT = 0.03  # metres from the goal's middle at which a stroke turns no more
 _LAG = 2.0  # steps by which the tool is behind what it is told
 _STEER = 2.0  # turn of the hand's way for the angle at which it sees the centre of mass
@@ -129,8 +130,9 @@ class Pusher(Expert):
         off = float(np.linalg.norm(side))
         gone = float((self._tool - stroke.start)[:2] @ stroke.ahead)
         there = ahead @ (way - slid) < _THERE
-        astray = off > _ASIDE or gone > self._length or ahead @ stroke.ahead < _ASLANT
-        if late or there or astray:
+        passed = stroke.ahead @ to_mass < self._behind - _PAST
+        astray = passed or off > _ASIDE or ahead @ stroke.ahead < _ASLANT
+        if late or there or astray or gone > self._length:
             return self._enter("back")
         # What is touched in one point turns away from the hand's way, the more the nearer its
         # centre of mass is: the hand turns its way beyond that centre. What is touched flat keeps
@@ -139,7 +141,7 @@ class Pusher(Expert):
         speed *= float(np.clip(1.3 - off / 0.02, 0.3, 1.0))
         behind = max(float(ahead @ to_mass) - PAD, _SMALL)
         steer = _STEER * speed * soon / behind
-        steer *= min(1.0, 1.5 * speed / max(float(np.linalg.norm(steer)), 1e-9))
+        steer *= min(1.0, speed / max(float(np.linalg.norm(steer)), 1e-9))
         rise = stroke.start[2] - self._tool[2] - _LAG * self._speed[2]
         move = np.array([*(speed * ahead + steer), 0.5 * rise])
         return self._act(move / 0.3, self._turn_to(stroke.yaw, self._tool), 0.0, slow=0.6)
@@ -192,6 +194,7 @@ class Pusher(Expert):
             found = plan_stroke(world, name, self._aim, others, care)
             if found is not None:
                 self._stroke, self._length = found, length + _FURTHER
+                self._behind = found.ahead @ (mass_center(world, name) - found.start)[:2]
                 return self._enter("approach")
         return self._enter("stuck")
 
