@@ -54,7 +54,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         kinds: what pixel observations hold of each: some of "rgb", "depth", "segmentation".
         image_size: their height and width in pixels, or one number for both.
         points: points of a point cloud.
-        grasp_hint: whether the state ends with a grasp of the target; see ``grasp_hint``.
+        grasp_hint: whether the state ends with a grasp of the target; see ``grasp_hint``. Not for
+            "pixels" and "point_cloud" alone.
         action: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
             "joint_target"; see ``actions``.
         gripper: "continuous" or "binary"; what the last entry of an action means.
@@ -128,6 +129,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._randomizer = Randomizer(randomization)
         self._wants_certified = certified
         self._views = ObservationConfig(cameras, kinds, image_size, points)
+        if grasp_hint and observation in ("pixels", "point_cloud"):
+            raise InputError(
+                f"The grasp hint is part of the state, and {observation!r} has none; use "
+                f"'{observation}+state'."
+            )
         self.hint = GraspHint() if grasp_hint else None
         self.observation_space = observation_space(
             observation, self._views, self.task.most, grasp_hint

@@ -45,6 +45,29 @@ _MOVED, _TILTED, _STILL = 0.015, 0.97, 0.05  # metres, cosine, metres a second
 _HIGHER = 0.3  # metres that entry 6 is at most
 
 
+def misread(
+    entries: Float[np.ndarray, "8"],
+    target: Float[np.ndarray, "3"],
+    tool: Float[np.ndarray, "3"],
+    yaw: float,
+) -> Float[np.ndarray, "8"]:
+    """Return the entries as sensors that err give them.
+
+    Args:
+        entries: as things are.
+        target: by how much the reading of its place errs, base frame, metres.
+        tool: the same of the tool centre point.
+        yaw: by how much that of the hand's yaw does, radians.
+    """
+    if not entries[-1]:
+        return entries
+    read = entries.copy()
+    read[:3] += target - tool
+    read[3] -= yaw
+    read[6] = max(read[6] - tool[2], 0.0)
+    return read
+
+
 class GraspHint:
     """The grasp of the active target, carried along with the object.
 
@@ -57,16 +80,16 @@ class GraspHint:
 
     def begin(self, world: World, goal: Goal) -> None:
         """Plan for a goal that has just become active."""
-        self._target = goal.target
+        self._target, self._plan = goal.target, None
         if goal.target is not None:
             self._take(world, goal.target)
 
-    def plan(self, world: World) -> Plan | None:
-        """Return the grasp where the object is now, None where none is known."""
-        if self._plan is None or self._target is None:
+    def plan(self, world: World, name: str) -> Plan | None:
+        """Return the grasp of an object where it is now; None if it is not the active target."""
+        if self._plan is None or self._target != name:
             return None
-        turned = world.rotation(self._target) @ self._rotation.T
-        at, then = world.position(self._target), self._plan.seen
+        turned = world.rotation(name) @ self._rotation.T
+        at, then = world.position(name), self._plan.seen
         turn = float(np.arctan2(turned[1, 0], turned[0, 0]))
         old = self._plan.grasp
         point = at + turned @ (old.point - then)
@@ -81,7 +104,7 @@ class GraspHint:
         left, right, any_part = world.touched(name)
         if not any_part and self._is_elsewhere(world, name):
             self._take(world, name)
-        plan = self.plan(world)
+        plan = self.plan(world, name)
         if plan is None:
             return np.zeros(8)
         tool = world.data.site_xpos[world.tcp]

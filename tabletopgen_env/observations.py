@@ -61,8 +61,9 @@ from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
 from generator.errors import InputError, choices
+from generator.geometry import wrap
 
-from .grasp_hint import HINT_BOUNDS
+from .grasp_hint import HINT_BOUNDS, misread
 from .point_cloud import point_cloud_spaces
 from .robot.kinematics import forward
 from .robot.panda import HOME_CTRL
@@ -246,7 +247,10 @@ def flat_state(
         shown[8:11] = middle - (robot[15:18] if goal.target is None else slots[0, :3])
     if hint is not None:
         state[-len(hint) :] = hint
-        if noise is not None and hint[-1]:
-            state[-len(hint) : 3 - len(hint)] += noise.positions[0]
+        if noise is not None:
+            hand = world.hand
+            tool = robot[15:18] - world.to_base(world.data.site_xpos[world.tcp])
+            yaw = wrap(float(np.arctan2(robot[19], robot[18]) - np.arctan2(hand[1, 0], hand[0, 0])))
+            state[-len(hint) :] = misread(hint, noise.positions[0], tool, yaw)
     np.minimum(np.maximum(state, -bounds, out=state), bounds, out=state)
     return state.astype(np.float32)

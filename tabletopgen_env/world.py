@@ -122,7 +122,7 @@ class World:
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
         self._graspable: dict[str, bool] = {}
-        self._plans: dict[tuple[str, frozenset[str]], Plan | None] = {}
+        self._plans: dict[tuple[str, frozenset[str], bytes], Plan | None] = {}
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
 
     def twin(self) -> World:
@@ -261,7 +261,7 @@ class World:
 
     def first_plan(self, name: str) -> Plan | None:
         """Return the expert's grasp of an object at the start of an episode; remembered."""
-        key = (name, self.absent)
+        key = (name, self.absent, np.append(self.base_position, self.mount.yaw).tobytes())
         if key not in self._plans:
             from .expert.choosing import choose
 

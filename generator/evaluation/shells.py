@@ -3,10 +3,11 @@
 A mesh is taken apart into *shells*, its connected pieces; a body is all its shells together, so
 that a handle sunk into a cup's wall, or a hundred keys on a keyboard, need no boolean operation.
 Distances are exact: a tree of boxes finds the nearest triangle, and the angle-weighted normal of
-the nearest face, edge or corner tells inside from outside (J. Baerentzen and H. Aanaes, "Signed
-distance computation using the angle weighted pseudonormal", TVCG 2005). A piece that is not closed
-has no such side; there the winding number tells (A. Van Oosterom and J. Strackee, "The solid angle
-of a plane triangle", 1983).
+the nearest face, edge or corner tells what is outside (J. Baerentzen and H. Aanaes, "Signed
+distance computation using the angle weighted pseudonormal", TVCG 2005). It errs where a surface
+lies on itself, as a sheet's two sides do, and a piece that is not closed has no such side: of the
+rest the winding number tells what is inside (A. Van Oosterom and J. Strackee, "The solid angle of a
+plane triangle", 1983).
 """
 
 from __future__ import annotations
@@ -79,10 +80,10 @@ class Shell:
             place, face[near], feature = self.nearest(points[near])
             offset = points[near] - place
             length = np.linalg.norm(offset, axis=1)
+            inside = np.ones(len(near), bool)
             if self.closed:
                 inside = np.einsum("pk,pk->p", offset, self.normals[face[near], feature]) < 0
-            else:
-                inside = self._enclosed(points[near])
+            inside[inside] = self._enclosed(points[near[inside]])
             depth[near] = np.where(inside, length, -length)
         return depth, face
 
@@ -114,7 +115,7 @@ class Shell:
         turns = [
             solid_angles(points[k : k + step], self.corners) for k in range(0, len(points), step)
         ]
-        return np.concatenate(turns) > 0.5
+        return np.concatenate([np.empty(0), *turns]) > 0.5
 
 
 def shells(

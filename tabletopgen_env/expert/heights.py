@@ -54,15 +54,19 @@ def height_map(
     cell: float,
 ) -> HeightMap:
     """Scan world-frame ``parts`` from above between the corners ``low`` and ``high``."""
-    near = tuple(
-        part
-        for part in parts
-        if (part.bounds[1, :2] >= low).all() and (part.bounds[0, :2] <= high).all()
-    )
-    xs, ys = (np.arange(low[k], high[k] + cell, cell) for k in (0, 1))
-    grid = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1)
-    heights = top_surface(near, grid.reshape(-1, 2)).reshape(grid.shape[:2])
-    return HeightMap(np.array([xs[0], ys[0]]), cell, heights)
+    axes = [np.arange(low[k], high[k] + cell, cell) for k in (0, 1)]
+    heights = np.full((len(axes[0]), len(axes[1])), -np.inf)
+    for part in parts:
+        first, last = part.bounds[:, :2]
+        under = [  # the cells within the part's bounds
+            slice(np.searchsorted(axis, first[k]), np.searchsorted(axis, last[k], "right"))
+            for k, axis in enumerate(axes)
+        ]
+        xs, ys = (axis[cells] for axis, cells in zip(axes, under, strict=True))
+        window = heights[under[0], under[1]]
+        points = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1).reshape(-1, 2)
+        np.maximum(window, top_surface((part,), points).reshape(window.shape), out=window)
+    return HeightMap(np.array([axis[0] for axis in axes]), cell, heights)
 
 
 def surroundings(

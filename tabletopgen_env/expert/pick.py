@@ -216,7 +216,8 @@ class Picker(Expert):
         return self._act(np.zeros(3), 0.0, self._release_opening)
 
     def _retreat(self, late: bool) -> Float[np.ndarray, "5"]:
-        if late or (self._steps > 18 and self._missed()):
+        undone = late and not self._goal.settled(self._env.world)
+        if undone or (self._steps > 18 and self._missed()):
             return self._retry()
         rise = self._placed[2] + _RISE - self._tool[2]
         return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, self._release_opening)
@@ -229,7 +230,8 @@ class Picker(Expert):
             self._failed = (*self._failed, self._plan.grasp)
         self.attempts += 1
         hint = self._env.hint
-        plan = hint.plan(self._env.world) if hint is not None and len(self._failed) < 2 else None
+        hinted = hint is not None and len(self._failed) < 2
+        plan = hint.plan(self._env.world, self._target) if hint is not None and hinted else None
         plan = plan or choose(self._env.world, self._target, self._failed)
         if plan is not None:
             self._plan = plan

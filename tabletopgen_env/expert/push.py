@@ -3,7 +3,7 @@
 =========  =====================================================================================
 approach   rise over what is in the way, go behind the object, turn the hand as planned
 descend    straight down beside it
-stroke     forward, steering the object's centre of mass towards the goal
+stroke     forward to the goal, keeping behind the object's centre of mass
 back       up and away from the object; begin again if it is not there yet
 retreat    up, and stay
 stuck      stand still: no stroke can be made from where the object is
@@ -12,7 +12,9 @@ stuck      stand still: no stroke can be made from where the object is
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 from jaxtyping import Float
@@ -22,21 +24,31 @@ from generator.errors import SceneError
 from ..tasks.goals import Pushed
 from .driver import Expert, up
 from .grasps import TIP
-from .strokes import HOVER, mass_center, plan_stroke
+from .path import clear_height
+from .strokes import HOVER, PAD, Care, beside, mass_center, plan_stroke
 
 Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 
-_THERE = 0.012  # metres from the goal's middle at which a stroke ends
+_THERE = 0.008  # metres before the goal's middle, along the way, at which a stroke ends
 _ENOUGH = 0.03  # metres from the goal's middle at which no other stroke is begun
 _ASIDE = 0.03  # metres off the way at which a stroke is begun anew
 _FURTHER = 0.07  # metres by which a stroke may be longer than the way
+_PAST = 0.06  # metres by which the hand has come nearer to what it has lost
 _FAST, _STEADY, _SLOW = 0.02, 0.012, 0.008  # metres a step: flat things, tall ones, at the end
 _TALL = 0.04  # metres from the tool in a stroke down to the table
-_NEAR = 0.025 * np.column_stack(
+_ASLANT = 0.75  # cosine of how far the way may turn before a stroke is begun anew
+_STRAIGHT = 0.03  # metres from the goal's middle at which a stroke turns no more
+_LAG = 2.0  # steps by which the tool is behind what it is told
+_STEER = 2.0  # turn of the hand's way for the angle at which it sees the centre of mass
+_SMALL = 0.008  # metres at least from the fingers to a centre of mass
+_BLOCKED = 0.012  # metres above a stroke's start at which the hand stands on something
+_ASIDES = 0.025 * np.column_stack(
     [np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)]
 )
+_LEAST = 0.025  # metres, the shortest stroke
+_LESS_ROOM: tuple[Care, ...] = ("tight", "bold")
 _PATIENCE: dict[Phase, int] = {
-    "approach": 60, "descend": 20, "stroke": 50, "back": 5, "retreat": 1000, "stuck": 30
+    "approach": 60, "descend": 22, "stroke": 50, "back": 4, "retreat": 1000, "stuck": 30
 }  # fmt: skip
 
 
@@ -64,6 +76,8 @@ class Pusher(Expert):
             SceneError: the arm cannot reach behind the object, or its way is not free.
         """
         self.attempts = 0
+        self._barred: set[int] = set()
+        self._before, self._speed = self._tool, np.zeros(3)
         self._begin()
         if self.phase == "stuck":
             raise SceneError(
@@ -74,47 +88,63 @@ class Pusher(Expert):
     def act(self) -> Float[np.ndarray, "5"]:
         """Return the next action, ``float32`` in [-1, 1]."""
         self._steps += 1
+        self._speed = self._tool - self._before
+        self._before = self._tool
         late = self._steps > self._patience * _PATIENCE[self.phase]
-        phases = {
-            "approach": self._approach,
-            "descend": self._descend,
-            "stroke": self._push,
-            "back": self._back,
-            "retreat": self._retreat,
-            "stuck": self._stuck,
-        }
-        return phases[self.phase](late)
+        return self._acts[self.phase](self, late)
 
     def _approach(self, late: bool) -> Float[np.ndarray, "5"]:
         above = self._stroke.start + up(HOVER)
         near = np.linalg.norm((self._tool - above)[:2]) < 0.008
         turned = abs(self._turn_to(self._stroke.yaw, above)) < 0.08
-        if late or (near and turned and self._tool[2] < above[2] + 0.03):
+        if near and turned and self._tool[2] < above[2] + 0.03:
             return self._enter("descend")
+        if late:
+            return self._bar()
+        if not turned:  # the palm sweeps over what stands around
+            clear = clear_height(self._env.world, None, above, above)
+            above[2] = max(above[2], clear + TIP)
         return self._to(self._over(above, TIP, None))
 
     def _descend(self, late: bool) -> Float[np.ndarray, "5"]:
         low = self._stroke.start
-        if late or self._tool[2] < low[2] + 0.004:
+        if late and self._tool[2] > low[2] + _BLOCKED:
+            return self._bar()
+        if late or self._tool[2] < low[2] + 0.007:
             return self._enter("stroke")
-        return self._to(low, slow=0.7)
+        return self._to(low - self._speed, slow=0.7)  # the tool lags behind what it is told
 
     def _push(self, late: bool) -> Float[np.ndarray, "5"]:
+        world, name, stroke = self._env.world, self._goal.target, self._stroke
         way = self._way
         left = float(np.linalg.norm(way))
-        ahead = way / max(left, 1e-9)
-        to_mass = (mass_center(self._env.world, self._goal.target) - self._tool)[:2]
-        side = to_mass - ahead * (ahead @ to_mass)
-        gone = float((self._tool - self._stroke.start)[:2] @ self._stroke.ahead)
-        astray = np.linalg.norm(side) > _ASIDE or gone > self._length
-        if late or left < _THERE or ahead @ self._stroke.ahead < 0.3 or astray:
+        if left > _STRAIGHT or self._steps == 1:
+            self._ahead = way / max(left, 1e-9)
+        ahead = self._ahead
+        slid = world.velocity(name)[:2] * self._env.controller.servos.period
+        to_mass = (mass_center(world, name) - self._tool)[:2]
+        side, soon = (
+            v - stroke.ahead * (stroke.ahead @ v)
+            for v in (to_mass, to_mass + _LAG * (slid - self._speed[:2]))
+        )
+        off = float(np.linalg.norm(side))
+        gone = float((self._tool - stroke.start)[:2] @ stroke.ahead)
+        there = ahead @ (way - slid) < _THERE
+        passed = stroke.ahead @ to_mass < self._behind - _PAST
+        astray = passed or off > _ASIDE or ahead @ stroke.ahead < _ASLANT
+        if late or there or astray or gone > self._length:
             return self._enter("back")
-        # What is pushed turns away from the line: the hand keeps to its far side.
+        # What is touched in one point turns away from the hand's way, the more the nearer its
+        # centre of mass is: the hand turns its way beyond that centre. What is touched flat keeps
+        # its place before the hand, so the line of the stroke is what counts, not the way left.
         speed = float(np.clip(0.25 * left, _SLOW, self._fast))
-        speed *= float(np.clip(1.3 - np.linalg.norm(side) / 0.02, 0.3, 1.0))
-        rise = self._stroke.start[2] - self._tool[2]
-        move = np.array([*(speed * ahead + 0.8 * side), 0.3 * rise])
-        return self._act(move / 0.3, self._turn_to(self._stroke.yaw, self._tool), 0.0, slow=0.6)
+        speed *= float(np.clip(1.3 - off / 0.02, 0.3, 1.0))
+        behind = max(float(ahead @ to_mass) - PAD, _SMALL)
+        steer = _STEER * speed * soon / behind
+        steer *= min(1.0, speed / max(float(np.linalg.norm(steer)), 1e-9))
+        rise = stroke.start[2] - self._tool[2] - _LAG * self._speed[2]
+        move = np.array([*(speed * ahead + steer), 0.5 * rise])
+        return self._act(move / 0.3, self._turn_to(stroke.yaw, self._tool), 0.0, slow=0.6)
 
     def _back(self, late: bool) -> Float[np.ndarray, "5"]:
         if not late:
@@ -132,25 +162,46 @@ class Pusher(Expert):
     def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
         return self._begin() if late else self._act(np.zeros(3), 0.0, 0.0)
 
+    _acts: ClassVar[Mapping[Phase, Callable[[Pusher, bool], Float[np.ndarray, "5"]]]] = (
+        MappingProxyType(
+            {
+                "approach": _approach,
+                "descend": _descend,
+                "stroke": _push,
+                "back": _back,
+                "retreat": _retreat,
+                "stuck": _stuck,
+            }
+        )
+    )
+
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self) -> Float[np.ndarray, "5"]:
-        """Choose the next stroke, a bold one or to beside the spot if there is no other."""
+        """Choose the next stroke: to the spot; later on also beside it, with less and less room."""
         world, name, spot = self._env.world, self._goal.target, self._goal.spot[:2]
-        aims = [(spot, False)]
+        aims: list[tuple[Float[np.ndarray, "2"], Care]] = [(spot, "free")]
         if self.attempts > 0:
-            aims += [(spot, True), *((spot + near, True) for near in _NEAR)]
-        found = None
-        for self._aim, bold in aims:
-            found = plan_stroke(world, name, self._aim, bold=bold)
-            if found is not None:
-                break
+            spots = (spot, *(spot + _ASIDES))
+            for care in _LESS_ROOM:
+                aims.extend((at, care) for at in spots)
         self.attempts += 1
-        if found is None:
-            return self._enter("stuck")
-        self._stroke = found
-        self._length = float(np.linalg.norm(self._way)) + _FURTHER
-        return self._enter("approach")
+        others = beside(world, name)
+        for self._choice, (self._aim, care) in enumerate(aims):
+            length = float(np.linalg.norm(self._way))
+            if self._choice in self._barred or (care != "free" and length < _LEAST):
+                continue
+            found = plan_stroke(world, name, self._aim, others, care)
+            if found is not None:
+                self._stroke, self._length = found, length + _FURTHER
+                self._behind = found.ahead @ (mass_center(world, name) - found.start)[:2]
+                return self._enter("approach")
+        return self._enter("stuck")
+
+    def _bar(self) -> Float[np.ndarray, "5"]:
+        """Give up this way of pushing: something is where the hand has to be."""
+        self._barred.add(self._choice)
+        return self._begin()
 
     def _is_there(self) -> bool:
         away = self._goal.spot - self._env.world.position(self._goal.target)

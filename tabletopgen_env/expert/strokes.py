@@ -7,7 +7,7 @@ fingers and the palm over them need room all along that way.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 from jaxtyping import Float
@@ -28,16 +28,29 @@ BEHIND = 0.025
 HOVER = 0.06
 """Height from which the hand comes straight down, metres."""
 
+PAD = 0.01
+"""Half the thickness of the closed fingers' pads, metres."""
+
 _THICK = 0.013  # half the closed fingers' thickness, metres
 _HALF_STRIP = 0.012  # half the breadth of what the fingers meet, metres
 _FINGERS = (0.03, 0.015)  # half their breadth and thickness, shafts and all, and some room
+_TIPS = (0.012, 0.0095)  # half the breadth and thickness of the pads alone
 _PALM = (0.11, 0.042)
+_TIGHT = ((0.0265, 0.0105), (0.102, 0.0315))  # without the room
 _PALM_Z = 0.044  # the palm above the fingertips, metres
 _PAD = 0.03  # how far up the fingers push, metres
-_LOWEST, _HIGHEST = 0.014, 0.07
+_CLOSE = 0.01  # metres behind the object where there is little room
+_LOWEST, _HIGHEST = 0.012, 0.07
 _CELL = 0.006
 _TURNS = np.deg2rad([0.0, 180.0, 30.0, -30.0, 150.0, -150.0, 60.0, -60.0, 120.0, -120.0, 90.0])
 _REACH = 0.62  # metres about the object that a stroke may touch
+
+
+Care = Literal["free", "tight", "bold"]
+"""How much room the hand has to have.
+
+"free": all along the way. "tight": where it comes down, beside the object. "bold": none.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,7 +81,7 @@ def plan_stroke(
     target: str,
     spot: Float[np.ndarray, "2"],
     others: HeightMap | None = None,
-    bold: bool = False,
+    care: Care = "free",
 ) -> Stroke | None:
     """Return the stroke that pushes an object, as it is now, towards a spot; None if none can.
 
@@ -77,7 +90,7 @@ def plan_stroke(
         target: an object's name.
         spot: where its centre is to go (x, y, world).
         others: what is ``beside`` it, if known.
-        bold: whether the hand may brush what stands beside the way.
+        care: how much room the hand has to have.
     """
     way = spot - world.position(target)[:2]
     length = float(np.linalg.norm(way))
@@ -86,6 +99,7 @@ def plan_stroke(
     parts = moved(world.scene.object(target).parts, world.position(target), world.rotation(target))
     com = mass_center(world, target)[:2]
     others = others or beside(world, target)
+    behind = BEHIND if care == "free" else _CLOSE
     best: tuple[float, Stroke] | None = None
     for k, turn in enumerate(_TURNS):
         if best is not None and k > 1:
@@ -96,12 +110,14 @@ def plan_stroke(
         if found is None:
             continue
         front, height = found
-        steps = np.linspace(-BEHIND, length, max(int((length + BEHIND) / 0.015), 2))
+        steps = np.linspace(-behind, length, max(int((length + behind) / 0.015), 2))
         line = front + steps[:, None] * ahead
         tip = height - TIP
-        if not bold and not (
+        if care == "free" and not (
             _is_free(others, line, opening, tip) and wrist_is_free(world, others, line, tip)
         ):
+            continue
+        if care == "tight" and not _is_free(others, line[steps < 0.01], opening, tip, _TIGHT):
             continue
         start, end = (np.array([*at, height]) for at in line[[0, -1]])
         yaw = wrap(bearing + turn - world.mount.yaw)
@@ -127,7 +143,7 @@ def _contact(
     """
     low, high = (f([p.bounds[k] for p in parts], axis=0) for k, f in ((0, np.min), (1, np.max)))
     own = height_map(parts, low[:2] - _CELL, high[:2] + _CELL, _CELL)
-    palm = _rectangle(_PALM, opening)
+    palm, fingers = (_rectangle(half, opening) for half in (_PALM, _TIPS))
     lowest = float(np.clip(0.4 * (high[2] - low[2]), _LOWEST, 0.04))
     for height in floor + np.arange(lowest, _HIGHEST, 0.006):
         tip = height - TIP
@@ -136,7 +152,8 @@ def _contact(
         if behind is None:
             continue
         front = com + (behind - _THICK) * ahead
-        if own.at(front + palm).max() <= tip + _PALM_Z:
+        fits = own.at(front + palm).max() <= tip + _PALM_Z
+        if fits and own.at(front - _CELL * ahead + fingers).max() <= tip:
             return front, float(height)
     return None
 
@@ -173,9 +190,15 @@ def _first_in_strip(u: Float[np.ndarray, "n"], v: Float[np.ndarray, "n"]) -> flo
     return min(least)
 
 
-def _is_free(others: HeightMap, line: Float[np.ndarray, "k 2"], opening: float, tip: float) -> bool:
+def _is_free(
+    others: HeightMap,
+    line: Float[np.ndarray, "k 2"],
+    opening: float,
+    tip: float,
+    hand: tuple[tuple[float, float], tuple[float, float]] = (_FINGERS, _PALM),
+) -> bool:
     """Return whether fingers and palm pass along a line with the hand opening along ``opening``."""
-    for half, height in ((_FINGERS, tip - 0.001), (_PALM, tip + _PALM_Z)):
+    for half, height in zip(hand, (tip - 0.001, tip + _PALM_Z), strict=True):
         if others.at(line[:, None] + _rectangle(half, opening)).max() > height:
             return False
     return True

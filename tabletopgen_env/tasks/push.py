@@ -1,7 +1,8 @@
 """Push: slide one object along the table to a marked spot, with the fingers closed.
 
-The gripper stays closed whatever the action says. Pushed is what stands on the table alone, does
-not topple easily and need not fit into the hand. ``reset`` options: ``target`` an object's name;
+The gripper stays closed whatever the action says. Pushed is what stands on the table alone and
+neither topples nor rolls easily; it need not fit into the hand. Ways are drawn across long things,
+which turn aside when they are pushed at an end. ``reset`` options: ``target`` an object's name;
 ``goal`` a point (x, y) of the table in the world frame. Goal: `Pushed`.
 """
 
@@ -14,10 +15,10 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.errors import InputError
-from generator.geometry import inside_margin
+from generator.geometry import inside_margin, quaternion_matrix
 from generator.scene import Object
 
-from ..affordance import grasp_width, resting_height
+from ..affordance import collision_points, grasp_width, resting_height
 from ..expert.strokes import beside, plan_stroke
 from .goals import SPOT, Pushed
 from .sampling import Reasons, blocked, drawn, given_point, on_table, rest_height
@@ -34,6 +35,12 @@ HEAVIEST = 1.5
 
 SLENDER = 1.2
 """Tallest thing to push, in its own smallest widths: what is more slender topples."""
+
+LEAST_GRIP = 0.5
+"""Friction on the table, at least, that a push at the centre of mass's height has to overcome."""
+
+LONGEST = 2.0
+"""Longest thing to push lengthwise, in its own breadths."""
 
 _TRIES = 200
 _PLANS = 25  # strokes planned at most to find one that the arm can make
@@ -79,11 +86,27 @@ def _fixed(world: World, obj: Object) -> str | None:
         return f"it stands on {obj.placement.on}"
     if obj.mass > HEAVIEST:
         return f"{obj.mass:.3g} kg is heavier than {HEAVIEST} kg"
-    if resting_height(obj) > SLENDER * grasp_width(obj):
-        return "it would topple"
+    if resting_height(obj) > SLENDER * grasp_width(obj) or tips(obj):
+        return "it would topple or roll"
     if resting_height(obj) < 0.01:
         return "too flat for the fingers"
     return blocked(world, obj)
+
+
+def tips(obj: Object) -> bool:
+    """Return whether an object goes over, or rolls, before it slides.
+
+    Pushed at the height of its centre of mass it goes over at the friction tan(a), where it has to
+    lean by the angle a, the centre of mass rising by 1 / cos(a), until it falls by itself.
+    """
+    turned = quaternion_matrix(obj.pose.quaternion).T
+    points = (collision_points(obj) - obj.com) @ turned
+    leans, bearings = np.deg2rad(np.arange(0, 61, 5)), np.deg2rad(np.arange(0, 360, 15))
+    along = points[:, :2] @ np.stack([np.cos(bearings), np.sin(bearings)])
+    down = [along * np.sin(lean) - points[:, 2:] * np.cos(lean) for lean in leans]
+    heights = np.max(down, axis=1)  # of the centre of mass, by lean and bearing
+    rise = float((heights.max(0) / heights[0]).min())
+    return rise < np.hypot(1.0, max(LEAST_GRIP, obj.friction))
 
 
 def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:
@@ -98,6 +121,9 @@ def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarra
         angle, way = rng.uniform(0, 2 * np.pi), rng.uniform(*WAY)
         ahead = np.array([np.cos(angle), np.sin(angle)])
         line = begin + np.linspace(0.0, way, 8)[:, None] * ahead
+        across = np.array([-ahead[1], ahead[0]])
+        if np.ptp(outline @ ahead) > LONGEST * np.ptp(outline @ across):
+            continue
         if not world.mount.reaches(np.array([[*line[-1], table.height + 0.02]])).all():
             continue
         if (inside_margin(line[1:], table.outline) < min(radius, 0.1)).any():

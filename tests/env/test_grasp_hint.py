@@ -6,10 +6,12 @@ import numpy as np
 import pytest
 from toy import toy_scene
 
+from generator.errors import InputError
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.choosing import choose
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.grasp_hint import HINT_BOUNDS
+from tabletopgen_env.randomization import Randomization
 
 CUBE = {"target": "cube_1"}
 
@@ -49,11 +51,11 @@ def test_the_hint_moves_with_the_object_and_is_planned_anew_where_it_comes_to_re
     env.reset(seed=0, options=CUBE)
     hint, world = env.hint, env.world
     assert hint is not None
-    before = hint.plan(world)
+    before = hint.plan(world, "cube_1")
     start = world.position("cube_1")
     turn = np.array([np.cos(0.2), 0, 0, np.sin(0.2)])  # 0.4 rad about the vertical
     world.teleport("cube_1", start + np.array([0.01, 0, 0]), turn)
-    carried = hint.plan(world)
+    carried = hint.plan(world, "cube_1")
     assert before is not None and carried is not None
     assert np.allclose(carried.seen - before.seen, [0.01, 0, 0], atol=1e-9)
     own = [p.grasp.point - p.seen for p in (before, carried)]
@@ -61,7 +63,7 @@ def test_the_hint_moves_with_the_object_and_is_planned_anew_where_it_comes_to_re
     world.teleport("cube_1", start + np.array([-0.03, 0.02, 0]))
     env.step(np.zeros(5))
     there = choose(world, "cube_1")
-    anew = hint.plan(world)
+    anew = hint.plan(world, "cube_1")
     assert there is not None and anew is not None
     assert np.allclose(anew.grasp.point, there.grasp.point, atol=1e-3)
 
@@ -72,12 +74,40 @@ def test_without_a_target_the_hint_is_empty() -> None:
     assert not env.step(env.action_space.sample())[0][279:].any()
 
 
-def test_noise_moves_the_hint_with_the_object() -> None:
-    env = lift(randomization="strong")
-    seen = [env.reset(seed=s, options=CUBE)[0] for s in range(4)]
-    plain = [env.reset(seed=s, options=CUBE)[0] for s in range(4)]
-    assert all(np.array_equal(a, b) for a, b in zip(seen, plain, strict=True))
-    assert all(env.observation_space.contains(state) for state in seen)
+def test_noise_moves_the_hint_with_what_is_read_of_tool_and_object() -> None:
+    noisy = lift(
+        randomization=Randomization(joint_noise=0.03, position_noise=0.02, rotation_noise=0.1)
+    )
+    read = noisy.reset(seed=1, options=CUBE)[0]
+    true = lift().reset(seed=1, options=CUBE)[0]
+    tool, target = read[15:18] - true[15:18], read[40:43] - true[40:43]
+    assert np.abs(tool).max() > 0.002 and np.abs(target).max() > 0.002
+    assert np.allclose(read[279:282] - true[279:282], target - tool, atol=1e-5)
+    yaws = [np.arctan2(state[19], state[18]) for state in (read, true)]
+    assert read[282] - true[282] == pytest.approx(yaws[1] - yaws[0], abs=1e-5)
+    assert np.array_equal(read[283:285], true[283:285])
+
+
+def test_a_table_of_another_height_has_a_hint_of_its_own() -> None:
+    strong = Randomization(table_height=0.08)
+    used = lift(randomization=strong)
+    for seed in range(4):
+        used.reset(seed=seed, options=CUBE)
+    again = used.reset(seed=4, options=CUBE)[0]
+    assert np.array_equal(again, lift(randomization=strong).reset(seed=4, options=CUBE)[0])
+
+
+def test_the_hint_is_of_the_active_target_alone() -> None:
+    env = lift()
+    env.reset(seed=0, options=CUBE)
+    assert env.hint is not None
+    assert env.hint.plan(env.world, "cube_1") is not None
+    assert env.hint.plan(env.world, "bowl_1") is None
+
+
+def test_what_shows_no_state_has_no_hint() -> None:
+    with pytest.raises(InputError, match="'pixels\\+state'"):
+        lift(observation="pixels")
 
 
 @pytest.mark.parametrize("mode", ["state", "goal", "pixels+state", "point_cloud+state"])

@@ -172,6 +172,20 @@ def test_faces_back_to_back_bound_nothing() -> None:
     assert whole.depths(np.zeros((1, 3)))[0] == pytest.approx(0.05)
 
 
+@pytest.mark.parametrize("turned", [False, True])
+def test_nothing_lies_inside_a_sheet(turned: bool) -> None:
+    """A post that carries a sheet without thickness, its two sides cut along other diagonals."""
+    post = moved(cube_mesh(), [0.1, 0.1, 1.0], [-0.45, -0.45, 0.0])
+    corners = np.array([[-0.4, -0.4, 0.5], [0.5, -0.4, 0.5], [0.5, 0.5, 0.5], [-0.4, 0.5, 0.5]])
+    faces = np.array([[0, 1, 2], [0, 2, 3], [1, 0, 3], [1, 3, 2]])
+    sheet = Mesh(corners, faces[::-1] if turned else faces, np.zeros((4, 2)), post.texture)
+    (flag,) = body(joined(post, sheet), [0.1] * 3)
+    beside = np.array([[0.02, 0.01, z] for z in (-0.04, 0.0, 0.04)])
+    assert flag.closed and (flag.depths(beside)[0] < 0).all()
+    assert (flag.depths(np.array([[-0.045, -0.045, 0.0]]))[0] > 0.004).all()
+    assert overlap_depth((flag,), box([0.02] * 3, [0.02, 0.01, 0.0])) == 0.0
+
+
 def test_depths_agree_with_a_search_over_all_triangles() -> None:
     thing = build("teapot", 1)
     rng = np.random.default_rng(0)

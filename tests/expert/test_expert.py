@@ -102,3 +102,14 @@ def test_it_says_when_nothing_can_be_done() -> None:
 def test_it_acts_in_one_mode_only(settings: dict[str, Any]) -> None:
     with pytest.raises(InputError, match="ee_delta"):
         TaskExpert(make_env(toy_scene(), **settings))
+
+
+def test_what_is_placed_is_left_alone() -> None:
+    env = make_env(toy_scene(), task="PickPlace")
+    env.reset(seed=0, options={"target": "cube_1", "goal": "spot"})
+    expert = TaskExpert(env)
+    expert.reset()
+    met = []
+    while len(met) < 220:
+        met.append(env.step(expert.act())[4]["success"])
+    assert any(met) and all(met[met.index(True) :]) and expert.attempts == 1

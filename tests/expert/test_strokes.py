@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -10,8 +11,10 @@ from toy import toy_object, toy_scene
 
 from generator.scene import Object
 from tabletopgen_env.env import make_env
+from tabletopgen_env.expert.push import Pusher
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.expert.strokes import plan_stroke
+from tabletopgen_env.tasks.goals import Pushed
 from tabletopgen_env.world import World
 
 TOP = 0.74
@@ -47,12 +50,12 @@ def test_it_pushes_at_the_centre_of_mass() -> None:
     assert stroke.start[0] == pytest.approx(0.05, abs=0.005)
 
 
-def test_a_wall_beside_the_way_stops_the_palm_unless_it_is_bold() -> None:
+def test_a_wall_beside_the_way_stops_the_palm_unless_room_is_tight() -> None:
     walls = [toy_object(f"wall_{k}", (0.3, 0.02, 0.2), (0.0, k * 0.09)) for k in (-1, 1)]
     world = at_table(BOOK, *walls)
     spot = np.array([0.15, 0.0])
     assert plan_stroke(world, "book", spot) is None
-    assert plan_stroke(world, "book", spot, bold=True) is not None
+    assert plan_stroke(world, "book", spot, care="tight") is not None
 
 
 def test_the_fingers_meet_the_wall_of_a_hollow_thing_under_what_stands_out() -> None:
@@ -75,3 +78,63 @@ def test_it_pushes_a_long_thing_across_the_table() -> None:
     expert = TaskExpert(env)
     expert.reset()
     assert any(env.step(expert.act())[4]["success"] for _ in range(120)), expert.phase
+
+
+def test_the_fingers_do_not_ride_over_a_low_part_to_meet_a_high_one() -> None:
+    slab = toy_object("tablet", (0.12, 0.16, 0.0075), (0.0, 0.0))
+    bump = toy_object("bump", (0.03, 0.04, 0.003), (0.0, 0.0))
+    rise = np.array([0.02, 0.0, 0.00525])
+    tablet = replace(slab, parts=(*slab.parts, type(bump.parts[0])(bump.parts[0].vertices + rise)))
+    stroke = plan_stroke(at_table(tablet), "tablet", np.array([0.15, 0.0]))
+    assert stroke is not None
+    assert stroke.start[0] < -0.06 - 0.02, "it begins behind the slab, not over it"
+
+
+def test_a_tight_stroke_does_not_come_down_on_a_neighbour() -> None:
+    neighbour = toy_object("neighbour", (0.04, 0.04, 0.1), (-0.075, 0.0))
+    world, spot = at_table(BOOK, neighbour), np.array([0.15, 0.0])
+    assert plan_stroke(world, "book", spot, care="tight") is None
+    assert plan_stroke(world, "book", spot, care="bold") is not None
+
+
+def test_the_hand_turns_above_what_stands_around() -> None:
+    post = toy_object("post", (0.02, 0.02, 0.15), (-0.1, 0.09))
+    env: Any = make_env(toy_scene((BOOK, post)), task="Push")
+    env.reset(seed=0, options={"target": "book", "goal": (0.15, 0.0)})
+    pusher = Pusher(env, cast(Pushed, env.unwrapped.goal))
+    pusher.reset()
+    while pusher.phase != "descend":
+        env.step(pusher.act())
+    pusher._stroke = replace(pusher._stroke, yaw=pusher._stroke.yaw + 1.5)
+    pusher._enter("approach")
+    assert pusher.act()[2] > 0.5, "up, for the palm is lower than the post"
+
+
+@pytest.mark.parametrize(("yaw", "goal"), [(0.5, (0.2, 0.02)), (0.9, (0.05, 0.2))])
+def test_a_cube_pushed_at_its_edge_stays_before_the_hand(
+    yaw: float, goal: tuple[float, float]
+) -> None:
+    cube = toy_object("cube", (0.04, 0.04, 0.04), (0.0, 0.0), yaw=yaw, mass=0.1)
+    env = make_env(toy_scene((cube,)), task="Push")
+    env.reset(seed=0, options={"target": "cube", "goal": goal})
+    expert = TaskExpert(env)
+    expert.reset()
+    assert any(env.step(expert.act())[4]["success"] for _ in range(70)), expert.phase
+    assert expert.attempts == 1
+
+
+def test_it_gives_up_a_stroke_whose_start_is_taken() -> None:
+    env = make_env(toy_scene((BOOK, toy_object("box", (0.08, 0.08, 0.08), (0.3, 0.2), mass=1.0))),
+                   task="Push")  # fmt: skip
+    env.reset(seed=0, options={"target": "book", "goal": (0.15, 0.0)})
+    expert = TaskExpert(env)
+    expert.reset()
+    env.world.teleport("box", np.array([-0.105, 0.0, TOP + 0.04]))
+    phases: list[str] = []
+    for _ in range(75):
+        env.step(expert.act())
+        phases.append(expert.phase)
+    assert "descend" in phases
+    after = phases[phases.index("descend") :]
+    assert "approach" in after, after
+    assert "stroke" not in after[: after.index("approach")]
