@@ -281,16 +281,16 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._succeeded = None
 
     def _draw(self, options: dict[str, Any]) -> tuple[World, Episode, bool]:
-        """Draw scenes until one offers something to do; tell whether that is certified."""
+        """Draw scenes until one can be made and offers something; tell whether it is certified."""
         source = resolve(options["scene"]) if "scene" in options else self.source
         tried: set[str] = set()
         self._randomizer.restart(self.np_random)
         for _ in range(DRAWS):
             ref = source.draw(self.np_random)
-            world = self._world_of(ref)
-            self._randomizer.begin(world)
-            certified = self._wants_certified and not self._randomizer.rearranged
             try:
+                world = self._world_of(ref)
+                self._randomizer.begin(world)
+                certified = self._wants_certified and not self._randomizer.rearranged
                 episode, known = sampled(self.task, world, self.np_random, options, certified)
                 self._randomizer.finish(world, named_by(episode.goals))
                 return world, episode, known

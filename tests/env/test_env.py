@@ -12,8 +12,10 @@ import pytest
 from toy import toy_object, toy_objects, toy_scene
 
 from generator.errors import InputError, SceneError
+from generator.scene import Scene
 from tabletopgen_env.actions import ACTIONS
-from tabletopgen_env.env import GoalTabletopEnv, TabletopEnv, make_env
+from tabletopgen_env.env import DRAWS, GoalTabletopEnv, TabletopEnv, make_env
+from tabletopgen_env.scenes import SceneRef
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 
@@ -234,3 +236,27 @@ def test_a_policy_trains_with_sac_and_hindsight() -> None:
     assert model.num_timesteps == 200
     sampled = model.replay_buffer.sample(64)
     assert sampled.rewards.max() == 0.0  # hindsight found successes
+
+
+@pytest.mark.parametrize("failures", [2, 1000])
+def test_a_table_that_cannot_be_made_is_passed_over(failures: int) -> None:
+    tried = []
+
+    def load() -> Scene:
+        tried.append(len(tried))
+        if len(tried) <= failures:
+            raise SceneError("It would not settle.")
+        return toy_scene()
+
+    class Unsound:
+        def draw(self, rng: np.random.Generator) -> SceneRef:
+            return SceneRef("unsound", load)
+
+    env = make_env(Unsound(), task="Lift")
+    if failures > DRAWS:
+        with pytest.raises(SceneError, match="would not settle"):
+            env.reset(seed=0)
+        assert len(tried) == DRAWS
+    else:
+        env.reset(seed=0)
+        assert len(tried) == failures + 1
