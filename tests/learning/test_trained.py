@@ -1,0 +1,26 @@
+"""The policies that are shipped: each is read safely, is small, and does its task."""
+
+from __future__ import annotations
+
+import pytest
+
+from tabletopgen_env.learning.evaluating import play, seeds
+from tabletopgen_env.learning.making import single_env, source_of
+from tabletopgen_env.learning.policies import load_policy, shipped_policies
+
+SHIPPED = shipped_policies()
+
+
+def test_there_are_some_and_they_are_small() -> None:
+    assert {"reach-clone", "lift-clone"} <= set(SHIPPED)
+    assert all(path.stat().st_size < 2_000_000 for path in SHIPPED.values())
+
+
+@pytest.mark.parametrize("name", sorted(SHIPPED))
+def test_a_shipped_policy_does_its_task_at_tables_it_never_saw(name: str) -> None:
+    policy = load_policy(SHIPPED[name])
+    assert "starter" not in str(policy.card.scenes)
+    env = single_env(policy.card.task, policy.card.env, source_of("starter", "held_out"))
+    solved = [play(env, policy, seed).solved for seed in seeds(0, 8)]
+    env.close()
+    assert sum(solved) >= 5
