@@ -17,6 +17,7 @@ from jaxtyping import Float, UInt8
 from PIL import Image, ImageDraw, ImageFont
 
 from tabletopgen_env.composition import FRONT_CAMERA
+from tabletopgen_env.episodes import Held
 from tabletopgen_env.expert.run import TaskExpert
 
 FOLDER = Path(__file__).parent / "images" / "tasks"
@@ -76,19 +77,18 @@ def play(env: gym.Env, strip: Strip, shown: list[int] | None = None) -> tuple[in
     Raises:
         SystemExit: the expert does not solve it.
     """
-    _, info = env.reset(seed=strip.seed, options=strip.options or None)
+    env.reset(seed=strip.seed, options=strip.options or None)
     expert = TaskExpert(env)
     expert.reset()
     pictures = [env.render()] if shown else []
-    held = steps = 0
-    truncated = False
-    while held < _HOLD and not truncated:
+    held, solved, truncated, steps = Held(_HOLD), False, False, 0
+    while not (solved or truncated):
         _, _, _, truncated, info = env.step(expert.act())
-        held = held + 1 if info["success"] else 0
+        solved = held.after(info)
         steps += 1
         if shown and steps in shown:
             pictures.append(env.render())
-    if held < _HOLD:
+    if not solved:
         raise SystemExit(f"The expert did not solve {strip}: choose another table or seed.")
     return steps - _HOLD, pictures
 
@@ -157,9 +157,9 @@ def make(name: str) -> Path:
     strip = STRIPS[name]
     env = made(strip)
     done, _ = play(env, strip)
-    env.reset(seed=strip.seed, options=strip.options or None)
+    _, info = env.reset(seed=strip.seed, options=strip.options or None)
     part = window(env)
-    caption = env.unwrapped.episode.instruction  # type: ignore[attr-defined]
+    caption = info["instruction"]
     env.close()
     size = (HEIGHT * _FINE, WIDTH * _FINE)
     env = made(strip, render_mode="rgb_array", render_size=size)

@@ -25,6 +25,11 @@ def wrap(angle: float) -> float:
     return float((angle + np.pi) % (2 * np.pi) - np.pi)
 
 
+def rotation_yaw(rotation: Float[np.ndarray, "3 3"]) -> float:
+    """Return the bearing about +z of a rotation's x axis, radians in [-pi, pi]."""
+    return float(np.arctan2(rotation[1, 0], rotation[0, 0]))
+
+
 def yaw_quaternion(yaw: float) -> Float[np.ndarray, "4"]:
     """Return the wxyz quaternion of ``yaw`` radians about +z."""
     return np.array([np.cos(yaw / 2), 0.0, 0.0, np.sin(yaw / 2)])

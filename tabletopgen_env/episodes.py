@@ -1,12 +1,21 @@
-"""When an episode is a success: the same for certificates, demonstrations and benchmarks."""
+"""Episodes: their seeds, and when one is a success, the same wherever one is played."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
+
+import numpy as np
 
 HOLD = 10
 """Steps in a row for which ``info["success"]`` has to hold."""
+
+
+def episode_seeds(*key: int) -> Iterator[int]:
+    """Yield episodes' seeds without end; a key of other numbers gives others."""
+    rng = np.random.default_rng(key)
+    while True:
+        yield int(rng.integers(2**31))
 
 
 class Held:

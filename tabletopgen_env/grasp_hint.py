@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from generator.geometry import wrap
+from generator.geometry import rotation_yaw, wrap
 
 from .expert.arm import turn_left
 from .expert.choosing import Plan, choose
@@ -90,7 +90,7 @@ class GraspHint:
             return None
         turned = world.rotation(name) @ self._rotation.T
         at, then = world.position(name), self._plan.seen
-        turn = float(np.arctan2(turned[1, 0], turned[0, 0]))
+        turn = rotation_yaw(turned)
         old = self._plan.grasp
         point = at + turned @ (old.point - then)
         grasp = Grasp(point, old.angle + turn, old.opening, old.width, old.score)

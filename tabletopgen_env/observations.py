@@ -61,7 +61,7 @@ from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
 from generator.errors import InputError, choices
-from generator.geometry import wrap
+from generator.geometry import rotation_yaw, wrap
 
 from .grasp_hint import HINT_BOUNDS, misread
 from .point_cloud import point_cloud_spaces
@@ -97,6 +97,13 @@ for _constant in (
     _constant.setflags(write=False)
 
 
+def _bounds(hinted: bool, bare: bool) -> Float[np.ndarray, "n"]:
+    """Return the largest magnitudes of the flat state's entries, or of those without the goal."""
+    if hinted:
+        return _HINTED_BARE_BOUNDS if bare else _HINTED_BOUNDS
+    return _BARE_BOUNDS if bare else _FULL_BOUNDS
+
+
 def _box(bounds: Float[np.ndarray, "n"]) -> spaces.Box:
     high = bounds.astype(np.float32)
     return spaces.Box(-high, high, dtype=np.float32)
@@ -115,10 +122,7 @@ def observation_space(
     """
     if mode not in MODES:
         raise InputError(f"Unknown observation mode {mode!r}." + choices(str(mode), MODES))
-    full, bare = (
-        _HINTED_BOUNDS if hint else _FULL_BOUNDS,
-        (_HINTED_BARE_BOUNDS if hint else _BARE_BOUNDS),
-    )
+    full, bare = _bounds(hint, bare=False), _bounds(hint, bare=True)
     if mode == "state":
         return _box(full)
     if mode == "goal":
@@ -229,9 +233,7 @@ def flat_state(
         noise: of this reading; None is none.
         hint: the entries of ``grasp_hint``, the last ones; None for a state without.
     """
-    bounds = _BARE_BOUNDS if bare else _FULL_BOUNDS
-    if hint is not None:
-        bounds = _HINTED_BARE_BOUNDS if bare else _HINTED_BOUNDS
+    bounds = _bounds(hint is not None, bare)
     robot, slots = robot_state(world, goal, noise), object_slots(world, order, noise)
     state = np.empty(len(bounds))
     state[: len(robot)] = robot
@@ -248,9 +250,8 @@ def flat_state(
     if hint is not None:
         state[-len(hint) :] = hint
         if noise is not None:
-            hand = world.hand
             tool = robot[15:18] - world.to_base(world.data.site_xpos[world.tcp])
-            yaw = wrap(float(np.arctan2(robot[19], robot[18]) - np.arctan2(hand[1, 0], hand[0, 0])))
+            yaw = wrap(float(np.arctan2(robot[19], robot[18])) - rotation_yaw(world.hand))
             state[-len(hint) :] = misread(hint, noise.positions[0], tool, yaw)
     np.minimum(np.maximum(state, -bounds, out=state), bounds, out=state)
     return state.astype(np.float32)

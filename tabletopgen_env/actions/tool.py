@@ -6,7 +6,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
 
-from generator.geometry import wrap
+from generator.geometry import rotation_yaw, wrap
 
 from ..robot.franka import JOINTS
 from ..robot.kinematics import HOME, forward, ik_step, pointing_down, rotation_vector
@@ -84,12 +84,12 @@ class ToolDelta:
 
     def reset(self, world: World) -> None:
         """Start from the tool's present position and yaw."""
-        self.yaw = _yaw(self.arm.reset(world))
+        self.yaw = rotation_yaw(self.arm.reset(world))
 
     def apply(self, world: World, action: Float[np.ndarray, "5"]) -> None:
         """Advance the commanded pose by ``action`` and the commanded joints after it."""
         self.arm.move(world, action[:3])
-        real, leash = _yaw(world.hand), YAW_LEASH * self.servos.slack
+        real, leash = rotation_yaw(world.hand), YAW_LEASH * self.servos.slack
         ahead = wrap(self.yaw + EE_TURN * self.servos.share * action[3] - real)
         self.yaw = real + min(max(ahead, -leash), leash)
         self.arm.follow(world, pointing_down(self.yaw), action[4])
@@ -158,7 +158,3 @@ class ToolAbsolute:
         move /= max(EE_STEP * self.servos.share, float(np.linalg.norm(move)))
         turn = (YAW_REACH * action[3] - self._way.yaw) / (EE_TURN * self.servos.share)
         self._way.apply(world, np.array([*move, np.clip(turn, -1.0, 1.0), action[4]]))
-
-
-def _yaw(hand: Float[np.ndarray, "3 3"]) -> float:
-    return float(np.arctan2(hand[1, 0], hand[0, 0]))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from generator.geometry import wrap
+from generator.geometry import rotation_yaw, wrap
 
 from ..robot.kinematics import HOME, LOWER, UPPER, forward, pointing_down, solve_ik
 
@@ -33,8 +33,7 @@ _ROLL_MARGIN = 0.1
 _WRIST_BACK, _WRIST_RADIUS, _WRIST_Z = 0.088, 0.065, 0.15
 _ITERATIONS = 40
 _RING = np.column_stack([np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)])
-_HOME_AXES = forward(HOME)[1]
-_ROLL = float(np.arctan2(_HOME_AXES[1, 0], _HOME_AXES[0, 0]))
+_ROLL = rotation_yaw(forward(HOME)[1])
 """The hand's yaw at home, where the tool is straight ahead."""
 
 
@@ -71,10 +70,7 @@ def turn_left(world: World, yaw: float, at: Float[np.ndarray, "3"]) -> float:
     The turn is that of the last joint, so that a hand on its way keeps its place in that joint's
     range.
     """
-    axis = world.hand[:, 0]
-    relative = float(np.arctan2(axis[1], axis[0])) - _bearing(
-        world, world.data.site_xpos[world.tcp]
-    )
+    relative = rotation_yaw(world.hand) - _bearing(world, world.data.site_xpos[world.tcp])
     middle = _ROLL + float(HOME[6])  # the last joint at zero
     by_joint = middle - float(world.data.qpos[world.arm_qpos[6]])
     now = by_joint + wrap(relative - by_joint)

@@ -13,6 +13,7 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.errors import InputError
+from generator.geometry import rotation_yaw
 
 from ..actions import EE_STEP, EE_TURN, Servos
 from ..robot import franka
@@ -75,9 +76,7 @@ class Expert(ABC):
     @property
     def _yaw(self) -> float:
         """The hand's yaw in the base frame, radians."""
-        world = self._env.world
-        axis = world.hand[:, 0]
-        return float(np.arctan2(axis[1], axis[0]))
+        return rotation_yaw(self._env.world.hand)
 
     @property
     def _gap(self) -> float:

@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Bool, Float
 
+from generator.geometry import rotation_yaw
+
 from ..robot import franka
 from .heights import HeightMap, Solid, moved, solid, surroundings
 
@@ -88,7 +90,7 @@ def _candidates(world: World, target: str) -> Iterator[Grasp]:
     others = surroundings(world, target, low - _PALM_REACH, high + _PALM_REACH, _STEP_V)
     com = position + rotation @ world.scene.object(target).com
     floor = world.scene.table.height
-    facing = np.arctan2(rotation[1, 0], rotation[0, 0])
+    facing = rotation_yaw(rotation)
     for angle in facing + np.arange(_TURNS) * np.pi / _TURNS:
         yield from _along(shape, others, com, float(angle), floor)
 

@@ -6,19 +6,19 @@ the learner acts and the expert says what it would do. Everything said so far is
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import gymnasium as gym
 import numpy as np
 import torch
-from jaxtyping import Float
 from stable_baselines3 import SAC
-from torch import Tensor, nn
+from torch import nn
 
 from generator.errors import require
 
+from ..episodes import episode_seeds
 from .demonstrations import Demonstration, Policy, demonstrations
 
 
@@ -79,7 +79,7 @@ def clone(
         seed: of the episodes and the batches.
         told: called after each round.
     """
-    seeds = _counting(seed)
+    seeds = episode_seeds(seed, 2)
     generator = torch.Generator().manual_seed(seed)
     seen: list[Demonstration] = []
     for number in range(config.rounds):
@@ -120,7 +120,7 @@ def fit(
     actor.set_training_mode(True)
     for _ in range(steps):
         rows = torch.randint(len(states), (config.batch,), generator=generator)
-        loss = nn.functional.l1_loss(_mean_action(model, states[rows]), advice[rows])
+        loss = nn.functional.l1_loss(actor(states[rows], deterministic=True), advice[rows])
         optimiser.zero_grad()
         loss.backward()
         nn.utils.clip_grad_norm_(actor.parameters(), 1.0)
@@ -129,14 +129,3 @@ def fit(
         losses.append(float(loss.detach()))
     actor.set_training_mode(False)
     return float(np.mean(losses[-max(steps // 10, 1) :]))
-
-
-def _mean_action(model: SAC, states: Float[Tensor, "n o"]) -> Float[Tensor, "n a"]:
-    return model.actor(states, deterministic=True)
-
-
-def _counting(seed: int) -> Iterator[int]:
-    """Yield episode seeds of a stream of their own."""
-    rng = np.random.default_rng((seed, 2))
-    while True:
-        yield int(rng.integers(2**31))

@@ -212,6 +212,7 @@ def _loaded(name: str, trust: bool, recipe: str | None) -> _Loaded:
 def _unzipped(path: Path, trust: bool, recipe: str | None) -> _Loaded:
     """Return a model of a zip of Stable-Baselines3, if it is to be trusted."""
     from .making import load_zip
+    from .recipes import listed
     from .recipes import recipe as named
     from .runs import opened
 
@@ -225,8 +226,7 @@ def _unzipped(path: Path, trust: bool, recipe: str | None) -> _Loaded:
     else:
         folder = path.resolve().parent
         own = opened(folder.parent if folder.name.startswith("checkpoint-") else folder).recipe
-    scenes = (own.scenes,) if isinstance(own.scenes, str) else own.scenes
-    return _Loaded(load_zip(path, own), own.task, own.env, scenes)
+    return _Loaded(load_zip(path, own), own.task, own.env, listed(own.scenes))
 
 
 def _write_strip(frames: list[Any], path: Path) -> None:

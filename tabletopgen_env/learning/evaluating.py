@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any, Protocol
 
 import gymnasium as gym
 import numpy as np
 
-from ..episodes import Held
+from ..episodes import Held, episode_seeds
 from ..statistics import wilson
 
 SEED = 10_000
@@ -118,7 +119,5 @@ def summed(played: list[Played]) -> Evaluation:
 
 
 def seeds(seed: int, count: int) -> Iterator[int]:
-    """Yield the seeds of ``count`` episodes; a longer evaluation begins with a shorter one's."""
-    rng = np.random.default_rng((seed, 3))
-    for _ in range(count):
-        yield int(rng.integers(2**31))
+    """Return the seeds of ``count`` episodes; a longer evaluation begins with a shorter one's."""
+    return islice(episode_seeds(seed, 3), count)

@@ -28,7 +28,7 @@ from generator.errors import InputError, choices
 from ..files import no_constant, typed, write_whole
 from ..tasks import NAMES
 from .actor import Actor, Squash, actor_of, inputs_of, tensors_of
-from .recipes import Network, Recipe, network_of
+from .recipes import Network, Recipe, listed, network_of
 
 SHIPPED = Path(__file__).with_name("trained")
 """Where the policies are that the package ships."""
@@ -132,11 +132,11 @@ def policy_from(
         steps: trained for; None for what the model says.
     """
     actor, squash = actor_of(model, recipe.network)
-    scenes = (recipe.scenes,) if isinstance(recipe.scenes, str) else recipe.scenes
     card = Card(
         recipe.task, dict(recipe.env), recipe.network, inputs_of(model.observation_space),
         actor.last.out_features, squash, recipe.name, seed,
-        model.num_timesteps if steps is None else steps, scenes, dict(validation or {}),
+        model.num_timesteps if steps is None else steps, listed(recipe.scenes),
+        dict(validation or {}),
         {name: _version(name) for name in _VERSIONS},
     )  # fmt: skip
     return TrainedPolicy(card, actor)

@@ -232,6 +232,11 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
     return Recipe(**values)
 
 
+def listed(scenes: str | tuple[str, ...]) -> tuple[str, ...]:
+    """Return what a recipe says of its scenes, one text or several, as several."""
+    return scenes if isinstance(scenes, tuple) else (scenes,)
+
+
 def network_of(payload: Mapping[str, Any], name: str) -> Network:
     """Make a network's description of what a file holds; ``name`` is the file's for messages.
 
@@ -257,7 +262,7 @@ def _one_of(settings: object, name: str, known: Iterable[str]) -> None:
 
 
 def _check_scenes(name: str, side: str, value: Any) -> None:
-    several = value if isinstance(value, tuple) else (value,)
+    several = listed(value)
     if not several or not all(isinstance(s, str) and s for s in several):
         raise InputError(f"{name}: {side} is a text or several, got {value!r}.")
 

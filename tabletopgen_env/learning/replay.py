@@ -14,6 +14,7 @@ from stable_baselines3.common.buffers import ReplayBuffer
 
 from generator.errors import InputError, SceneError
 
+from ..episodes import episode_seeds
 from .demonstrations import Demonstration, demonstrate, stacked
 
 MISSES = 100
@@ -69,11 +70,11 @@ def _solved(
     env: gym.Env[Any, np.ndarray], seed: int, between: Callable[[], None]
 ) -> Iterator[Demonstration]:
     """Yield episodes that end in success, without end."""
-    rng = np.random.default_rng((seed, 4))
+    seeds = episode_seeds(seed, 4)
     missed = 0
     while missed < MISSES:
         between()
-        shown = demonstrate(env, int(rng.integers(2**31)), to_the_limit=True)
+        shown = demonstrate(env, next(seeds), to_the_limit=True)
         if shown is not None and shown.solved:
             missed = 0
             yield shown

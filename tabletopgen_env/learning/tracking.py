@@ -19,6 +19,7 @@ from .ending import StopAsked
 from .evaluating import Evaluation, evaluate
 from .extra import PIP, tensorboard_there
 from .policies import policy_from, save_policy
+from .recipes import listed
 from .runs import BEST, LATEST, Counts, Run
 
 Say = Callable[[str], None]
@@ -105,10 +106,9 @@ class Tracker:
         self._since = now
 
     def _keep(self, model: BaseAlgorithm, seen: Evaluation | None, better: bool) -> None:
-        scenes = self.run.recipe.held_out
         told = {} if seen is None else {
             "solved": seen.solved, "episodes": seen.episodes, "tables": seen.tables,
-            "scenes": scenes if isinstance(scenes, str) else ", ".join(scenes),
+            "scenes": ", ".join(listed(self.run.recipe.held_out)),
         }  # fmt: skip
         policy = policy_from(model, self.run.recipe, self.run.seed, told, self.counts.steps)
         save_policy(policy, self.run.path / LATEST)

@@ -29,6 +29,8 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 from jaxtyping import Float
 
+from generator.geometry import rotation_yaw
+
 from ..affordance import Opening, Plateau
 from ..language import refer
 
@@ -225,7 +227,7 @@ class Into:
         rotation, top = world.rotation(name), hollow.rim + self.height
         local = np.array([*hollow.center, (hollow.floor + top) / 2])
         semi = np.array([*hollow.semi, (top - hollow.floor) / 2])
-        return Region(world.position(name) + rotation @ local, semi, _yaw(rotation))
+        return Region(world.position(name) + rotation @ local, semi, rotation_yaw(rotation))
 
     def settled(self, world: World) -> bool:
         """Return whether it rests, let go, wholly in the hollow of the upright container."""
@@ -303,7 +305,3 @@ def at_rest(world: World, name: str) -> bool:
 def _standing(spot: Float[np.ndarray, "3"], rest: float) -> Region:
     center = spot + np.array([0.0, 0.0, rest])
     return Region(center, np.array([SPOT_RADIUS, SPOT_RADIUS, SPOT_HEIGHT]))
-
-
-def _yaw(rotation: Float[np.ndarray, "3 3"]) -> float:
-    return float(np.arctan2(rotation[1, 0], rotation[0, 0]))
