@@ -30,9 +30,17 @@ NARROW = 0.38
 
 _NEAREST = 0.28  # metres from the base's axis: nearer the arm would have to fold otherwise
 _ROLL_MARGIN = 0.1
-_WRIST_BACK, _WRIST_RADIUS, _WRIST_Z = 0.088, 0.065, 0.15
+_WRIST = ((0.088, 0.01), (0.088, -0.03), (0.088, -0.07))  # link 6: back to the base, aside, metres
+_WRIST_RADIUS, _WRIST_Z = 0.055, 0.16
+_KNUCKLE, _KNUCKLE_RADIUS, _KNUCKLE_Z = 0.0425, 0.036, 0.102  # of link 7, along both hand axes
 _ITERATIONS = 40
-_RING = np.column_stack([np.cos(np.arange(8) * np.pi / 4), np.sin(np.arange(8) * np.pi / 4)])
+_DISC = np.array([
+    (r * np.cos(a), r * np.sin(a))
+    for r, n in ((0.0, 1), (1 / 3, 6), (2 / 3, 12), (1.0, 18))
+    for a in np.arange(n) * 2 * np.pi / n
+])  # fmt: skip
+"""Points of the unit disc, so dense that the thin screen of a laptop does not slip between."""
+
 _ROLL = rotation_yaw(forward(HOME)[1])
 """The hand's yaw at home, where the tool is straight ahead."""
 
@@ -106,9 +114,21 @@ def wrist_is_free(
     """
     back = world.base_position[:2] - points
     back /= np.maximum(np.linalg.norm(back, axis=1, keepdims=True), 1e-9)
-    centers = points + _WRIST_BACK * back
-    around = np.concatenate([centers[:, None], centers[:, None] + _WRIST_RADIUS * _RING], 1)
-    return bool(others.at(around).max() <= tip + _WRIST_Z)
+    aside = np.column_stack([-back[:, 1], back[:, 0]])
+    centers = np.concatenate([points + b * back + a * aside for b, a in _WRIST])
+    return bool(others.at(centers[:, None] + _WRIST_RADIUS * _DISC).max() <= tip + _WRIST_Z)
+
+
+def knuckle_is_free(
+    world: World, others: HeightMap, point: Float[np.ndarray, "2"], tip: float, yaw: float
+) -> bool:
+    """Return whether what sticks out of the last link on one side of the hand hits nothing.
+
+    As `wrist_is_free`; ``yaw`` is the hand's, in the base frame, radians.
+    """
+    c, s = np.cos(yaw + world.mount.yaw), np.sin(yaw + world.mount.yaw)
+    center = point + _KNUCKLE * np.array([c + s, s - c])
+    return bool(others.at(center + _KNUCKLE_RADIUS * _DISC).max() <= tip + _KNUCKLE_Z)
 
 
 def _bearing(world: World, point: Float[np.ndarray, "3"]) -> float:

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import Float
 
-from .arm import easiest, wrist_is_free
+from generator.geometry import wrap
+
+from .arm import easiest, knuckle_is_free, stretch, wrist_is_free
 from .driver import up
 from .grasps import TIP, Grasp, plan_grasps
 from .heights import surroundings
@@ -45,10 +47,17 @@ def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | 
     others = surroundings(world, target, low, high, 0.01)
     found = plan_grasps(world, target, failed)[:_MOST]
     free = [g for g in found if wrist_is_free(world, others, g.point[None, :2], g.point[2] - TIP)]
+    reached: Plan | None = None
     # Where the wrist has no room for any, it may yet come by.
     for grasp in free or found:
-        points = (grasp.point, grasp.point + up(HOVER))
+        points, tip = (grasp.point, grasp.point + up(HOVER)), float(grasp.point[2]) - TIP
         yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)
-        if yaw is not None:
-            return Plan(grasp, yaw, center)
-    return None
+        if yaw is None:
+            continue
+        reached = reached or Plan(grasp, yaw, center)
+        for turned in (yaw, wrap(yaw + np.pi)):
+            if knuckle_is_free(world, others, grasp.point[:2], tip, turned) and (
+                turned == yaw or stretch(world, points, turned) is not None
+            ):
+                return Plan(grasp, turned, center)
+    return reached

@@ -7,7 +7,7 @@ descend    straight down with the fingers opened as far as there is room
 close      until the fingers stand still
 lift       straight up; if the object stays behind, plan another grasp
 hold       stay up there, if nothing else is asked for
-carry      over what is in the way, to above the goal
+carry      over what is in the way, to above the goal, and turned
 lower      until the object stands, or hangs as deep in the container as the fingers allow
 release    open
 retreat    straight up, then stay
@@ -24,14 +24,13 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.errors import SceneError
-from generator.geometry import rotation_z
 
 from ..robot import franka
-from ..tasks.goals import RAISED, Goal, Raised, Region
+from ..tasks.goals import RAISED, Goal, Raised
 from .choosing import HOVER, choose
 from .driver import NEAR, Expert, up
+from .dropping import ABOVE, Drop, breadth, hanging, let_go_at, lost, met
 from .grasps import TIP, Grasp
-from .placing import plan_place
 
 Phase = Literal[
     "wait", "approach", "descend", "close", "lift", "hold", "carry", "lower", "release", "retreat",
@@ -49,7 +48,8 @@ _CLOSING = 0.002  # metres by which the fingers are told to be closer than they 
 _SLIP = 0.03
 _MOVED = 0.015
 _MOVING = 0.05  # metres a second
-_LET_GO = 0.024  # metres by which the fingers open wider than what they held
+_TOLD = 0.004  # metres wider than they are that the fingers are told to be, when they open
+_OPEN = 0.004  # metres short of how far they are to open at which the fingers have let go
 _RISE = 0.15  # metres by which the hand retreats
 _PATIENCE: dict[Phase, int] = {
     "wait": 20, "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80,
@@ -177,12 +177,15 @@ class Picker(Expert):
         target = self._plan.grasp.point + up(sum(RAISED) / 2 if raised else _LIFT)
         if self._has_slipped():
             return self._retry()
-        if self._tool[2] > target[2] - NEAR or late:
-            if raised:
-                return self._enter("hold")
-            opening = self._release_opening
-            self._place = plan_place(self._env.world, self._goal, self._yaw, opening)
-            self._shift = np.zeros(3)
+        high = self._tool[2] > target[2] - NEAR or late
+        if raised and high:
+            return self._enter("hold")
+        hint = self._env.hint
+        drop = None if hint is None else hint.drop
+        if drop is None and high and not raised and (hint is None or late):
+            drop = Drop(self._env.world, self._goal, self._yaw, let_go_at(self._plan.grasp))
+        if drop is not None:
+            self._drop = drop
             return self._enter("carry")
         return self._go(target, 0.0, slow=0.7)
 
@@ -194,33 +197,43 @@ class Picker(Expert):
     def _carry(self, late: bool) -> Float[np.ndarray, "5"]:
         if self._has_slipped():
             return self._retry()
-        goal = self._drop() + up(0.04)
-        away = float(np.linalg.norm((self._tool - goal)[:2]))
-        turned = abs(self._turn_to(self._place.yaw, self._place.tool)) < _TURNED
-        if late or (turned and away < 0.008 and self._tool[2] < goal[2] + NEAR):
-            return self._enter("lower")
-        over = self._over(goal, self._hanging(), self._target, self._broad)
+        world, drop = self._env.world, self._drop
+        drop.follow(world)
+        hover = drop.hover(world)
+        if late or (hover == 0 and self._tool[2] < drop.tool[2] + ABOVE + NEAR):
+            self._enter("lower")
+            return self._lower(False)
+        depth, broad = hanging(world, self._target), breadth(world, self._target)
+        over = self._over(drop.tool + up(hover), depth, self._target, broad)
         return self._go(over, 0.0, slow=_CARRY)
 
     def _lower(self, late: bool) -> Float[np.ndarray, "5"]:
         if self._has_slipped():
             return self._retry()
-        goal = self._drop()
-        if late or self._tool[2] < goal[2] + 0.004:
-            return self._enter("release")
-        return self._go(goal, 0.0, slow=0.4)
+        self._drop.follow(self._env.world)
+        goal = self._drop.tool
+        if late or self._tool[2] < goal[2] + _DOWN:
+            self._enter("release")
+            return self._release(False)
+        if self._tool[2] > goal[2] + ABOVE + 2 * NEAR:
+            return self._enter("carry")
+        return self._go(goal + up(self._drop.hover(self._env.world) or -_DOWN), 0.0, slow=0.4)
 
     def _release(self, late: bool) -> Float[np.ndarray, "5"]:
-        if late or (self._gap > self._release_opening - 0.004):
+        gap, opening = self._gap, self._drop.opening
+        told = self._commanded_gap > gap + _TOLD  # else the hand is another's, who lingers
+        if gap > opening - _OPEN or (late and told):
             return self._enter("retreat")
-        return self._act(np.zeros(3), 0.0, self._release_opening)
+        if self._tool[2] > self._drop.tool[2] + NEAR and self._steps > 2 and not told:
+            return self._enter("carry")
+        return self._act(np.zeros(3), 0.0, opening)
 
     def _retreat(self, late: bool) -> Float[np.ndarray, "5"]:
         undone = late and not self._goal.settled(self._env.world)
-        if undone or (self._steps > 18 and self._missed()):
+        if undone or lost(self._env.world, self._goal):
             return self._retry()
         rise = self._placed[2] + _RISE - self._tool[2]
-        return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, self._release_opening)
+        return self._act(np.array([0, 0, max(rise, 0.0)]), 0.0, let_go_at(self._plan.grasp))
 
     # ---------------------------------------------------------------------------------- planning
 
@@ -246,22 +259,14 @@ class Picker(Expert):
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
 
     def _retry(self, failed: bool = True) -> Float[np.ndarray, "5"]:
-        """Plan again, this grasp being to blame or not, and let go for this step."""
+        """Plan again, this grasp being to blame or not, and let go for this step.
+
+        Another's hand may have done what is asked for: nothing is left but to get out of the way.
+        """
+        if self._goal.released and met(self._env.world, self._goal):
+            return self._enter("retreat")
         self._begin(failed)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)
-
-    def _drop(self) -> Float[np.ndarray, "3"]:
-        """Return where the tool has to be for the object to be let go, world frame.
-
-        What has shifted in the hand since the place was planned, and the goal's own way, count.
-        """
-        place, world = self._place, self._env.world
-        turn = self._turn_to(place.yaw, place.tool)
-        offset = rotation_z(turn)[:2, :2] @ (self._object - self._tool)[:2]
-        if self.phase == "carry":  # later on it moves because it is pushed
-            self._shift = self._goal.region(world).center - place.seen
-        sunk = self._tool[2] - world.lowest(self._target) - place.hanging
-        return np.array([*(place.target - offset), place.tool[2] + sunk]) + self._shift
 
     # ----------------------------------------------------------------------------------- sensing
 
@@ -272,25 +277,8 @@ class Picker(Expert):
     def _turn_left(self) -> float:
         """Return the yaw still to turn, radians."""
         if self.phase in ("carry", "lower"):
-            return self._turn_to(self._place.yaw, self._place.tool)
+            return self._drop.turn(self._env.world)
         return self._turn_to(self._plan.yaw, self._plan.grasp.point)
-
-    @property
-    def _release_opening(self) -> float:
-        """How far the fingers open to let go, metres: neighbours may be near."""
-        return min(self._plan.grasp.opening, self._plan.grasp.width + _LET_GO)
-
-    @property
-    def _broad(self) -> float:
-        """How far the held object reaches from the tool along the table, metres."""
-        world = self._env.world
-        size = np.abs(world.rotation(self._target)) @ world.scene.object(self._target).scale / 2
-        return float(np.linalg.norm((self._object - self._tool)[:2]) + size[:2].max())
-
-    def _hanging(self) -> float:
-        """Return how far the held object, or the fingertips, reach below the tool."""
-        below = self._tool[2] - self._env.world.lowest(self._target)
-        return max(float(below), TIP)
 
     def _has_moved(self) -> bool:
         return bool(np.linalg.norm(self._object - self._plan.seen) > _MOVED)
@@ -309,12 +297,6 @@ class Picker(Expert):
         """Return whether the object has left the hand since the fingers closed."""
         return bool(np.linalg.norm(self._in_hand() - self._held) > _SLIP)
 
-    def _missed(self) -> bool:
-        """Return whether the released object lies outside the goal."""
-        region = self._goal.region(self._env.world)
-        aside = abs(self._object[2] - region.center[2]) > region.semi[2]
-        return aside or not _within(region, self._object[:2])
-
     # ------------------------------------------------------------------------------------ moving
 
     def _enter(self, phase: Phase) -> Float[np.ndarray, "5"]:
@@ -330,8 +312,3 @@ class Picker(Expert):
         self, point: Float[np.ndarray, "3"], opening: float, slow: float = 1.0
     ) -> Float[np.ndarray, "5"]:
         return self._act(point - self._tool, self._turn_left(), opening, slow)
-
-
-def _within(region: Region, point: Float[np.ndarray, "2"]) -> bool:
-    local = rotation_z(region.yaw)[:2, :2].T @ (point - region.center[:2])
-    return bool(np.linalg.norm(local / region.semi[:2]) <= 1.0)

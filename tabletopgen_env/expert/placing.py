@@ -16,7 +16,7 @@ from jaxtyping import Float
 from generator.geometry import rotation_z, wrap
 
 from ..tasks.goals import INSIDE, Goal, Into, OnTop, Region
-from .arm import stretch, wrist_is_free
+from .arm import knuckle_is_free, stretch, wrist_is_free
 from .grasps import TIP
 from .heights import HeightMap, moved, solid, surroundings
 
@@ -108,7 +108,10 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def _reached(world: World, others: HeightMap, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
-    if not wrist_is_free(world, others, tool[None, :2], tool[2] - TIP):
+    tip = float(tool[2]) - TIP
+    if not wrist_is_free(world, others, tool[None, :2], tip):
+        return False
+    if not knuckle_is_free(world, others, tool[:2], tip, yaw):
         return False
     above = tool + np.array([0.0, 0.0, _ABOVE])
     return stretch(world, (tool, above), wrap(yaw)) is not None

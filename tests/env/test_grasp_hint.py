@@ -117,3 +117,67 @@ def test_every_mode_has_room_for_it(mode) -> None:
     assert env.observation_space.contains(seen)
     assert env.observation_space.contains(env.step(env.action_space.sample())[0])
     env.close()
+
+
+def placing(target: str = "cube_1", **settings) -> tuple[TabletopEnv, TaskExpert]:
+    """Return an environment of PickPlace, and its expert, that is about to carry."""
+    env = make_env(toy_scene(), task="PickPlace", grasp_hint=True, **settings)
+    env.reset(seed=0, options={"target": target, "goal": (0.2, -0.15)})
+    expert = TaskExpert(env)
+    expert.reset()
+    for _ in range(100):
+        seen = env.step(expert.act())[0]
+        if seen[286] < 0:
+            return env, expert
+        assert seen[286] == 1.0
+    pytest.fail(f"never raised, {expert.phase}")
+
+
+def test_what_is_raised_is_shown_its_place_until_it_stands_there() -> None:
+    env, expert = placing()
+    ways, done, info = [], False, {}
+    while not done and len(ways) < 100:
+        seen, _, _, _, info = env.step(expert.act())
+        assert seen[286] == -1.0
+        ways.append(seen[279:282].copy())
+        done = expert.phase == "retreat"
+    assert done
+    assert np.linalg.norm(ways[-1]) < 0.01, "let go where it was said"
+    assert np.abs(seen[282]) < 0.06 and 0.04 < seen[284] < 0.08
+    for _ in range(30):
+        seen, _, _, _, info = env.step(expert.act())
+    assert info["success"] and seen[286] == -1.0
+    assert seen[281] < -0.1, "the place lies below a hand that has risen"
+
+
+def test_what_is_let_go_elsewhere_is_to_be_grasped_again() -> None:
+    env, _ = placing()
+    for _ in range(25):
+        seen = env.step(np.array([0, 0, 0, 0, 1]))[0]
+    assert seen[286] == 1.0
+    assert seen[281] < -0.02, "it lies below"
+
+
+def test_what_another_put_in_place_is_left_there() -> None:
+    env, expert = placing()
+    world = env.world
+    spot = env.goal.region(world).center
+    env.step(np.array([0, 0, 1, 0, 1]))
+    world.teleport("cube_1", spot)
+    for _ in range(20):
+        action = expert.act()
+        env.step(action)
+    assert expert.phase == "retreat" and expert.attempts == 1
+
+
+def test_noise_moves_a_place_with_what_is_read_of_the_thing_in_the_hand() -> None:
+    noise = Randomization(joint_noise=0.01, position_noise=0.01)
+    env, _ = placing(randomization=noise)
+    still = np.zeros(5)
+    still[4] = -1
+    reads = [env.step(still)[0] for _ in range(8)]
+    sums = [r[279:282] + r[40:43] for r in reads]  # the way, turned little, and the object
+    turn = float(np.mean([r[282] for r in reads]))
+    assert abs(turn) < 0.3
+    assert np.ptp([r[279:282] for r in reads], 0).max() > 0.005
+    assert np.ptp(sums, 0).max() < 0.006

@@ -9,9 +9,19 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_scene
 
+from generator.geometry import rotation_yaw
 from tabletopgen_env.env import make_env
-from tabletopgen_env.expert.arm import NARROW, around, easiest, stretch, turn_left, wrist_is_free
-from tabletopgen_env.expert.heights import surroundings
+from tabletopgen_env.expert.arm import (
+    NARROW,
+    around,
+    easiest,
+    knuckle_is_free,
+    stretch,
+    turn_left,
+    wrist_is_free,
+)
+from tabletopgen_env.expert.grasps import TIP
+from tabletopgen_env.expert.heights import HeightMap, surroundings
 from tabletopgen_env.robot.kinematics import UPPER
 from tabletopgen_env.world import World
 
@@ -83,3 +93,36 @@ def test_a_tower_behind_the_hand_stops_the_wrist() -> None:
 
     assert free(0.1)
     assert not free(0.25)
+
+
+def test_what_is_kept_free_covers_the_links_over_the_hand(world: World) -> None:
+    model, data = world.model, world.data
+    tool = data.site_xpos[world.tcp]
+    tip, yaw = float(tool[2]) - TIP, rotation_yaw(world.hand)
+    checked = 0
+    for geom in range(model.ngeom):
+        name = model.body(model.geom_bodyid[geom]).name
+        if name not in ("panda/link6", "panda/link7") or not model.geom_contype[geom]:
+            continue
+        radius, half = model.geom_size[geom][:2]
+        axis = data.geom_xmat[geom].reshape(3, 3)[:, 2]
+        low = data.geom_xpos[geom] - axis * half * np.sign(axis[2] or 1.0)
+        if name == "panda/link7" and np.linalg.norm((low - tool)[:2]) < 0.01:
+            continue  # straight above the hand, which is broader
+        checked += 1
+        pole = toy_pole(low, float(low[2]) - radius + 0.01)
+        if name == "panda/link6":
+            assert not wrist_is_free(world, pole, tool[None, :2], tip)
+        else:
+            assert not knuckle_is_free(world, pole, tool[:2], tip, yaw)
+            assert knuckle_is_free(world, pole, tool[:2], tip, yaw + np.pi)
+    assert checked == 2
+
+
+def toy_pole(at: np.ndarray, height: float) -> HeightMap:
+    """A height map of one thin pole."""
+    cell = 0.004
+    origin = at[:2] - 0.4
+    heights = np.zeros((200, 200))
+    heights[98:103, 98:103] = height
+    return HeightMap(origin, cell, heights)

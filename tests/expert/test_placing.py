@@ -93,9 +93,8 @@ def test_a_turn_of_the_hand_is_no_slip() -> None:
     env, expert = holding(mug, BOARD, goal="board")
     now = expert._now
     assert isinstance(now, Picker)
-    planned = now._place
-    now._place = Place(planned.tool, wrap(planned.yaw + 1.5), planned.target, planned.hanging,
-                       planned.seen)  # fmt: skip
+    planned = now._drop._place
+    now._drop._place = replace(planned, yaw=wrap(planned.yaw + 1.5))
     phases = set()
     for _ in range(60):
         env.step(expert.act())
