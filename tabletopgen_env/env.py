@@ -54,8 +54,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         kinds: what pixel observations hold of each: some of "rgb", "depth", "segmentation".
         image_size: their height and width in pixels, or one number for both.
         points: points of a point cloud.
-        grasp_hint: whether the state ends with a grasp of the target; see ``grasp_hint``. Not for
-            "pixels" and "point_cloud" alone.
+        grasp_hint: whether the state ends with a grasp of the target, or its place; see
+            ``grasp_hint``. Not for "pixels" and "point_cloud" alone.
         action: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
             "joint_target"; see ``actions``.
         gripper: "continuous" or "binary"; what the last entry of an action means.
