@@ -100,6 +100,20 @@ def test_pressing_on_the_table_does_not_wind_up(ee) -> None:
     assert tool(ee)[2] - pressed > 4 * EE_STEP - EE_LEASH - 0.01
 
 
+def test_pulling_beyond_reach_stands_still(ee) -> None:
+    """Straight as it is, a joint that is asked to stretch further must not go to and fro."""
+    act(ee, [1, 0, 0.4, 0, 1], 40)
+    world, joints, tools = ee.world, [], []
+    for _ in range(20):
+        act(ee, [1, 0, 0.4, 0, 1], 1)
+        joints.append(world.data.qpos[world.arm_qpos].copy())
+        tools.append(tool(ee))
+    assert joints[-1][3] > -0.7, "as far as it goes"
+    assert np.abs(np.diff(joints, 2, axis=0)).max() < 0.001
+    act(ee, [-1, 0, 0, 0, 1], 8)
+    assert tools[-1][0] - tool(ee)[0] > 0.08, "and it comes back at once"
+
+
 def test_joint_delta_turns_each_joint_by_the_documented_amount() -> None:
     env = make_env(toy_scene(), action="joint_delta")
     env.reset(seed=0)
