@@ -23,7 +23,7 @@ from posing.cases import STREAMS
 from posing.tables import alone, command_line
 
 from generator.errors import TabletopError
-from generator.figures import write_picture
+from generator.pictures import write_picture
 
 HERE = Path(__file__).parent
 

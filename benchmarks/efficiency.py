@@ -29,7 +29,7 @@ from posing.tables import Row
 
 from generator.backends.embedded.planner import plan_scene
 from generator.errors import TabletopError
-from generator.figures import write_picture
+from generator.pictures import write_picture
 from generator.pipeline import STAGES, Config, generate
 from generator.stages.rotation import RotationConfig
 

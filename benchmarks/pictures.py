@@ -75,7 +75,7 @@ def run(
     """Rebuild one picture, save its bundle and sheet, and return its row."""
     from generator.bundle import Segments
     from generator.comparison import compare, comparison_sheet
-    from generator.figures import write_picture
+    from generator.pictures import write_picture
     from generator.pipeline import generate
     from generator.provenance import scene_name
     from generator.scene import Intrinsics

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import UInt8
 
-from .errors import StorageError
 from .geometry import yaw_quaternion
-from .mjcf import encode_png
 from .paper_json import to_paper
+from .pictures import write_file, write_picture
 from .render.picture import TOP_DOWN, framing_camera, render_scene
 from .render.raster import place, render
 from .render.sheet import draw_boxes, grid
@@ -72,28 +71,8 @@ def save_figures(generation: Generation, folder: Path) -> tuple[Path, ...]:
     written = [write_picture(image, folder / f"{stem}.png") for stem, image in pictures.items()]
     for stem, value in texts.items():
         text = json.dumps(value, indent=2) + "\n"
-        written.append(_write(text.encode(), folder / f"{stem}.json"))
+        written.append(write_file(text.encode(), folder / f"{stem}.json"))
     return tuple(written)
-
-
-def write_picture(image: UInt8[np.ndarray, "h w c"], path: Path) -> Path:
-    """Write an image as PNG, whatever the name's ending, making the folder if it is missing.
-
-    Raises:
-        StorageError: the file cannot be written.
-    """
-    return _write(encode_png(image), path)
-
-
-def _write(content: bytes, path: Path) -> Path:
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(content)
-    except OSError as error:
-        raise StorageError(
-            f"{path} cannot be written: {error.strerror or error}. Choose another folder."
-        ) from error
-    return path
 
 
 def _others(g: Generation) -> list[Instance]:

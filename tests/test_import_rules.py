@@ -51,6 +51,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         ),
     ),
     ("generator.mjcf", VALUES),
+    ("generator.pictures", (*VALUES, "generator.mjcf")),
     (
         "generator.bundle",
         (*VALUES, "generator.mjcf", "generator.provenance", "generator.bundle"),
@@ -114,6 +115,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             *VALUES,
             "generator.bundle",
             "generator.mjcf",
+            "generator.pictures",
             "generator.render",
             "generator.compose",
             "generator.distribution",

@@ -68,7 +68,8 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
         mujoco.viewer.launch_from_path(str(path / "scene.xml"))
         return 0
     from ..bundle import load
-    from ..figures import preview, write_picture
+    from ..figures import preview
+    from ..pictures import write_picture
 
     target = picture or Path(f"{path.name}.png")
     write_picture(preview(load(path)), target)
@@ -93,7 +94,7 @@ def compare(
     """
     from .. import comparison
     from ..bundle import load, load_picture, load_segments
-    from ..figures import write_picture
+    from ..pictures import write_picture
     from ..stages.reference import read_image
 
     if not 1 <= len(sources) <= 2:

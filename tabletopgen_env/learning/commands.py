@@ -161,11 +161,13 @@ def plot(
     if not runs:
         raise InputError("Name at least one run's folder to plot.")
     need_sb3()
-    from .plotting import bands, draw, number, write_png
+    from generator.pictures import write_picture
+
+    from .plotting import bands, draw, number
     from .runs import opened
 
     found = bands([opened(path) for path in runs], by)
-    write_png(draw(found, by), out)
+    write_picture(draw(found, by), out)
     for name, band in found.items():
         mean, least, most = (100 * v[-1] for v in (band.mean, band.least, band.most))
         told = f"{name}: {mean:.0f} % after {number(band.at[-1])} {by}"
@@ -232,12 +234,11 @@ def _unzipped(path: Path, trust: bool, recipe: str | None) -> _Loaded:
 def _write_strip(frames: list[Any], path: Path) -> None:
     import numpy as np
 
+    from generator.pictures import write_picture
     from generator.render.sheet import grid
 
-    from .plotting import write_png
-
     picks = np.linspace(0, len(frames) - 1, STRIP).round().astype(int)
-    write_png(grid([frames[k] for k in picks], columns=STRIP, cell=320), path)
+    write_picture(grid([frames[k] for k in picks], columns=STRIP, cell=320), path)
 
 
 def _one(scenes: tuple[str, ...]) -> str | tuple[str, ...]:

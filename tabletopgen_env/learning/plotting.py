@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 from jaxtyping import Float, UInt8
 from PIL import Image, ImageDraw, ImageFont
 
-from generator.errors import InputError, StorageError
-from generator.mjcf import encode_png
+from generator.errors import InputError
 
 from .recipes import Recipe
 from .runs import Run
@@ -130,7 +128,8 @@ def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 
             x, y = point(band.at[0], band.mean[0])
             pen.ellipse((x - 3, y - 3, x + 3, y + 3), color)
         told = f"{name} ({band.runs} {'run' if band.runs == 1 else 'runs'})"
-        pen.text((_LEFT + 10, _TOP + 8 + 18 * k), told, color, small)
+        corner = (_LEFT + wide - 10, _TOP + tall - 8 - 18 * (len(found) - 1 - k))
+        pen.text(corner, told, color, small, anchor="rb")
     return np.asarray(picture, np.uint8)
 
 
@@ -144,18 +143,3 @@ def ticks(end: float) -> list[float]:
 def number(value: float) -> str:
     """Return a number as text, thousands apart."""
     return f"{value:,.0f}" if value >= 100 else f"{value:.3g}"
-
-
-def write_png(image: UInt8[np.ndarray, "h w 3"], path: Path) -> None:
-    """Write a picture; the folder is made if it is missing.
-
-    Raises:
-        StorageError: it cannot be written.
-    """
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(encode_png(image))
-    except OSError as error:
-        raise StorageError(
-            f"{path} cannot be written: {error.strerror or error}. Choose another place."
-        ) from error

@@ -199,15 +199,21 @@ def begin(path: Path, recipe: Recipe, seed: int) -> Run:
         )
     if path.exists() and (not path.is_dir() or any(path.iterdir())):
         raise InputError(f"{path} holds something else already; choose another --out.")
+    there = path.exists()
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise StorageError(f"{path} cannot be made: {error.strerror or error}.") from error
-    _write_rows(path, [])
     facts = {"format": FORMAT, "seed": seed, "recipe": recipe.facts()}
     text = json.dumps(facts, indent=1) + "\n"
-    write_whole(path / _RECIPE, text, "The recipe", "Choose another --out.")
-    return Run(path, recipe, seed)
+    run = Run(path, recipe, seed)
+    try:
+        _write_rows(path, [])
+        write_whole(path / _RECIPE, text, "The recipe", "Choose another --out.")
+    except StorageError:
+        run.take_back(folder_too=not there)
+        raise
+    return run
 
 
 def opened(path: Path) -> Run:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from generator.errors import InputError
+from generator.errors import InputError, StorageError
 from tabletopgen_env.__main__ import run as command
 from tabletopgen_env.learning.evaluating import Evaluation
 from tabletopgen_env.learning.plotting import bands, draw, number, ticks
@@ -99,3 +99,17 @@ def test_the_command_draws_a_picture(small, tmp_path: Path, capsys) -> None:
     (tmp_path / "0" / "evaluations.csv").write_text("steps\nx\n")
     assert command(["plot", str(tmp_path / "0")]) == 2
     assert "no table of evaluations" in capsys.readouterr().err
+
+
+def test_a_run_that_cannot_be_begun_leaves_nothing(small, tmp_path, monkeypatch) -> None:
+    def full(*args) -> None:
+        raise StorageError("No space left.")
+
+    monkeypatch.setattr("tabletopgen_env.learning.runs.write_whole", full)
+    with pytest.raises(StorageError):
+        begin(tmp_path / "run", small(), 0)
+    assert not (tmp_path / "run").exists()
+    (tmp_path / "own").mkdir()
+    with pytest.raises(StorageError):
+        begin(tmp_path / "own", small(), 0)
+    assert not list((tmp_path / "own").iterdir())
