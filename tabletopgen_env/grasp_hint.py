@@ -8,16 +8,19 @@ then moves with the object, and when both fingers have raised the object, for a 
 =====  =============================================================================  ==========
 entry  meaning                                                                        unit
 =====  =============================================================================  ==========
-0-2    where to close the fingers, or to open them, minus the tool, base frame        m
+0-2    where the tool is to go, minus where it is, base frame                         m
 3      the turn of the hand about the vertical that is left, as its last joint allows rad
 4      how far to open the fingers before going down, or to let go                    m
 5      what will be, or is, between the fingers                                       m
 6      how much higher the tool has to be to pass over what lies on its way           m
-7      1 if the entries are of a grasp, -1 if of a place, 0 (as all others) if of none
+7      1 on the way to a grasp, -1 with the target in the hand, 0 (as all others) if
+       no grasp is known
 =====  =============================================================================  ==========
 
-Within 2 cm of the vertical over the end of its way entry 6 is 0. A place is shown until the object
-lies still, let go, elsewhere. `Raised` and `Pushed` have none.
+With the target between both fingers the way leads straight up, and once it is raised, unless that
+is all the goal asks for, to where it is to be let go. That place is shown until the object lies
+still, let go, elsewhere; the grasp that lost it is not shown again if there are others. Within 2 cm
+of the vertical over the end of the way entry 6 is 0.
 """
 
 from __future__ import annotations
@@ -33,10 +36,10 @@ from generator.geometry import rotation_yaw, rotation_z, wrap
 from .expert.arm import turn_left
 from .expert.choosing import Plan, choose
 from .expert.driver import NEAR
-from .expert.dropping import Drop, breadth, hanging, let_go_at, lost
+from .expert.dropping import Drop, breadth, hanging, let_go_at, lift_of, lost
 from .expert.grasps import TIP, Grasp
 from .expert.path import clear_height
-from .tasks.goals import Into, OnSpot, OnTop
+from .tasks.goals import Pushed, Raised
 
 if TYPE_CHECKING:
     from .tasks.goals import Goal
@@ -49,7 +52,8 @@ HINT_BOUNDS.setflags(write=False)
 
 _MOVED, _TILTED, _STILL = 0.015, 0.97, 0.05  # metres, cosine, metres a second
 _HIGHER = 0.3  # metres that entry 6 is at most
-_RAISED = 0.035  # metres above where it was grasped at which an object's place is planned
+_OFF = 0.01  # metres above where it lay at which an object that lies still again was lost
+_HIGH = 0.035  # the same, at which its place is planned
 
 
 def misread(
@@ -81,32 +85,27 @@ def misread(
 class GraspHint:
     """The grasp of the active target, carried along with the object, and then its place.
 
-    A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot.
-    ``drop`` is the place while there is one.
+    A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
+    was lost. ``drop`` is the place while there is one, ``planned`` the grasp as it was planned.
     """
 
     def __init__(self) -> None:
-        self._target: str | None = None
-        self._plan: Plan | None = None
+        self.planned: Plan | None = None
         self.drop: Drop | None = None
+        self._target: str | None = None
+        self._lost: tuple[Plan, ...] = ()
 
     def begin(self, world: World, goal: Goal) -> None:
         """Plan for a goal that has just become active."""
-        self._target, self._plan, self.drop = goal.target, None, None
+        self._target, self.planned, self.drop, self._lost = goal.target, None, None, ()
         if goal.target is not None:
             self._take(world, goal.target)
 
     def plan(self, world: World, name: str) -> Plan | None:
         """Return the grasp of an object where it is now; None if it is not the active target."""
-        if self._plan is None or self._target != name:
+        if self.planned is None or self._target != name:
             return None
-        turned = world.rotation(name) @ self._rotation.T
-        at, then = world.position(name), self._plan.seen
-        turn = rotation_yaw(turned)
-        old = self._plan.grasp
-        point = at + turned @ (old.point - then)
-        grasp = Grasp(point, old.angle + turn, old.opening, old.width, old.score)
-        return Plan(grasp, wrap(self._plan.yaw + turn), at)
+        return self._carried(world, name, self.planned)
 
     def entries(self, world: World, goal: Goal) -> Float[np.ndarray, "8"]:
         """Return the entries as things are, after planning anew if need be."""
@@ -114,37 +113,52 @@ class GraspHint:
         if name is None:
             return np.zeros(8)
         left, right, any_part = world.touched(name)
-        if self.drop is None:
-            gone = not any_part and self._is_elsewhere(world, name)
-        else:
-            gone = lost(world, goal)
-        if gone:
+        if self._raised and lost(world, goal):
+            self._take(world, name, blamed=True)
+        elif not self._raised and not any_part and self._is_elsewhere(world, name):
             self._take(world, name)
         plan = self.plan(world, name)
         if plan is None:
             return np.zeros(8)
-        if self.drop is None and left and right and self._asks_place(world, goal):
-            yaw = rotation_yaw(world.hand)
-            self.drop = Drop(world, goal, yaw, let_go_at(plan.grasp))
-        if self.drop is None:
-            way = _Way(plan.grasp.point, turn_left(world, plan.yaw, plan.grasp.point), TIP, 0.0)
-            return _entries(world, name, way, plan.grasp.opening, plan.grasp.width, 1.0)
-        drop = self.drop
-        drop.follow(world)
-        way = _Way(drop.tool, drop.turn(world), hanging(world, name), breadth(world, name))
-        return _entries(world, name, way, drop.opening, plan.grasp.width, -1.0)
+        grasp, held = plan.grasp, left and right and not isinstance(goal, Pushed)
+        if held and self.drop is None:
+            risen = float(world.position(name)[2] - self._seen[2])
+            self._raised = self._raised or risen > _OFF
+            if risen > _HIGH and not isinstance(goal, Raised):
+                self.drop = Drop(world, goal, rotation_yaw(world.hand), let_go_at(grasp))
+        if self.drop is not None:
+            self.drop.follow(world)
+            depth, broad = hanging(world, name), breadth(world, name)
+            way = _Way(self.drop.tool, self.drop.turn(world), depth, broad)
+            return _entries(world, name, way, self.drop.opening, grasp.width, -1.0)
+        turn = turn_left(world, plan.yaw, grasp.point)
+        if held:
+            tool = world.data.site_xpos[world.tcp]
+            end = np.array([*tool[:2], self._low + lift_of(goal)])
+            return _entries(
+                world, name, _Way(end, turn, TIP, 0.0), let_go_at(grasp), grasp.width, -1.0
+            )
+        way = _Way(grasp.point, turn, TIP, 0.0)
+        return _entries(world, name, way, grasp.opening, grasp.width, 1.0)
 
-    def _asks_place(self, world: World, goal: Goal) -> bool:
-        """Return whether the held object is to be put down, and is high enough to see where."""
-        risen = world.position(goal.target)[2] - self._seen[2] if goal.target else 0.0
-        return isinstance(goal, Into | OnTop | OnSpot) and bool(risen > _RAISED)
-
-    def _take(self, world: World, name: str) -> None:
-        self.drop = None
+    def _take(self, world: World, name: str, blamed: bool = False) -> None:
+        """Plan a grasp; the last one, if it is to be ``blamed``, and those before rank last."""
+        lost = (*self._lost, self.planned) if blamed and self.planned else self._lost
+        self._lost = tuple(self._carried(world, name, plan) for plan in lost)
         started = world.data.time > 0
-        self._plan = choose(world, name) if started else world.first_plan(name)
-        self._rotation = world.rotation(name)
-        self._seen = world.position(name)
+        failed = tuple(plan.grasp for plan in self._lost)
+        self.planned = choose(world, name, failed) if started else world.first_plan(name)
+        self.drop, self._raised = None, False
+        self._rotation, self._seen = world.rotation(name), world.position(name)
+        self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])
+
+    def _carried(self, world: World, name: str, plan: Plan) -> Plan:
+        """Return a grasp of the object as it lay when ``_take`` was last called as it is now."""
+        turned = world.rotation(name) @ self._rotation.T
+        at, turn, old = world.position(name), rotation_yaw(turned), plan.grasp
+        point = at + turned @ (old.point - plan.seen)
+        grasp = Grasp(point, old.angle + turn, old.opening, old.width, old.score)
+        return Plan(grasp, wrap(plan.yaw + turn), at)
 
     def _is_elsewhere(self, world: World, name: str) -> bool:
         """Return whether the object rests at another place, or tilted, since the last plan."""

@@ -9,7 +9,7 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_z
 
-from ..tasks.goals import at_rest
+from ..tasks.goals import RAISED, Raised, at_rest
 from .arm import turn_left
 from .grasps import TIP, Grasp
 from .placing import plan_place
@@ -23,6 +23,7 @@ ABOVE = 0.04
 
 _FINE, _FUNNEL = 0.006, 0.008  # metres aside that are good, and beyond which it stays ABOVE
 _TURNED = 0.05  # radians, both
+_LIFT = 0.06
 _LET_GO = 0.024  # metres by which the fingers open wider than what they held
 _PUSHED = 0.02  # metres above the place below which a goal that moves is being pushed
 
@@ -76,6 +77,11 @@ class Drop:
 def let_go_at(grasp: Grasp) -> float:
     """Return how far the fingers open to let go, metres: neighbours may be near."""
     return min(grasp.opening, grasp.width + _LET_GO)
+
+
+def lift_of(goal: Goal) -> float:
+    """Return how high above its grasp the tool lifts a thing before it goes elsewhere, metres."""
+    return sum(RAISED) / 2 if isinstance(goal, Raised) else _LIFT
 
 
 def hanging(world: World, target: str) -> float:

@@ -26,10 +26,10 @@ from jaxtyping import Float
 from generator.errors import SceneError
 
 from ..robot import franka
-from ..tasks.goals import RAISED, Goal, Raised
-from .choosing import HOVER, choose
+from ..tasks.goals import Goal, Raised
+from .choosing import HOVER, Plan, choose
 from .driver import NEAR, Expert, up
-from .dropping import ABOVE, Drop, breadth, hanging, let_go_at, lost, met
+from .dropping import ABOVE, Drop, breadth, hanging, let_go_at, lift_of, lost, met
 from .grasps import TIP, Grasp
 
 Phase = Literal[
@@ -37,7 +37,6 @@ Phase = Literal[
     "stuck",
 ]  # fmt: skip
 
-_LIFT = 0.06
 _FINE, _TURNED = (0.0015, 0.005), 0.05
 _CARRY = 0.7  # of the hand's speed while it holds something: round things slip
 _SHORT = 0.012  # metres above the grasp at which fingers that come no lower have failed
@@ -49,7 +48,8 @@ _SLIP = 0.03
 _MOVED = 0.015
 _MOVING = 0.05  # metres a second
 _TOLD = 0.004  # metres wider than they are that the fingers are told to be, when they open
-_OPEN = 0.004  # metres short of how far they are to open at which the fingers have let go
+_FREE = 0.6  # share of the way to where they let go at which the fingers are free
+_FOLLOWED = 3  # times that a hinted grasp may fail until another is tried
 _RISE = 0.15  # metres by which the hand retreats
 _PATIENCE: dict[Phase, int] = {
     "wait": 20, "approach": 55, "descend": 30, "close": 14, "lift": 30, "hold": 1000, "carry": 80,
@@ -79,6 +79,7 @@ class Picker(Expert):
         """
         self.attempts = 0
         self._failed: tuple[Grasp, ...] = ()
+        self._followed: Plan | None = None
         if not self._begin():
             raise SceneError(
                 f"The expert finds no grasp of {self._target!r} in scene "
@@ -174,7 +175,7 @@ class Picker(Expert):
 
     def _lift(self, late: bool) -> Float[np.ndarray, "5"]:
         raised = isinstance(self._goal, Raised)
-        target = self._plan.grasp.point + up(sum(RAISED) / 2 if raised else _LIFT)
+        target = self._plan.grasp.point + up(lift_of(self._goal))
         if self._has_slipped():
             return self._retry()
         high = self._tool[2] > target[2] - NEAR or late
@@ -222,7 +223,8 @@ class Picker(Expert):
     def _release(self, late: bool) -> Float[np.ndarray, "5"]:
         gap, opening = self._gap, self._drop.opening
         told = self._commanded_gap > gap + _TOLD  # else the hand is another's, who lingers
-        if gap > opening - _OPEN or (late and told):
+        width = self._plan.grasp.width
+        if gap > width + _FREE * (opening - width) or (late and told):
             return self._enter("retreat")
         if self._tool[2] > self._drop.tool[2] + NEAR and self._steps > 2 and not told:
             return self._enter("carry")
@@ -242,9 +244,12 @@ class Picker(Expert):
         if failed:
             self._failed = (*self._failed, self._plan.grasp)
         self.attempts += 1
-        hint = self._env.hint
-        hinted = hint is not None and len(self._failed) < 2
-        plan = hint.plan(self._env.world, self._target) if hint is not None and hinted else None
+        plan, hint = None, self._env.hint
+        if hint is not None:
+            if hint.planned is not self._followed:
+                self._followed, self._failed = hint.planned, ()
+            if len(self._failed) < _FOLLOWED:
+                plan = hint.plan(self._env.world, self._target)
         plan = plan or choose(self._env.world, self._target, self._failed)
         if plan is not None:
             self._plan = plan

@@ -7,6 +7,7 @@ import pytest
 from toy import toy_scene
 
 from generator.errors import InputError
+from generator.geometry import wrap
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.choosing import choose
 from tabletopgen_env.expert.run import TaskExpert
@@ -40,9 +41,11 @@ def test_the_hint_leads_to_the_grasp() -> None:
     seen = env.reset(seed=0, options=CUBE)[0]
     expert = TaskExpert(env)
     expert.reset()
-    while expert.phase != "lift":
+    while expert.phase != "close":
         seen = env.step(expert.act())[0]
     assert np.linalg.norm(seen[279:282]) < 0.01 and abs(seen[282]) < 0.06
+    while expert.phase != "lift":
+        seen = env.step(expert.act())[0]
     assert seen[14] == pytest.approx(seen[284], abs=0.004)  # the fingers are as far apart as said
 
 
@@ -126,11 +129,39 @@ def placing(target: str = "cube_1", **settings) -> tuple[TabletopEnv, TaskExpert
     expert = TaskExpert(env)
     expert.reset()
     for _ in range(100):
-        seen = env.step(expert.act())[0]
-        if seen[286] < 0:
+        env.step(expert.act())
+        assert env.hint is not None
+        if env.hint.drop is not None:
             return env, expert
-        assert seen[286] == 1.0
     pytest.fail(f"never raised, {expert.phase}")
+
+
+def test_what_is_held_is_to_be_raised_before_it_goes_anywhere() -> None:
+    env = lift()
+    seen = env.reset(seed=0, options=CUBE)[0]
+    expert = TaskExpert(env)
+    expert.reset()
+    kinds, ways = [seen[286]], [seen[279:282]]
+    for _ in range(60):
+        seen, _, _, _, info = env.step(expert.act())
+        assert (seen[286] < 0) == bool(seen[32] and seen[33])
+        kinds.append(seen[286])
+        ways.append(seen[279:282])
+    first = kinds.index(-1.0)
+    assert ways[first][2] > 0.14 and not ways[first][:2].any()
+    assert abs(ways[-1][2]) < 0.025 and info["success"]
+
+
+def test_a_grasp_that_lost_the_object_is_not_shown_again() -> None:
+    env, _ = placing()
+    assert env.hint is not None and env.hint.planned is not None
+    before = env.hint.planned.grasp
+    for _ in range(25):
+        env.step(np.array([0, 0, 0, 0, 1]))
+    after = env.hint.planned.grasp
+    turn = abs(wrap(2 * (after.angle - before.angle))) / 2
+    assert turn > np.deg2rad(20.0) or np.linalg.norm(after.point - before.point) > 0.015
+    assert env.hint.drop is None
 
 
 def test_what_is_raised_is_shown_its_place_until_it_stands_there() -> None:
