@@ -202,6 +202,28 @@ def test_the_expert_is_never_developed_on_held_out_scenes() -> None:
     assert max(s for _, s in tidy[0]) < bench.HELD_OUT <= min(s for _, s in tidy[1])
 
 
+def test_a_baseline_is_trained_once_and_played_at_tables_of_its_own(tmp_path) -> None:
+    bench = script("baselines")
+    recipe = tmp_path / "tiny.toml"
+    recipe.write_text(
+        """
+        task = "Reach"
+        algorithm = "clone"
+        scenes = "coffee-square"
+        held_out = "lab"
+        network = { layers = [8] }
+        cloning = { rounds = 1, episodes = 1, steps = 2, last_steps = 2 }
+        """
+    )
+    (row,) = bench.work((str(recipe), 3), tmp_path, episodes=1, validation=1)
+    assert (row["seed"], row["episodes"], row["tables"]) == (3, 1, 1)
+    kept = (tmp_path / "tiny-3" / "policy.safetensors").read_bytes()
+    assert bench.work((str(recipe), 3), tmp_path, episodes=1, validation=1) == [row]
+    assert (tmp_path / "tiny-3" / "policy.safetensors").read_bytes() == kept
+    told = bench.summary([row | {"recipe": "tiny", "solved": 1}], "bench", "")
+    assert "| `tiny` | 1 of 1 | 100.0 % | 21 to 100 % |" in told
+
+
 def test_the_expert_summary_counts_what_was_run() -> None:
     bench = script("expert")
     row = dict.fromkeys(bench.FIELDS, "") | {

@@ -1,0 +1,151 @@
+"""Baselines: train the recipes with several seeds, and play at held-out tables never met before.
+
+    python benchmarks/baselines.py                                    # all of RECIPES, three seeds
+    python benchmarks/baselines.py --recipe lift-clone --seeds 0 1 2 --workers 2
+
+A seed is trained as ``python -m tabletopgen_env train RECIPE --seed SEED`` does, and its *last*
+policy, not the best by validation, plays ``--episodes`` episodes as ``enjoy --scenes fresh --seed
+1000`` does: each at a table made anew on the held-out side of the split. A row a seed goes to
+``baselines.csv`` as it ends (a second run resumes; a run that was trained already is only played),
+the summary to ``baselines.md`` and the curves of validation to ``baselines.png``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import tempfile
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+from posing import tables
+from posing.tables import Row
+
+from generator.errors import TabletopError
+from generator.pictures import write_picture
+from tabletopgen_env.learning.evaluating import play, seeds, summed
+from tabletopgen_env.learning.making import single_env, source_of
+from tabletopgen_env.learning.plotting import bands, draw
+from tabletopgen_env.learning.policies import load_policy
+from tabletopgen_env.learning.recipes import recipe as recipe_named
+from tabletopgen_env.learning.runs import LATEST, opened
+from tabletopgen_env.learning.tracking import Plan
+from tabletopgen_env.learning.training import train
+from tabletopgen_env.scenes.source import close
+from tabletopgen_env.statistics import wilson
+
+HERE = Path(__file__).parent
+RECIPES = ("reach-clone", "lift-clone", "pickplace-clone")
+SEED = 1000
+"""Of the episodes played, the same ones for every policy of a task."""
+
+KEY = ("recipe", "seed")
+FIELDS = (*KEY, "steps", "minutes", "episodes", "solved", "tables", "length", "failed")
+
+
+def work(job: tuple[str, int], runs: Path, episodes: int, validation: int) -> list[Row]:
+    """Train one seed, unless that is done, and play."""
+    name, seed = job
+    folder = folder_of(runs, name, seed)
+    if not (folder / LATEST).exists():
+        train(recipe_named(name), folder, Plan(seed, episodes=validation))
+    policy = load_policy(folder / LATEST)
+    source = source_of("fresh", "held_out")
+    env = single_env(policy.card.task, policy.card.env, source)
+    try:
+        played = [play(env, policy, own) for own in seeds(SEED, episodes)]
+    finally:
+        env.close()
+        close(source)
+    seen, last = summed(played), opened(folder).rows()[-1]
+    failed = sorted(p.instruction for p in played if not p.solved)
+    return [{
+        "recipe": name, "seed": seed, "steps": last.steps, "minutes": f"{last.seconds / 60:.1f}",
+        "episodes": seen.episodes, "solved": seen.solved, "tables": seen.tables,
+        "length": f"{seen.steps:.0f}", "failed": json.dumps(failed),
+    }]  # fmt: skip
+
+
+def folder_of(runs: Path, name: str, seed: int) -> Path:
+    """Return where a run of a recipe, by name or file, lies."""
+    return runs / f"{Path(name).stem}-{seed}"
+
+
+def say(rows: list[Row]) -> str:
+    row = rows[0]
+    return f"{row['recipe']}, seed {row['seed']}: {row['solved']} of {row['episodes']}"
+
+
+def summary(rows: Sequence[Row], command: str, note: str) -> str:
+    """Return the tables as Markdown."""
+    lines = [
+        "# Baselines at held-out fresh tables",
+        f"`{command}`, {tables.where()}{'; ' + note if note else ''}",
+        "",
+        "Each seed trained by itself; its last policy plays one episode at each of the tables, "
+        "which neither training nor validation has met. State observations, Lift and PickPlace "
+        "with the grasp hint; all are fitted to the scripted expert's advice (DAgger). Minutes "
+        "are of the whole training, tables made and validation included. Interval: Wilson, 95 %.",
+        "",
+        "| recipe | seed | expert's advice, states | minutes | solved | share | interval |",
+        "|---|---|---|---|---|---|---|",
+    ]
+    for row in rows:
+        solved, count = int(row["solved"]), int(row["episodes"])
+        low, high = (100 * x for x in wilson(solved, count))
+        lines.append(
+            f"| `{row['recipe']}` | {row['seed']} | {int(row['steps']):,} | {row['minutes']} "
+            f"| {solved} of {count} | {100 * solved / count:.1f} % | {low:.0f} to {high:.0f} % |"
+        )
+    lines += ["", "| recipe | all seeds | share | interval |", "|---|---|---|---|"]
+    for name in dict.fromkeys(str(r["recipe"]) for r in rows):
+        own = [r for r in rows if r["recipe"] == name]
+        solved, count = (sum(int(r[f]) for r in own) for f in ("solved", "episodes"))
+        low, high = (100 * x for x in wilson(solved, count))
+        lines.append(
+            f"| `{name}` | {solved} of {count} | {100 * solved / count:.1f} % "
+            f"| {low:.0f} to {high:.0f} % |"
+        )
+    lines += ["", "![Validation while training](baselines.png)"]
+    return "\n".join([*lines, ""])
+
+
+def main() -> None:
+    p = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    p.add_argument("--recipe", action="append", help="one recipe; may be repeated")
+    p.add_argument("--seeds", type=int, nargs="+", default=[0, 1, 2])
+    p.add_argument("--episodes", type=int, default=200, help="played by each policy")
+    p.add_argument("--validation", type=int, default=20, help="episodes of a validation")
+    p.add_argument("--workers", type=int, default=1)
+    p.add_argument(
+        "--runs", type=Path, default=Path(tempfile.gettempdir()) / "tabletopgen-baselines",
+        help="where the runs' folders go",
+    )  # fmt: skip
+    p.add_argument("--note", default="", help="what to know about the machine")
+    p.add_argument("--out", type=Path, default=HERE / "results")
+    args = p.parse_args()
+    asked = [(name, seed) for name in args.recipe or RECIPES for seed in args.seeds]
+    try:
+        args.out.mkdir(parents=True, exist_ok=True)
+        table = args.out / "baselines.csv"
+        rows = tables.resume(table, FIELDS, KEY)
+        done = {(r["recipe"], int(r["seed"])) for r in rows}
+        job = partial(
+            work, runs=args.runs, episodes=args.episodes, validation=args.validation
+        )  # fmt: skip
+        left = [a for a in asked if a not in done]
+        rows = tables.run(table, FIELDS, KEY, rows, left, job, args.workers, say)
+        found = [folder_of(args.runs, str(r["recipe"]), int(r["seed"])) for r in rows]
+        kept = [opened(path) for path in found if path.exists()]
+        if kept:
+            write_picture(draw(bands(kept, "steps")), args.out / "baselines.png")
+    except TabletopError as error:
+        raise SystemExit(str(error)) from error
+    text = summary(rows, tables.command_line("--note", "--runs", "--out"), args.note)
+    (args.out / "baselines.md").write_text(text, encoding="utf-8")
+    print(text)
+
+
+if __name__ == "__main__":
+    main()
