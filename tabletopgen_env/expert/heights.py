@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -55,24 +55,25 @@ def height_map(
     """Scan world-frame ``parts`` from above between the corners ``low`` and ``high``."""
     axes = [np.arange(low[k], high[k] + cell, cell) for k in (0, 1)]
     heights = np.full((len(axes[0]), len(axes[1])), -np.inf)
-    for part in parts:
-        cells, points = _under(part, axes)
+    for part, cells, points in _over(parts, axes):
         window = heights[cells]
         np.maximum(window, top_surface((part,), points).reshape(window.shape), out=window)
     return HeightMap(np.array([axis[0] for axis in axes]), cell, heights)
 
 
-def _under(
-    part: ConvexPart, axes: list[Float[np.ndarray, "_"]]
-) -> tuple[tuple[slice, slice], Float[np.ndarray, "n 2"]]:
-    """Return which of a grid's cells lie within a part's bounds, and where they are."""
-    low, high = part.bounds
-    i, j = (
-        slice(np.searchsorted(axis, low[k]), np.searchsorted(axis, high[k], "right"))
-        for k, axis in enumerate(axes)
-    )
-    x, y = np.meshgrid(axes[0][i], axes[1][j], indexing="ij")
-    return (i, j), np.column_stack([x.ravel(), y.ravel()])
+def _over(
+    parts: Iterable[ConvexPart], axes: list[Float[np.ndarray, "_"]]
+) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
+    """Yield each part over a grid with the cells within its bounds, and where they are."""
+    for part in parts:
+        low, high = part.bounds
+        i, j = (
+            slice(int(axis.searchsorted(low[k])), int(axis.searchsorted(high[k], "right")))
+            for k, axis in enumerate(axes)
+        )
+        if i.start < i.stop and j.start < j.stop:
+            x, y = np.meshgrid(axes[0][i], axes[1][j], indexing="ij")
+            yield part, (i, j), np.column_stack([x.ravel(), y.ravel()])
 
 
 def surroundings(
@@ -119,8 +120,9 @@ def _nearest(
     points: Float[np.ndarray, "*n 2"], origin: Float[np.ndarray, "2"], cell: float
 ) -> tuple[Int[np.ndarray, "*n"], Int[np.ndarray, "*n"]]:
     """Return the indices of the grid's cell nearest to each point, also of those outside it."""
-    index = np.rint((points - origin) / cell).astype(int)
-    return index[..., 0], index[..., 1]
+    x, y = points[..., 0], points[..., 1]
+    i, j = (x - origin[0]) / cell, (y - origin[1]) / cell
+    return np.rint(i).astype(int), np.rint(j).astype(int)
 
 
 def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> Solid:
@@ -130,8 +132,7 @@ def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> Solid:
     axes = [np.arange(first[k] - cell, last[k] + 2 * cell, cell) for k in (0, 1)]
     levels = np.arange(first[2] + rise / 2, last[2], rise)
     filled = np.zeros((len(axes[0]), len(axes[1]), len(levels)), bool)
-    for part in parts:
-        cells, points = _under(part, axes)
+    for part, cells, points in _over(parts, axes):
         hit, ground, ceiling = part_span(part, points)
         # What is thinner than a voxel fills the one in whose middle it lies.
         spare = np.maximum(rise - (ceiling - ground), 0.0)[:, None] / 2
