@@ -41,6 +41,7 @@ LEVEL = 0.003
 """By how much a flat top may be uneven, metres."""
 
 _GRID = 48
+_BLOCK = 2**16  # numbers at once: what the processor keeps near
 _UPRIGHT = np.cos(np.deg2rad(20.0))
 
 
@@ -222,10 +223,20 @@ def part_span(
     if not len(near):
         return near, np.empty(0), np.empty(0)
     planes = ConvexHull(part.vertices, qhull_options="QJ").equations
-    side = points[near] @ planes[:, :2].T + planes[:, 3]
+    block = max(_BLOCK // len(planes), 1)
+    spans = [_span(planes, points[near[k : k + block]]) for k in range(0, len(near), block)]
+    hit, ground, ceiling = (np.concatenate(values) for values in zip(*spans, strict=True))
+    return near[hit], ground[hit], ceiling[hit]
+
+
+def _span(
+    planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
+) -> tuple[Bool[np.ndarray, "n"], Float[np.ndarray, "n"], Float[np.ndarray, "n"]]:
+    """Return whether half-spaces meet over each point, and from where to where they do there."""
     nz = planes[:, 2]
     upper, lower, wall = nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9
-    ceiling = (-side[:, upper] / nz[upper]).min(1, initial=np.inf)
-    ground = (-side[:, lower] / nz[lower]).max(1, initial=-np.inf)
-    hit = (ceiling >= ground) & (side[:, wall] <= 0).all(1)
-    return near[hit], ground[hit], ceiling[hit]
+    side = planes[:, :2] @ points.T
+    side += planes[:, 3:]
+    ceiling = (side[upper] / -nz[upper, None]).min(0, initial=np.inf)
+    ground = (side[lower] / -nz[lower, None]).max(0, initial=-np.inf)
+    return (ceiling >= ground) & (side[wall] <= 0).all(0), ground, ceiling

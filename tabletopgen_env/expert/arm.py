@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import Float
+from jaxtyping import Bool, Float
 
 from generator.geometry import rotation_yaw, wrap
 
@@ -108,15 +108,26 @@ def around(
 def wrist_is_free(
     world: World, others: HeightMap, points: Float[np.ndarray, "k 2"], tip: float
 ) -> bool:
-    """Return whether the wrist, over the hand and a little towards the base, hits nothing.
+    """Return whether `wrists_are_free` at all ``points``, the fingertips at height ``tip``."""
+    return bool(wrists_are_free(world, others, points, np.full(len(points), tip)).all())
 
-    ``points`` (world) are where the tool is, ``tip`` the height of the fingertips.
+
+def wrists_are_free(
+    world: World,
+    others: HeightMap,
+    points: Float[np.ndarray, "k 2"],
+    tips: Float[np.ndarray, "k"],
+) -> Bool[np.ndarray, "k"]:
+    """Return for each tool if the wrist, over the hand and a little to the base, hits nothing.
+
+    ``points`` (world) are where the tool is, ``tips`` the heights of the fingertips.
     """
     back = world.base_position[:2] - points
     back /= np.maximum(np.linalg.norm(back, axis=1, keepdims=True), 1e-9)
     aside = np.column_stack([-back[:, 1], back[:, 0]])
-    centers = np.concatenate([points + b * back + a * aside for b, a in _WRIST])
-    return bool(others.at(centers[:, None] + _WRIST_RADIUS * _DISC).max() <= tip + _WRIST_Z)
+    centers = np.stack([points + b * back + a * aside for b, a in _WRIST], axis=1)
+    under = others.at(centers[:, :, None] + _WRIST_RADIUS * _DISC)
+    return under.max((1, 2)) <= tips + _WRIST_Z
 
 
 def knuckle_is_free(

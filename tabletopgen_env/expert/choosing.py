@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import compress
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,7 +11,7 @@ from jaxtyping import Float
 
 from generator.geometry import wrap
 
-from .arm import easiest, knuckle_is_free, stretch, wrist_is_free
+from .arm import easiest, knuckle_is_free, stretch, wrists_are_free
 from .driver import up
 from .grasps import TIP, Grasp, plan_grasps
 from .heights import surroundings
@@ -46,7 +47,9 @@ def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | 
     low, high = center[:2] - _AROUND, center[:2] + _AROUND
     others = surroundings(world, target, low, high, 0.01)
     found = plan_grasps(world, target, failed)[:_MOST]
-    free = [g for g in found if wrist_is_free(world, others, g.point[None, :2], g.point[2] - TIP)]
+    points = np.array([grasp.point for grasp in found]).reshape(-1, 3)
+    clear = wrists_are_free(world, others, points[:, :2], points[:, 2] - TIP)
+    free = list(compress(found, clear))
     reached: Plan | None = None
     # Where the wrist has no room for any, it may yet come by.
     for grasp in free or found:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
 from generator.scene import ConvexPart
 
@@ -31,11 +31,10 @@ class HeightMap:
 
     def at(self, points: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
         """Return the height at the cell nearest to each point, -inf outside the grid."""
-        index = np.rint((points - self.origin) / self.cell).astype(int)
-        size = np.array(self.heights.shape)
-        inside = ((index >= 0) & (index < size)).all(-1)
-        i, j = np.moveaxis(np.clip(index, 0, size - 1), -1, 0)
-        return np.where(inside, self.heights[i, j], -np.inf)
+        i, j = _nearest(points, self.origin, self.cell)
+        nx, ny = self.heights.shape
+        inside = (i >= 0) & (i < nx) & (j >= 0) & (j < ny)
+        return np.where(inside, self.heights.take(np.where(inside, i * ny + j, 0)), -np.inf)
 
 
 def moved(
@@ -56,17 +55,25 @@ def height_map(
     """Scan world-frame ``parts`` from above between the corners ``low`` and ``high``."""
     axes = [np.arange(low[k], high[k] + cell, cell) for k in (0, 1)]
     heights = np.full((len(axes[0]), len(axes[1])), -np.inf)
-    for part in parts:
-        first, last = part.bounds[:, :2]
-        under = [  # the cells within the part's bounds
-            slice(np.searchsorted(axis, first[k]), np.searchsorted(axis, last[k], "right"))
-            for k, axis in enumerate(axes)
-        ]
-        xs, ys = (axis[cells] for axis, cells in zip(axes, under, strict=True))
-        window = heights[under[0], under[1]]
-        points = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1).reshape(-1, 2)
+    for part, cells, points in _over(parts, axes):
+        window = heights[cells]
         np.maximum(window, top_surface((part,), points).reshape(window.shape), out=window)
     return HeightMap(np.array([axis[0] for axis in axes]), cell, heights)
+
+
+def _over(
+    parts: Iterable[ConvexPart], axes: list[Float[np.ndarray, "_"]]
+) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
+    """Yield each part over a grid with the cells within its bounds, and where they are."""
+    for part in parts:
+        low, high = part.bounds
+        i, j = (
+            slice(int(axis.searchsorted(low[k])), int(axis.searchsorted(high[k], "right")))
+            for k, axis in enumerate(axes)
+        )
+        if i.start < i.stop and j.start < j.stop:
+            x, y = np.meshgrid(axes[0][i], axes[1][j], indexing="ij")
+            yield part, (i, j), np.column_stack([x.ravel(), y.ravel()])
 
 
 def surroundings(
@@ -91,7 +98,7 @@ class Solid:
     """An object as voxels, world frame.
 
     ``filled[i, j, k]`` is at (``origin`` + ``cell`` * (i, j), ``levels[k]``), metres; ``levels``
-    rise by equal steps.
+    rise by equal steps. The columns on the grid's border are empty.
     """
 
     origin: Float[np.ndarray, "2"]
@@ -99,27 +106,37 @@ class Solid:
     levels: Float[np.ndarray, "nz"]
     filled: Bool[np.ndarray, "nx ny nz"]
 
-    def at(self, points: Float[np.ndarray, "*n 2"]) -> Bool[np.ndarray, "*n nz"]:
-        """Return the column at the cell nearest to each point, empty outside the grid."""
-        index = np.rint((points - self.origin) / self.cell).astype(int)
-        size = np.array(self.filled.shape[:2])
-        inside = ((index >= 0) & (index < size)).all(-1)
-        i, j = np.moveaxis(np.clip(index, 0, size - 1), -1, 0)
-        return self.filled[i, j] & np.expand_dims(inside, -1)
+    def nearest(self, points: Float[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
+        """Return the column nearest to each point as a flat index i * ny + j.
+
+        Outside the grid that is one on its border, an empty one.
+        """
+        i, j = _nearest(points, self.origin, self.cell)
+        nx, ny, _ = self.filled.shape
+        return np.clip(i, 0, nx - 1) * ny + np.clip(j, 0, ny - 1)
+
+
+def _nearest(
+    points: Float[np.ndarray, "*n 2"], origin: Float[np.ndarray, "2"], cell: float
+) -> tuple[Int[np.ndarray, "*n"], Int[np.ndarray, "*n"]]:
+    """Return the indices of the grid's cell nearest to each point, also of those outside it."""
+    x, y = points[..., 0], points[..., 1]
+    i, j = (x - origin[0]) / cell, (y - origin[1]) / cell
+    return np.rint(i).astype(int), np.rint(j).astype(int)
 
 
 def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> Solid:
     """Return world-frame ``parts`` as voxels of ``cell`` by ``cell`` by ``rise`` metres."""
     bounds = np.stack([part.bounds for part in parts])
     first, last = bounds[:, 0].min(0), bounds[:, 1].max(0)
-    xs, ys = (np.arange(first[k] - cell, last[k] + 2 * cell, cell) for k in (0, 1))
+    axes = [np.arange(first[k] - cell, last[k] + 2 * cell, cell) for k in (0, 1)]
     levels = np.arange(first[2] + rise / 2, last[2], rise)
-    points = np.stack(np.meshgrid(xs, ys, indexing="ij"), -1).reshape(-1, 2)
-    filled = np.zeros((len(points), len(levels)), bool)
-    for part in parts:
+    filled = np.zeros((len(axes[0]), len(axes[1]), len(levels)), bool)
+    for part, cells, points in _over(parts, axes):
         hit, ground, ceiling = part_span(part, points)
         # What is thinner than a voxel fills the one in whose middle it lies.
         spare = np.maximum(rise - (ceiling - ground), 0.0)[:, None] / 2
         low, high = ground[:, None] - spare, ceiling[:, None] + spare
-        filled[hit] |= (levels >= low) & (levels <= high)
-    return Solid(np.array([xs[0], ys[0]]), cell, levels, filled.reshape(len(xs), len(ys), -1))
+        window = filled[cells]
+        window[np.unravel_index(hit, window.shape[:2])] |= (levels >= low) & (levels <= high)
+    return Solid(np.array([axis[0] for axis in axes]), cell, levels, filled)

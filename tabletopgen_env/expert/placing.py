@@ -85,8 +85,10 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     for turn in _TURNS:
         spin = rotation_z(float(turn))[:2, :2].T
         tools = points - offset @ spin
-        rest, support = _rest(others, tools, Underside(held.at @ spin, held.low))
-        free, _ = _rest(others, tools, Underside(hand.at @ spin, hand.low))
+        touching = _touching(others, tools, Underside(held.at @ spin, held.low))
+        rest = touching.max(1)
+        support = (touching >= rest[:, None] - 2 * _CELL).mean(1)
+        free = _touching(others, tools, Underside(hand.at @ spin, hand.low)).max(1)
         height = np.maximum(rest, free)
         above = rest + float(held.low.min()) - base
         middles = points + lever @ spin - region.center[:2]
@@ -178,10 +180,8 @@ def _hand(opening: float, yaw: float) -> Underside:
     return Underside(np.concatenate(at) @ rotation_z(yaw)[:2, :2].T, np.concatenate(low))
 
 
-def _rest(
+def _touching(
     others: HeightMap, tools: Float[np.ndarray, "k 2"], under: Underside
-) -> tuple[Float[np.ndarray, "k"], Float[np.ndarray, "k"]]:
-    """Return at what height the tool stands when ``under`` touches, and how much of it does."""
-    gaps = others.at(tools[:, None] + under.at) - under.low
-    rest = gaps.max(1)
-    return rest, (gaps >= rest[:, None] - 2 * _CELL).mean(1)
+) -> Float[np.ndarray, "k n"]:
+    """Return at what height the tool stands when each column of ``under`` touches, by place."""
+    return others.at(tools[:, None] + under.at) - under.low

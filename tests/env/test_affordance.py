@@ -14,6 +14,7 @@ from tabletopgen_env.affordance import (
     grasp_width,
     is_upright,
     opening,
+    part_span,
     resting_height,
     top_surface,
     why_not_graspable,
@@ -99,6 +100,18 @@ def test_the_top_surface_is_that_of_the_highest_part() -> None:
 def test_a_slope_is_measured_at_the_point() -> None:
     wedge = ConvexPart(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [1, 0, 1], [1, 1, 1]]))
     assert np.allclose(top_surface((wedge,), np.array([[0.25, 0.5], [0.75, 0.5]])), [0.25, 0.75])
+
+
+def test_a_part_reaches_as_far_over_many_points_as_over_each() -> None:
+    part = ConvexPart(np.random.default_rng(0).uniform(-1, 1, (60, 3)))
+    points = np.random.default_rng(1).uniform(-1, 1, (3000, 2))
+    hit, ground, ceiling = part_span(part, points)
+    assert 100 < len(hit) < 2900
+    for k in range(0, len(hit), 100):
+        alone = part_span(part, points[hit[k]][None])
+        np.testing.assert_allclose(np.ravel(alone), [0, ground[k], ceiling[k]])
+    missed = np.setdiff1d(np.arange(3000), hit)[::100]
+    assert not any(len(part_span(part, points[k][None])[0]) for k in missed)
 
 
 def test_upright_is_within_twenty_degrees() -> None:

@@ -19,6 +19,7 @@ from tabletopgen_env.expert.arm import (
     stretch,
     turn_left,
     wrist_is_free,
+    wrists_are_free,
 )
 from tabletopgen_env.expert.grasps import TIP
 from tabletopgen_env.expert.heights import HeightMap, surroundings
@@ -93,6 +94,17 @@ def test_a_tower_behind_the_hand_stops_the_wrist() -> None:
 
     assert free(0.1)
     assert not free(0.25)
+
+
+def test_wrists_are_judged_each_by_its_own_place_and_height(world: World) -> None:
+    before = -0.088 * world.base_position[:2] / np.linalg.norm(world.base_position[:2])
+    points = np.array([before, before, [0.5, 0.3]])
+    tips = TOP + np.array([0.02, 0.12, 0.02])
+    pole = toy_pole(np.zeros(3), TOP + 0.25)
+    free = wrists_are_free(world, pole, points, tips)
+    assert free.tolist() == [False, True, True]
+    assert not wrist_is_free(world, pole, points, TOP + 0.02)
+    assert wrist_is_free(world, pole, points, TOP + 0.12)
 
 
 def test_what_is_kept_free_covers_the_links_over_the_hand(world: World) -> None:
