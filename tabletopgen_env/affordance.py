@@ -222,10 +222,20 @@ def part_span(
     if not len(near):
         return near, np.empty(0), np.empty(0)
     planes = ConvexHull(part.vertices, qhull_options="QJ").equations
-    side = points[near] @ planes[:, :2].T + planes[:, 3]
     nz = planes[:, 2]
     upper, lower, wall = nz > 1e-9, nz < -1e-9, np.abs(nz) <= 1e-9
-    ceiling = (-side[:, upper] / nz[upper]).min(1, initial=np.inf)
-    ground = (-side[:, lower] / nz[lower]).max(1, initial=-np.inf)
-    hit = (ceiling >= ground) & (side[:, wall] <= 0).all(1)
+    ceiling = _linear(planes[upper] / -nz[upper, None], points[near]).min(0, initial=np.inf)
+    ground = _linear(planes[lower] / -nz[lower, None], points[near]).max(0, initial=-np.inf)
+    hit = (ceiling >= ground) & (_linear(planes[wall], points[near]) <= 0).all(0)
     return near[hit], ground[hit], ceiling[hit]
+
+
+def _linear(
+    planes: Float[np.ndarray, "p 4"], points: Float[np.ndarray, "n 2"]
+) -> Float[np.ndarray, "p n"]:
+    """Return ``a x + b y + d`` of each plane (a, b, c, d) at each point (x, y).
+
+    It is no matrix product: one of this size wakes BLAS's threads, which then spin for 30 ms.
+    """
+    (x, y), (a, b, _, d) = points.T, planes.T[..., None]
+    return a * x + b * y + d
