@@ -235,7 +235,7 @@ def _linear(
 ) -> Float[np.ndarray, "p n"]:
     """Return ``a x + b y + d`` of each plane (a, b, c, d) at each point (x, y).
 
-    It is no matrix product: one of this size wakes BLAS's threads, which then spin for 30 ms.
+    It is no matrix product: one of this size wakes BLAS's threads, which then spin for 80 ms.
     """
     (x, y), (a, b, _, d) = points.T, planes.T[..., None]
     return a * x + b * y + d
