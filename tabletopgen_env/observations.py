@@ -181,7 +181,7 @@ def robot_state(world: World, goal: Goal, noise: Noise | None = None) -> Float[n
     state = np.empty(len(ROBOT_BOUNDS))
     state[0:7] = joints
     state[7:14] = data.qvel[world.arm_dof]
-    state[14] = data.qpos[world.finger_qpos].sum()
+    state[14] = sum(data.qpos[world.finger_qpos].tolist())
     state[15:18] = tcp
     state[18:21], state[21:24] = hand[:, 0], hand[:, 1]
     state[24:31] = command[:7] - joints
@@ -196,7 +196,7 @@ def object_slots(
     world: World, order: list[str], noise: Noise | None = None
 ) -> Float[np.ndarray, "slots 19"]:
     """Return the object slots of the flat state for objects in ``order``."""
-    rows = [world.index(name) for name in order]
+    rows = np.array([world.index(name) for name in order], int)
     bodies = world.bodies[rows]
     rotation = world.base_rotation.T @ world.data.xmat[bodies].reshape(-1, 3, 3)
     speed = world.velocities()[rows]

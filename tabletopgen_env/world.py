@@ -311,13 +311,13 @@ class World:
     def off_table(self) -> tuple[str, ...]:
         """Return the objects whose centre is below the table's top: those that fell off it."""
         low = self.data.xpos[self.bodies, 2] < self.scene.table.height
-        return tuple(self.names[k] for k in np.flatnonzero(low)) if low.any() else ()
+        return tuple(self.names[k] for k in np.flatnonzero(low))
 
     def touched(self, name: str) -> tuple[bool, bool, bool]:
         """Return whether the left finger, the right finger, any part of the robot touches it.
 
-        Looked up once between two calls that move things. What moves never rests against a sleeping
-        thing unlisted, for the arm never sleeps and wakes what it meets; only the base is fixed.
+        Looked up once between two calls that move things. Nothing that moves touches a sleeping
+        thing, for the arm never sleeps and wakes what it meets; only the base is fixed.
         """
         found = self._touches.get(name)
         if found is None:
@@ -326,13 +326,14 @@ class World:
 
     def _contacts(self, row: int) -> tuple[bool, bool, bool]:
         """Return what ``touched`` does, of the object in a row."""
+        if self.data.tree_asleep[self._trees[row]] >= 0:
+            return False, False, self._at_base(row)
         sides: set[int] = set()
         if self.data.ncon:
             pairs = self.model.geom_bodyid[self.data.contact.geom]
             others = pairs[:, ::-1][pairs == self.bodies[row]]
             sides = set(self._gripper_side[others].tolist())
-        asleep = self.data.tree_asleep[self._trees[row]] >= 0
-        return 2 in sides, 3 in sides, bool(sides - {0}) or bool(asleep and self._at_base(row))
+        return 2 in sides, 3 in sides, bool(sides - {0})
 
     def _at_base(self, row: int) -> bool:
         """Return whether an object lies against a fixed part of the robot.

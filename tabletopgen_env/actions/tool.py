@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from jaxtyping import Float
 from scipy.spatial.transform import Rotation
@@ -31,7 +33,10 @@ WORKSPACE: tuple[tuple[float, ...], ...] = ((-0.5, -0.8, -0.1), (0.85, 0.8, 0.7)
 YAW_REACH = np.pi / 2
 """Largest yaw that ``ToolAbsolute`` can be sent to, radians."""
 
+_LOWEST, _HIGHEST = np.array(WORKSPACE)
 _JOINT_SPEED = np.array([joint.velocity for joint in JOINTS])
+for _constant in (_LOWEST, _HIGHEST, _JOINT_SPEED):
+    _constant.setflags(write=False)
 _PULL = 0.05  # towards the home posture, per action at 20 Hz
 
 
@@ -46,6 +51,7 @@ class Arm:
     def __init__(self, servos: Servos) -> None:
         self.point = np.zeros(3)
         self._servos = servos
+        self._most = _JOINT_SPEED * servos.period
         self._joints = HOME.copy()
 
     def reset(self, world: World) -> Float[np.ndarray, "3 3"]:
@@ -60,16 +66,16 @@ class Arm:
         leash = EE_LEASH * self._servos.slack
         wanted = self.point + EE_STEP * self._servos.share * action
         near = real + np.minimum(np.maximum(wanted - real, -leash), leash)
-        self.point = np.minimum(np.maximum(near, WORKSPACE[0]), WORKSPACE[1])
+        self.point = np.minimum(np.maximum(near, _LOWEST), _HIGHEST)
 
     def follow(self, world: World, rotation: Float[np.ndarray, "3 3"], gripper: float) -> None:
         """Command the joints after the commanded point and ``rotation``."""
         before, joints = self._joints, self._joints
         pull = _PULL * min(1.0, self._servos.share)
-        for _ in range(int(np.ceil(self._servos.slack))):
+        for _ in range(math.ceil(self._servos.slack)):
             joints = ik_step(joints, self.point, rotation, pull=pull)[0]
-        turn, most = joints - before, _JOINT_SPEED * self._servos.period
-        self._joints = before + turn / max(1.0, float((np.abs(turn) / most).max()))
+        turn = joints - before
+        self._joints = before + turn / max(1.0, float((np.abs(turn) / self._most).max()))
         self._servos.command(world, before, self._joints, gripper)
 
 
@@ -153,8 +159,7 @@ class ToolAbsolute:
 
         The hand turns through yaw 0, never through the half turn that joint 7 cannot make.
         """
-        low, high = np.array(WORKSPACE)
-        move = low + (action[:3] + 1) / 2 * (high - low) - self._way.arm.point
+        move = _LOWEST + (action[:3] + 1) / 2 * (_HIGHEST - _LOWEST) - self._way.arm.point
         move /= max(EE_STEP * self.servos.share, float(np.linalg.norm(move)))
         turn = (YAW_REACH * action[3] - self._way.yaw) / (EE_TURN * self.servos.share)
         self._way.apply(world, np.array([*move, np.clip(turn, -1.0, 1.0), action[4]]))

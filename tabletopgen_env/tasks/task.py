@@ -34,6 +34,7 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, ClassVar
 
@@ -55,6 +56,7 @@ LIFT = 0.08
 """Height to carry things at, metres."""
 
 _FAR = 3.0  # metres; positions in goal vectors are clipped to it
+_LEAST = 1e-6  # metres; what semi-axes are at least taken for
 _HAND = ("reach", "grasp", "lift")
 
 
@@ -83,11 +85,11 @@ class Agreement:
     met: Bool[np.ndarray, "*n most"]
     used: Bool[np.ndarray, "*n most"]
 
-    @property
+    @cached_property
     def active(self) -> int:
         """The index of the first goal that is not met; of the last one, if all are."""
         first = int(self.met.argmin())
-        last = int(self.used.sum()) - 1
+        last = int(np.count_nonzero(self.used)) - 1
         return last if self.met[first] else min(first, last)
 
 
@@ -152,7 +154,8 @@ class Task(ABC):
         for row, goal in zip(vector, episode.goals, strict=False):
             region = goal.region(world)
             row[:3] = _near(world.to_base(region.center))
-            row[3:] = [*region.semi[:2], region.yaw - world.mount.yaw, region.semi[2], 1.0]
+            row[3:5] = region.semi[:2]
+            row[5:] = region.yaw - world.mount.yaw, region.semi[2], 1.0
         return vector.ravel().astype(np.float32)
 
     def achieved(
@@ -169,7 +172,8 @@ class Task(ABC):
         self, achieved: Float[np.ndarray, "*n g"], desired: Float[np.ndarray, "*n g"]
     ) -> Agreement:
         """Return how goal vectors agree; vectorised."""
-        a, d = (np.asarray(v).reshape(*np.shape(v)[:-1], -1, ENTRIES) for v in (achieved, desired))
+        goals = (*np.shape(achieved)[:-1], -1, ENTRIES)
+        a, d = (np.asarray(v, np.float64).reshape(goals) for v in (achieved, desired))
         across, up = distance(a, d)
         used = d[..., 3] > 0
         met = (across <= 0) & (up <= 0) & (a[..., 7] >= d[..., 7]) | ~used
@@ -201,9 +205,10 @@ class Task(ABC):
         shared = {name: float(value) for name, value in self.goal_terms(agreement).items()}
         if shared["success"]:
             return dict.fromkeys((*_HAND, *shared), 1.0)
-        met = agreement.met[: len(episode.goals)]
+        count = len(episode.goals)
+        met = np.count_nonzero(agreement.met[:count])
         hand = self._hand(world, episode, agreement)
-        return {n: float(met.sum() + v) / len(met) for n, v in hand.items()} | shared
+        return {name: (met + value) / count for name, value in hand.items()} | shared
 
     def _hand(self, world: World, episode: Episode, agreement: Agreement) -> dict[str, float]:
         """Return reach, grasp and lift of the active goal."""
@@ -237,12 +242,9 @@ def distance(
     away = a[..., :3] - d[..., :3]
     x, y, z = away[..., 0], away[..., 1], away[..., 2]
     c, s = np.cos(d[..., 5]), np.sin(d[..., 5])
-    semi = d[..., 3:5]
-    semi = np.where(semi > 0, semi, 1.0)
-    wide, deep = semi[..., 0], semi[..., 1]
-    u, v = (c * x + s * y) / wide, (c * y - s * x) / deep
-    ratio = np.sqrt(u * u + v * v)
-    outside = np.sqrt(x * x + y * y) * (1 - 1 / np.maximum(ratio, 1.0))
+    semi = np.maximum(d[..., 3:5], _LEAST)  # padding has none
+    u, v = (c * x + s * y) / semi[..., 0], (c * y - s * x) / semi[..., 1]
+    outside = np.hypot(x, y) * (1 - 1 / np.maximum(np.hypot(u, v), 1.0))
     return outside, np.maximum(np.abs(z) - d[..., 6], 0.0)
 
 
