@@ -87,7 +87,7 @@ class Terms:
 
     tasks: tuple[str, ...] = NAMES
     episodes: int = 5
-    most: int = 5
+    most: int = 8
     seed: int = 0
 
     def __post_init__(self) -> None:

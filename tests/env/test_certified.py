@@ -21,10 +21,11 @@ from tabletopgen_env.certificate import FILE, Certificate, Instance, Terms, scen
 from tabletopgen_env.certify import instance_of, offered
 from tabletopgen_env.env import make_env
 from tabletopgen_env.randomization import Randomization
-from tabletopgen_env.tasks import NAMES
+from tabletopgen_env.tasks import NAMES, TaskName
 from tabletopgen_env.tasks.lift import Lift
 from tabletopgen_env.tasks.reach import Reach
 from tabletopgen_env.tasks.sequence import PRESETS, Sequence
+from tabletopgen_env.tasks.task import Episode
 from tabletopgen_env.vector import TabletopVectorEnv
 from tabletopgen_env.world import World
 
@@ -252,6 +253,31 @@ def test_certifying_again_looks_at_everything(
     before = offered(world_of(bundle), Lift(), 0, 4)
     certify(Instance("Lift", names[0], None, 10, 10))
     assert offered(world_of(bundle), Lift(), 0, 4) == before and len(before) > 1
+
+
+class Counted(Lift):
+    """Lift that counts how often it is sampled, at first with nothing to do."""
+
+    def __init__(self, idle: int) -> None:
+        self.idle, self.asked = idle, 0
+
+    @property
+    def listed_as(self) -> TaskName:
+        return TaskName("Lift")
+
+    def sample(self, *args: Any, **more: Any) -> Episode:
+        self.asked += 1
+        if self.asked <= self.idle:
+            raise SceneError("nothing")
+        return super().sample(*args, **more)
+
+
+def test_no_more_is_drawn_than_is_looked_for(bundle: Path) -> None:
+    world = world_of(bundle)
+    one, late, never = Counted(0), Counted(3), Counted(1000)
+    assert len(offered(world, one, 0, 1)) == 1 and one.asked == 1
+    assert len(offered(world, late, 0, 1)) == 1 and late.asked == 4
+    assert offered(world, never, 0, 1) == () and never.asked < 10
 
 
 def test_options_that_are_wrong_are_still_the_callers(
