@@ -77,7 +77,7 @@ class Terms:
 
     Args:
         tasks: names of tasks, kept in the order of ``NAMES``; Sequence goes with its presets.
-        episodes: how many of each instance, at most ``MOST_EPISODES``.
+        episodes: how many of each instance, at most ``MOST_EPISODES``; fewer where it fails.
         most: how many instances of each task, and of each preset, at most.
         seed: draws instances and starts.
 

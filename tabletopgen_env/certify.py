@@ -4,7 +4,8 @@ For each *instance* (a task, its preset, target and goal) that a bundle's scene 
 bound, the expert plays some episodes from perturbed starts: the arm's joints are off by up to
 0.06 rad, things that stand free by up to 3 mm and 3 degrees. ``certificate.json``, beside the
 bundle's own files, keeps how many it solved, with the digest of the scene, the terms and the
-versions it was made with. Bundles do not list it, so that they stay what they were.
+versions it was made with. Bundles do not list it, so that they stay what they were. An instance
+that can no longer come to a share of ``LEAST`` is played no further: each failure is slow.
 
 A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the time limit of the
 task's id.
@@ -27,6 +28,7 @@ from generator.errors import BundleError, SceneError, require_number
 from generator.geometry import inside_margin, quaternion_matrix, yaw_quaternion
 
 from .certificate import (
+    LEAST,
     Certificate,
     Instance,
     Point,
@@ -200,10 +202,20 @@ def _played(job: _Job) -> tuple[Instance, ...]:
         env = _env(folder, name, masters)
         for instance in instances:
             rng = np.random.default_rng((terms.seed, NAMES.index(task), len(found)))
-            solved = sum(_solved(env, instance, rng) for _ in range(terms.episodes))
-            found.append(replace(instance, successes=solved, episodes=terms.episodes))
+            found.append(_tried(env, instance, terms.episodes, rng))
         env.close()
     return tuple(found)
+
+
+def _tried(
+    env: TabletopEnv, instance: Instance, episodes: int, rng: np.random.Generator
+) -> Instance:
+    """Play an instance; what can no longer come to a share of ``LEAST`` is given up."""
+    solved = played = 0
+    while played < episodes and (solved + episodes - played) / episodes >= LEAST:
+        solved += _solved(env, instance, rng)
+        played += 1
+    return replace(instance, successes=solved, episodes=played)
 
 
 def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> bool:

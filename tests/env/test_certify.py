@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import shutil
 from dataclasses import replace
@@ -16,6 +17,7 @@ from generator.bundle import load, save, verify
 from generator.errors import BundleError, InputError
 from generator.physics.gate import judge
 from generator.scene import Scene
+from tabletopgen_env import certify as certify_module
 from tabletopgen_env.__main__ import run
 from tabletopgen_env.certificate import FILE, Instance, Terms, read_certificate
 from tabletopgen_env.certify import certified_instances, certify, is_certified, perturb
@@ -179,6 +181,20 @@ def test_the_command_goes_on_where_it_was_interrupted(
     assert not is_certified(left, replace(TERMS, seed=4)), "it says something else"
     assert run([*wanted, "--episodes", "2", "--seed", "3", "--again"]) == 0
     assert (done / FILE).read_bytes() == (certified / FILE).read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("failures", "successes", "episodes"),
+    [((), 5, 5), ((4,), 4, 5), ((0, 1), 0, 2), ((1, 4), 3, 5)],
+)
+def test_what_fails_too_often_is_given_up(
+    failures: tuple[int, ...], successes: int, episodes: int, bundle: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    played = itertools.count()
+    monkeypatch.setattr(certify_module, "_solved", lambda *_: next(played) not in failures)
+    (seen,) = certify(bundle, Terms(("Lift",), episodes=5)).instances
+    assert (seen.successes, seen.episodes) == (successes, episodes)
 
 
 def test_shares_are_of_the_episodes() -> None:
