@@ -100,6 +100,8 @@ class Terms:
         if not self.tasks:
             raise InputError("A certificate needs at least one task." + choices("", NAMES))
         object.__setattr__(self, "tasks", tuple(name for name in NAMES if name in self.tasks))
+        for name in ("episodes", "most", "seed"):  # NumPy's integers are no JSON
+            object.__setattr__(self, name, int(getattr(self, name)))
 
 
 @dataclass(frozen=True)

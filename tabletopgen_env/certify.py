@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import closing
 from dataclasses import replace
 from importlib import metadata
 from multiprocessing import get_context
@@ -100,7 +101,10 @@ def certify_all(
 
 
 def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
-    """Return whether a bundle has a sound certificate of its own, made on these terms."""
+    """Return whether a bundle has a sound certificate of its own, made on these terms.
+
+    With which versions does not matter.
+    """
     try:
         found = read_certificate(path)
     except BundleError:
@@ -199,11 +203,10 @@ def _played(job: _Job) -> tuple[Instance, ...]:
         instances = offered(world, task_named(*name), terms.seed, terms.most)
         if not instances:
             continue
-        env = _env(folder, name, masters)
-        for instance in instances:
-            rng = np.random.default_rng((terms.seed, NAMES.index(task), len(found)))
-            found.append(_tried(env, instance, terms.episodes, rng))
-        env.close()
+        with closing(_env(folder, name, masters)) as env:
+            for instance in instances:
+                rng = np.random.default_rng((terms.seed, NAMES.index(task), len(found)))
+                found.append(_tried(env, instance, terms.episodes, rng))
     return tuple(found)
 
 

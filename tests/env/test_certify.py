@@ -197,6 +197,11 @@ def test_what_fails_too_often_is_given_up(
     assert (seen.successes, seen.episodes) == (successes, episodes)
 
 
+def test_terms_are_alike_however_they_are_given() -> None:
+    terms = Terms(("Stack", "Lift", "Stack"), np.int64(2), most=8, seed=3)  # type: ignore[arg-type]
+    assert terms == TERMS and type(terms.episodes) is int
+
+
 def test_shares_are_of_the_episodes() -> None:
     assert Instance("Lift", "a", None, 3, 4).share == 0.75
     assert Instance("Lift", "a", None).share == 0.0
