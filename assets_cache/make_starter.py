@@ -2,7 +2,10 @@
 
 Fourteen tables over eight themes and several table outlines go into ``assets_cache/starter``, and
 the tables that single tasks need into ``assets_cache/tasks``: composed, judged and published. The
-same catalogue gives the same bundles, byte for byte.
+same catalogue gives the same bundles, byte for byte, and what stays the same keeps its certificate.
+The others are certified afterwards, which goes on where it was interrupted::
+
+    python -m tabletopgen_env certify assets_cache/starter assets_cache/tasks --workers 2
 """
 
 from __future__ import annotations
@@ -15,7 +18,7 @@ from pathlib import Path
 
 from generator.bundle import save
 from generator.compose import compose
-from generator.errors import SceneError
+from generator.errors import BundleError, SceneError
 from generator.figures import preview
 
 PROMPTS: Mapping[str, str] = {
@@ -87,23 +90,54 @@ def make(folder: Path, recipes: Mapping[str, Recipe]) -> list[Path]:
     return paths
 
 
-def main() -> int:
-    """Replace both folders once all scenes are made.
+def remake(here: Path, folders: Mapping[str, Mapping[str, Recipe]]) -> None:
+    """Replace the folders of bundles in ``here``, by name, once all scenes are made.
 
     Raises:
         SceneError: a scene does not come to rest soundly, or all weigh too much.
     """
-    here = Path(__file__).parent
     with tempfile.TemporaryDirectory(dir=here, prefix=".starter-") as made:
-        for name, recipes in (("starter", STARTERS), ("tasks", TASKS)):
-            make(Path(made) / name, recipes)
+        paths, kept = [], 0
+        for name, recipes in folders.items():
+            paths += make(Path(made) / name, recipes)
+            kept += keep_certificates(here / name, Path(made) / name)
         weight = sum(p.stat().st_size for p in Path(made).rglob("*") if p.is_file())
-        print(f"{len(STARTERS) + len(TASKS)} bundles, {weight / 2**20:.1f} MB")
+        print(f"{len(paths)} bundles, {weight / 2**20:.1f} MB; {kept} keep their certificates")
         if weight > MOST_BYTES:
             raise SceneError(f"The bundles weigh {weight} bytes; at most {MOST_BYTES} may be.")
-        for name in ("starter", "tasks"):
+        for name in folders:
             shutil.rmtree(here / name, ignore_errors=True)
             shutil.copytree(Path(made) / name, here / name)
+
+
+def keep_certificates(old: Path, new: Path) -> int:
+    """Carry certificates over to the bundles in ``new`` that they fit; return how many.
+
+    What is damaged, or was made for another scene, is left behind.
+    """
+    from tabletopgen_env.certificate import FILE, read_certificate
+
+    kept = 0
+    for path in sorted(new.iterdir()):
+        if not (old / path.name / FILE).is_file():
+            continue
+        shutil.copyfile(old / path.name / FILE, path / FILE)
+        try:
+            read_certificate(path)
+            kept += 1
+        except BundleError as error:
+            (path / FILE).unlink()
+            print(f"not kept: {error}")
+    return kept
+
+
+def main() -> int:
+    """Remake the shipped bundles.
+
+    Raises:
+        SceneError: a scene does not come to rest soundly, or all weigh too much.
+    """
+    remake(Path(__file__).parent, {"starter": STARTERS, "tasks": TASKS})
     return 0
 
 

@@ -12,11 +12,11 @@ from tyro import conf
 import assets_cache
 from generator.errors import BundleError, InputError, SceneError, StorageError, TabletopError
 
-from .certify import certify as certified
+from .certificate import Terms
+from .certify import DEFAULT, certify_all, is_certified
 from .learning.commands import enjoy, plot, train
 from .recording import Format, RecordConfig
 from .recording.command import record as recorded
-from .tasks import NAMES
 
 EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (InputError, 2),
@@ -31,29 +31,40 @@ def certify(
     bundles: conf.Positional[tuple[str, ...]],
     /,
     *,
-    tasks: tuple[str, ...] = NAMES,
-    episodes: int = 10,
-    most: int = 8,
-    seed: int = 0,
+    tasks: tuple[str, ...] = DEFAULT.tasks,
+    episodes: int = DEFAULT.episodes,
+    most: int = DEFAULT.most,
+    seed: int = DEFAULT.seed,
     workers: int = 1,
+    again: bool = False,
 ) -> None:
     """Let the scripted expert play what bundles offer, and write a certificate beside each.
 
+    A bundle whose certificate was made on the same terms is passed over, so that the same command
+    goes on where it was interrupted.
+
     Args:
-        bundles: Names, digests, globs or paths.
-        tasks: Which tasks.
+        bundles: Names, digests, globs or paths of bundles, or folders of them.
+        tasks: Which tasks; Sequence with its presets.
         episodes: How many of each instance, from perturbed starts.
         most: How many instances of each task at most.
         seed: The same seed gives the same certificate.
-        workers: Processes.
+        workers: Processes; they do not change what is written.
+        again: Pass over none.
     """
     if not bundles:
         raise InputError("Name at least one bundle to certify.")
-    for path in [p for wanted in bundles for p in assets_cache.find(wanted)]:
-        for seen in certified(path, tasks, episodes, workers, seed, most).instances:
-            asked = ", ".join(f"{name} {value}" for name, value in seen.options.items())
-            print(f"{path.name}: {seen.task} ({asked or 'as drawn'}): "
-                  f"{seen.successes} of {seen.episodes}")  # fmt: skip
+    terms = Terms(tasks, episodes, most, seed)
+    found = dict.fromkeys(path for wanted in bundles for path in assets_cache.find(wanted))
+    waiting = [path for path in found if again or not is_certified(path, terms)]
+    if len(waiting) < len(found):
+        print(f"{len(found) - len(waiting)} of {len(found)} bundles are certified already.")
+    for path, certificate in certify_all(waiting, terms, workers):
+        for seen in certificate.instances:
+            asked = {"preset": seen.preset} if seen.preset else seen.options
+            told = ", ".join(f"{name} {value}" for name, value in asked.items())
+            print(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
+                  f"{seen.successes} of {seen.episodes}", flush=True)  # fmt: skip
 
 
 def record(

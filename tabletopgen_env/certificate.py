@@ -13,15 +13,15 @@ from typing import Any
 import numpy as np
 
 from generator.bundle import MOST_BYTES, read_inside
-from generator.errors import BundleError
+from generator.errors import BundleError, InputError, choices, require
 
 from .files import no_constant, typed, write_whole
-from .tasks import NAMES
+from .tasks import NAMES, TaskName, task_named
 
 FILE = "certificate.json"
 """The certificate's name in a bundle's folder."""
 
-SCHEMA = 1
+SCHEMA = 2
 """Version of the file; others are refused."""
 
 LEAST = 0.8
@@ -43,7 +43,8 @@ class Instance:
     """One thing to do at a table, as ``reset`` takes it, and how often the expert did it.
 
     ``goal`` is an object's name, a point of the world frame (m) or None; ``target`` an object's
-    name or None, as the task's page says. The drawn Sequence is one instance without either.
+    name or None, as the task's page says. Sequence is one instance without either, drawn, and one
+    more for each ``preset``.
     """
 
     task: str
@@ -51,6 +52,12 @@ class Instance:
     goal: str | Point | None
     successes: int = 0
     episodes: int = 0
+    preset: str | None = None
+
+    @property
+    def name(self) -> TaskName:
+        """The task, with its preset."""
+        return TaskName(self.task, self.preset)
 
     @property
     def options(self) -> dict[str, Any]:
@@ -65,15 +72,48 @@ class Instance:
 
 
 @dataclass(frozen=True)
+class Terms:
+    """What a certificate is made for; the same terms give the same certificate of a scene.
+
+    Args:
+        tasks: names of tasks, kept in the order of ``NAMES``; Sequence goes with its presets.
+        episodes: how many of each instance, at most ``MOST_EPISODES``; fewer where it fails.
+        most: how many instances of each task, and of each preset, at most.
+        seed: draws instances and starts.
+
+    Raises:
+        InputError: an unknown task or none at all, or a number out of range.
+    """
+
+    tasks: tuple[str, ...] = NAMES
+    episodes: int = 5
+    most: int = 8
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        for task in self.tasks:
+            if task not in NAMES:
+                raise InputError(f"Unknown task {task!r}." + choices(str(task), NAMES))
+        require(self, "episodes", least=1, most=MOST_EPISODES, whole=True)
+        require(self, "most", least=1, most=MOST_INSTANCES // (2 * len(NAMES)), whole=True)
+        require(self, "seed", least=0, whole=True)
+        if not self.tasks:
+            raise InputError("A certificate needs at least one task." + choices("", NAMES))
+        object.__setattr__(self, "tasks", tuple(name for name in NAMES if name in self.tasks))
+        for name in ("episodes", "most", "seed"):  # NumPy's integers are no JSON
+            object.__setattr__(self, name, int(getattr(self, name)))
+
+
+@dataclass(frozen=True)
 class Certificate:
     """What was seen at one table.
 
-    ``scene`` is the sha256 of the bundle's ``scene.json``; ``seed`` and ``versions`` say how it can
-    be seen again.
+    ``scene`` is the sha256 of the bundle's ``scene.json``; ``terms`` and ``versions`` say how it
+    can be seen again. A task of the terms of which nothing is listed has nothing to do there.
     """
 
     scene: str
-    seed: int
+    terms: Terms
     versions: Mapping[str, str]
     instances: tuple[Instance, ...]
 
@@ -134,20 +174,25 @@ def write_certificate(folder: Path, certificate: Certificate) -> None:
 
 
 def _decoded(payload: dict[str, Any]) -> Certificate:
-    scene, seed = typed(payload["scene"], str), typed(payload["seed"], int)
+    scene, terms = typed(payload["scene"], str), typed(payload["terms"], dict)
+    asked = Terms(
+        tuple(typed(task, str) for task in typed(terms["tasks"], list)),
+        *(typed(terms[name], int) for name in ("episodes", "most", "seed")),
+    )
     versions = {typed(k, str): typed(v, str) for k, v in typed(payload["versions"], dict).items()}
     listed = typed(payload["instances"], list)
     if len(listed) > MOST_INSTANCES:
         raise ValueError(f"it lists more than {MOST_INSTANCES} instances")
     return Certificate(
-        scene, seed, versions, tuple(_decoded_instance(typed(i, dict)) for i in listed)
+        scene, asked, versions, tuple(_decoded_instance(typed(i, dict), asked) for i in listed)
     )
 
 
-def _decoded_instance(entry: dict[str, Any]) -> Instance:
-    target, goal = entry["target"], entry["goal"]
-    if target is not None:
-        typed(target, str)
+def _decoded_instance(entry: dict[str, Any], terms: Terms) -> Instance:
+    target, goal, preset = entry["target"], entry["goal"], entry["preset"]
+    for name in (target, preset):
+        if name is not None:
+            typed(name, str)
     if isinstance(goal, list):
         goal = tuple(float(v) for v in goal if not isinstance(v, bool))
         if len(goal) not in (2, 3) or not np.isfinite(goal).all():
@@ -155,9 +200,10 @@ def _decoded_instance(entry: dict[str, Any]) -> Instance:
     elif goal is not None:
         typed(goal, str)
     task = typed(entry["task"], str)
-    if task not in NAMES:
-        raise ValueError(f"there is no task {task!r}")
+    task_named(task, preset)  # refuses what there is not
+    if task not in terms.tasks:
+        raise ValueError(f"it lists {task}, which it was not made for")
     solved, played = typed(entry["successes"], int), typed(entry["episodes"], int)
     if not 0 <= solved <= played <= MOST_EPISODES:
         raise ValueError(f"{solved} of {played} episodes cannot be")
-    return Instance(task, target, goal, solved, played)
+    return Instance(task, target, goal, solved, played, preset)

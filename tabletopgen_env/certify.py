@@ -1,10 +1,11 @@
 """Certificates: what the scripted expert has been seen to do at a table.
 
-For each *instance* (a task, its target and goal) that a bundle's scene offers, up to a bound, the
-expert plays some episodes from perturbed starts: the arm's joints are off by up to 0.06 rad, things
-that stand free by up to 3 mm and 3 degrees. ``certificate.json``, beside the bundle's own files,
-keeps how many it solved, with the digest of the scene, the seed and the versions it was made with.
-Bundles do not list it, so that they stay what they were.
+For each *instance* (a task, its preset, target and goal) that a bundle's scene offers, up to a
+bound, the expert plays some episodes from perturbed starts: the arm's joints are off by up to
+0.06 rad, things that stand free by up to 3 mm and 3 degrees. ``certificate.json``, beside the
+bundle's own files, keeps how many it solved, with the digest of the scene, the terms and the
+versions it was made with. Bundles do not list it, so that they stay what they were. An instance
+that can no longer come to a share of ``LEAST`` is played no further: each failure is slow.
 
 A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the time limit of the
 task's id.
@@ -13,34 +14,40 @@ task's id.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import closing
 from dataclasses import replace
 from importlib import metadata
+from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from generator.bundle import load
-from generator.errors import InputError, SceneError, choices, require_number
+from generator.errors import BundleError, SceneError, require_number
 from generator.geometry import inside_margin, quaternion_matrix, yaw_quaternion
 
 from .certificate import (
-    MOST_EPISODES,
-    MOST_INSTANCES,
+    LEAST,
     Certificate,
     Instance,
     Point,
+    Terms,
+    read_certificate,
     scene_digest,
     write_certificate,
 )
 from .certificate import certified_instances as certified_instances
 from .episodes import Held
-from .tasks import NAMES
+from .robot.panda import Panda
+from .scenes.fixed import bundle_ref
+from .tasks import NAMES, TaskName, task_named
+from .worlds import Masters
 
 if TYPE_CHECKING:
     from .env import TabletopEnv
-    from .tasks.task import Episode
+    from .tasks.task import Episode, Task
     from .world import World
 
 JOINT_JITTER = 0.06
@@ -49,106 +56,169 @@ JOINT_JITTER = 0.06
 SHIFT, TURN = 0.003, float(np.deg2rad(3.0))
 """How far things that stand free are off at the start, metres and radians."""
 
+DEFAULT = Terms()
+"""The terms of the certificates that are shipped."""
+
 _DRAWS = 40
+_FAILURES = 8  # draws in a row that find nothing, after which nothing is looked for
 _VERSIONS = ("tabletopgen", "mujoco", "numpy")
 
 
-def certify(
-    path: str | Path,
-    tasks: Sequence[str] = NAMES,
-    episodes: int = 10,
-    workers: int = 1,
-    seed: int = 0,
-    most: int = 8,
-) -> Certificate:
+def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certificate:
     """Let the expert play what a bundle's scene offers, write the certificate and return it.
 
     Args:
         path: the bundle.
-        tasks: names of tasks.
-        episodes: how many of each instance.
-        workers: processes.
-        seed: the same seed gives the same certificate.
-        most: how many instances of each task at most.
+        terms: tasks, episodes, instances and seed.
+        workers: processes; they do not change what is written.
 
     Raises:
-        InputError: an unknown task, or a number out of range.
+        InputError: ``workers`` is out of range.
         BundleError: the bundle cannot be read.
         StorageError: the certificate cannot be written.
+        SceneError: a process has ended abruptly.
     """
-    _check(tasks, episodes, workers, most)
-    folder = Path(path)
-    load(folder)  # damaged bundles are not certified
-    found = [i for task in tasks for i in offered(folder, task, seed, most)]
-    jobs = [(folder, instance, episodes, (seed, k)) for k, instance in enumerate(found)]
-    if workers > 1 and len(jobs) > 1:
-        with ProcessPoolExecutor(workers) as pool:
-            seen = list(pool.map(_played, jobs))
-    else:
-        seen = [_played(job) for job in jobs]
-    versions = {name: metadata.version(name) for name in _VERSIONS}
-    certificate = Certificate(scene_digest(folder), seed, versions, tuple(seen))
-    write_certificate(folder, certificate)
-    return certificate
+    [(_, made)] = certify_all([Path(path)], terms, workers)
+    return made
+
+
+def certify_all(
+    paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1
+) -> Iterator[tuple[Path, Certificate]]:
+    """Certify bundles, and yield each with its certificate once that is written.
+
+    Arguments and errors are those of ``certify``. What is written stays when it is interrupted.
+    """
+    require_number("certify needs workers", workers, least=1, most=1024, whole=True)
+    jobs = [(path, task, terms) for path in paths for task in terms.tasks]
+    listed = iter(_in_turn(jobs, workers))
+    for path in paths:
+        instances = tuple(instance for _ in terms.tasks for instance in next(listed))
+        versions = {name: metadata.version(name) for name in _VERSIONS}
+        certificate = Certificate(scene_digest(path), terms, versions, instances)
+        write_certificate(path, certificate)
+        yield path, certificate
+
+
+def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
+    """Return whether a bundle has a sound certificate of its own, made on these terms.
+
+    With which versions does not matter.
+    """
+    try:
+        found = read_certificate(path)
+    except BundleError:
+        return False
+    return found is not None and found.terms == terms
+
+
+_Job = tuple[Path, str, Terms]
+
+
+def _in_turn(jobs: Sequence[_Job], workers: int) -> Iterator[tuple[Instance, ...]]:
+    """Yield what each job gives, in their order."""
+    if workers == 1 or len(jobs) < 2:
+        yield from map(_played, jobs)
+        return
+    pool = ProcessPoolExecutor(min(workers, len(jobs)), get_context("spawn"))
+    try:
+        begun: list[Future[tuple[Instance, ...]]] = [pool.submit(_played, job) for job in jobs]
+        for future in begun:
+            yield future.result()
+    except BrokenProcessPool as error:
+        raise SceneError(
+            "A process that played episodes has ended abruptly: killed, or out of memory. Use "
+            "fewer workers. A script calls certify under `if __name__ == '__main__':`."
+        ) from error
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
 # ------------------------------------------------------------------------------------- instances
 
 
-def offered(folder: Path, task: str, seed: int, most: int) -> tuple[Instance, ...]:
+def names(task: str) -> tuple[TaskName, ...]:
+    """Return a task by its name, followed by its presets."""
+    from .tasks.sequence import PRESETS
+
+    presets = PRESETS if task == "Sequence" else ()
+    return (TaskName(task), *(TaskName(task, preset) for preset in presets))
+
+
+def offered(world: World, task: Task, seed: int, most: int) -> tuple[Instance, ...]:
     """Return up to ``most`` different instances of a task that its sampling draws at a table."""
-    env = _env(folder, task)
     found: dict[tuple[Any, ...], Instance] = {}
-    try:
-        for k in range(_DRAWS):
-            try:
-                env.reset(seed=_seed(seed, k))
-            except SceneError:
+    failures = 0
+    for number in range(_DRAWS):
+        world.reset()
+        try:
+            drawn = task.sample(world, np.random.default_rng((seed, number)))
+        except SceneError:
+            failures += 1
+            if failures == _FAILURES:
                 break
-            instance = _instance(task, env.episode)
-            kind = (instance.target, _kind(instance.goal))
-            if kind not in found and len(found) < most:
-                found[kind] = instance
-    finally:
-        env.close()
+            continue
+        failures = 0
+        instance = instance_of(task, drawn)
+        found.setdefault((instance.target, _alike(instance.goal)), instance)
+        if len(found) == most or not instance.options:  # as drawn: there are no others
+            break
     return tuple(found.values())
 
 
-def _kind(goal: str | Point | None) -> Any:
+def _alike(goal: str | Point | None) -> Any:
     """Return what tells goals apart: points of the table are all alike, but 20 cm apart."""
     return goal if goal is None or isinstance(goal, str) else tuple(round(v / 0.2) for v in goal)
 
 
-def _instance(task: str, episode: Episode) -> Instance:
-    """Return the instance that an episode plays."""
+def instance_of(task: Task, episode: Episode) -> Instance:
+    """Return the instance of a task of this package that an episode plays."""
+    assert task.listed_as is not None
+    name, preset = task.listed_as
     first = episode.goals[0]
-    if task == "Sequence":
-        return Instance(task, None, None)
-    if task == "Tidy":
-        return Instance(task, None, first.reference)
-    if task == "Swap":  # its goals: the second aside, the first there, the second here
-        return Instance(task, episode.goals[1].target, first.target)
+    if name == "Sequence":
+        return Instance(name, None, None, preset=preset)
+    if name == "Tidy":
+        return Instance(name, None, first.reference)
+    if name == "Swap":  # its goals: the second aside, the first there, the second here
+        return Instance(name, episode.goals[1].target, first.target)
     if first.reference is not None:
-        return Instance(task, first.target, first.reference)
+        return Instance(name, first.target, first.reference)
     if first.spot is None:
-        return Instance(task, first.target, None)
-    point = first.spot if task == "Reach" else first.spot[:2]
-    return Instance(task, first.target, tuple(round(float(v), 4) for v in point))
+        return Instance(name, first.target, None)
+    point = first.spot if name == "Reach" else first.spot[:2]
+    return Instance(name, first.target, tuple(round(float(v), 4) for v in point))
 
 
 # --------------------------------------------------------------------------------------- playing
 
 
-def _played(job: tuple[Path, Instance, int, tuple[int, int]]) -> Instance:
-    """Return an instance with how often the expert solved it."""
-    folder, instance, episodes, seeds = job
-    env = _env(folder, instance.task)
-    rng = np.random.default_rng(seeds)
-    try:
-        solved = sum(_solved(env, instance, rng) for _ in range(episodes))
-    finally:
-        env.close()
-    return replace(instance, successes=solved, episodes=episodes)
+def _played(job: _Job) -> tuple[Instance, ...]:
+    """Return the instances of a task at a table, with how often the expert solved them."""
+    folder, task, terms = job
+    masters = Masters(Panda(), 1)
+    world = masters.twin(bundle_ref(folder))
+    found: list[Instance] = []
+    for name in names(task):
+        instances = offered(world, task_named(*name), terms.seed, terms.most)
+        if not instances:
+            continue
+        with closing(_env(folder, name, masters)) as env:
+            for instance in instances:
+                rng = np.random.default_rng((terms.seed, NAMES.index(task), len(found)))
+                found.append(_tried(env, instance, terms.episodes, rng))
+    return tuple(found)
+
+
+def _tried(
+    env: TabletopEnv, instance: Instance, episodes: int, rng: np.random.Generator
+) -> Instance:
+    """Play an instance; what can no longer come to a share of ``LEAST`` is given up."""
+    solved = played = 0
+    while played < episodes and (solved + episodes - played) / episodes >= LEAST:
+        solved += _solved(env, instance, rng)
+        played += 1
+    return replace(instance, successes=solved, episodes=played)
 
 
 def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> bool:
@@ -205,10 +275,11 @@ def _standing_free(world: World) -> Iterator[str]:
             yield obj.name
 
 
-def _env(folder: Path, task: str) -> TabletopEnv:
+def _env(folder: Path, name: TaskName, masters: Masters) -> TabletopEnv:
     from .env import make_env
 
-    return make_env(folder, task=task, certified=False)
+    task, preset = name
+    return make_env(folder, task=task, preset=preset, certified=False, masters=masters)
 
 
 def _limit(task: str) -> int:
@@ -217,19 +288,3 @@ def _limit(task: str) -> int:
     limit = gymnasium.spec(f"TabletopGen/{task}-v0").max_episode_steps
     assert limit is not None
     return limit
-
-
-def _seed(seed: int, number: int) -> int:
-    return int(np.random.default_rng((seed, number)).integers(2**31))
-
-
-def _check(tasks: Sequence[str], episodes: int, workers: int, most: int) -> None:
-    for task in tasks:
-        if task not in NAMES:
-            raise InputError(f"Unknown task {task!r}." + choices(str(task), NAMES))
-    for name, value, limit in (
-        ("episodes", episodes, MOST_EPISODES),
-        ("workers", workers, 1024),
-        ("most", most, MOST_INSTANCES // len(NAMES)),
-    ):
-        require_number(f"certify needs {name}", value, least=1, most=limit, whole=True)

@@ -76,7 +76,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
     and "goal" (an object's name, "spot", or a point in the world frame; see the task's page). What
     options ask for need not be certified. A certificate is of the table as the scene has it: where
-    ``randomization`` has moved things, and where a certificate lists nothing of the task, targets
+    ``randomization`` has moved things, and where a certificate was not made for the task, targets
     and goals are drawn freely. A scene of which it lists only what the expert does not solve
     offers nothing to do.
 

@@ -27,7 +27,7 @@ def sampled(
 
     What ``options`` ask for is taken. Without a target or goal in them, and if ``certified``, the
     instances are drawn from that the bundle's certificate says the expert solves, all equally
-    likely. A bundle without a certificate, or whose certificate lists nothing of the task, is
+    likely. A bundle without a certificate, or whose certificate was made for other tasks, is
     sampled freely.
 
     Raises:
@@ -39,14 +39,16 @@ def sampled(
     target, goal = options.get("target"), options.get("goal")
     asked = target is not None or goal is not None
     certificate = world.certificate if certified and not asked else None
-    listed = [i for i in certificate.instances if i.task == task.listed_as] if certificate else []
-    if not listed:
+    name = task.listed_as
+    if certificate is None or name is None or name.task not in certificate.terms.tasks:
         return task.sample(world, rng, target, goal), False
+    listed = [instance for instance in certificate.instances if instance.name == name]
     solved = [instance for instance in listed if instance.share >= LEAST]
     if not solved:
+        preset = f" with the preset {name.preset!r}" if name.preset else ""
         raise SceneError(
             f"Scene {world.scene.name!r} offers nothing certified: of {len(listed)} instances of "
-            f"{task.listed_as} the expert solved none in {LEAST:.0%} of its tries. Use other "
+            f"{name.task}{preset} the expert solved none in {LEAST:.0%} of its tries. Use other "
             "scenes, or make the environment with certified=False."
         )
     instance = solved[int(rng.integers(len(solved)))]

@@ -107,7 +107,10 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.provenance", ()),
     ("generator.cli", ("generator", "assets_cache")),
     ("generator", ("generator",)),
-    ("assets_cache.make_starter", ("generator", "assets_cache")),
+    (
+        "assets_cache.make_starter",
+        ("generator", "assets_cache", "tabletopgen_env.certificate"),
+    ),
     ("assets_cache", (*VALUES, "generator.bundle", "assets_cache")),
     (
         "tabletopgen_env",

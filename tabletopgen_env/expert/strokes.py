@@ -99,6 +99,7 @@ def plan_stroke(
     parts = moved(world.scene.object(target).parts, world.position(target), world.rotation(target))
     com = mass_center(world, target)[:2]
     others = others or beside(world, target)
+    own = _tops(parts)
     behind = BEHIND if care == "free" else _CLOSE
     best: tuple[float, Stroke] | None = None
     for k, turn in enumerate(_TURNS):
@@ -106,7 +107,7 @@ def plan_stroke(
             break  # the hand and its opposite are compared, the others are makeshifts
         # The fingers open along the hand's y axis; side by side they are broadest.
         opening = bearing + turn + np.pi / 2
-        found = _contact(parts, com, ahead, opening, world.scene.table.height)
+        found = _contact(parts, own, com, ahead, opening, world.scene.table.height)
         if found is None:
             continue
         front, height = found
@@ -130,8 +131,15 @@ def plan_stroke(
     return None if best is None else best[1]
 
 
+def _tops(parts: tuple[ConvexPart, ...]) -> HeightMap:
+    """Return the height map of an object's own parts, world frame."""
+    low, high = (f([p.bounds[k] for p in parts], axis=0) for k, f in ((0, np.min), (1, np.max)))
+    return height_map(parts, low[:2] - _CELL, high[:2] + _CELL, _CELL)
+
+
 def _contact(
     parts: tuple[ConvexPart, ...],
+    own: HeightMap,
     com: Float[np.ndarray, "2"],
     ahead: Float[np.ndarray, "2"],
     opening: float,
@@ -141,14 +149,14 @@ def _contact(
 
     As low as may be, with the palm over the object; None if the fingers would miss it.
     """
-    low, high = (f([p.bounds[k] for p in parts], axis=0) for k, f in ((0, np.min), (1, np.max)))
-    own = height_map(parts, low[:2] - _CELL, high[:2] + _CELL, _CELL)
+    spans = np.array([p.bounds[:, 2] for p in parts])
+    low, high = spans[:, 0].min(), spans[:, 1].max()
     palm, fingers = (_rectangle(half, opening) for half in (_PALM, _TIPS))
-    lowest = float(np.clip(0.4 * (high[2] - low[2]), _LOWEST, 0.04))
+    lowest = float(np.clip(0.4 * (high - low), _LOWEST, 0.04))
     for height in floor + np.arange(lowest, _HIGHEST, 0.006):
         tip = height - TIP
-        met = [p for p in parts if p.bounds[1, 2] >= tip + 0.003 and p.bounds[0, 2] <= tip + _PAD]
-        behind = _behind(met, com, ahead)
+        met = (spans[:, 1] >= tip + 0.003) & (spans[:, 0] <= tip + _PAD)
+        behind = _behind([parts[k] for k in np.flatnonzero(met)], com, ahead)
         if behind is None:
             continue
         front = com + (behind - _THICK) * ahead

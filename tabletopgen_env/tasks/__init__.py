@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from generator.errors import InputError, choices
 
@@ -11,6 +11,13 @@ if TYPE_CHECKING:
 
 NAMES = ("Reach", "Lift", "Push", "PickPlace", "Stack", "Swap", "Sequence", "Tidy")
 """The tasks; each is the id ``TabletopGen/<name>-v0``."""
+
+
+class TaskName(NamedTuple):
+    """A task of this package by its name, and its preset if it has one."""
+
+    task: str
+    preset: str | None = None
 
 
 def task_named(name: str, preset: str | None = None) -> Task:

@@ -26,6 +26,7 @@ import numpy as np
 from generator.errors import InputError, SceneError, choices
 from generator.scene import Object
 
+from . import TaskName
 from .goals import SPOT, Goal
 from .sampling import containers, into, liftable, nothing, on_spot, spot_of
 from .stack import on_top, supports
@@ -94,14 +95,16 @@ class Sequence(Task):
     def __init__(self, preset: str | None = None) -> None:
         if preset is not None and preset not in PRESETS:
             raise InputError(f"Sequence has no preset {preset!r}." + choices(str(preset), PRESETS))
+        self._name = preset
         self.preset = None if preset is None else PRESETS[preset]
         self.scenes = Task.scenes if self.preset is None else self.preset.scenes
         self.aside = Swap.aside if self.preset and self.preset.swap else Task.aside
 
     @property
-    def listed_as(self) -> str | None:
-        """As for every task; certificates list no presets."""
-        return None if self.preset else super().listed_as
+    def listed_as(self) -> TaskName | None:
+        """As for every task, with the preset."""
+        listed = super().listed_as
+        return listed and listed._replace(preset=self._name)
 
     def sample(
         self,

@@ -41,6 +41,7 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 from jaxtyping import Bool, Float
 
+from . import TaskName
 from .goals import SPOT_RADIUS, Goal
 
 if TYPE_CHECKING:
@@ -141,10 +142,11 @@ class Task(ABC):
         return ", then ".join(goal.words(world) for goal in goals)
 
     @property
-    def listed_as(self) -> str | None:
+    def listed_as(self) -> TaskName | None:
         """The name under which certificates list it; None for a task of one's own."""
         kind = type(self)
-        return kind.__name__ if kind.__module__.startswith(f"{__package__}.") else None
+        own = kind.__module__.startswith(f"{__package__}.")
+        return TaskName(kind.__name__) if own else None
 
     # -------------------------------------------------------------------------------- goal vectors
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 import shutil
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -16,14 +16,18 @@ from assets_cache import find
 from generator.bundle import load
 from generator.errors import BundleError, InputError, SceneError
 from tabletopgen_env import certificate
-from tabletopgen_env.certificate import FILE, Certificate, Instance, scene_digest
-from tabletopgen_env.certify import _instance, offered
+from tabletopgen_env import certify as certify_module
+from tabletopgen_env.certificate import FILE, Certificate, Instance, Terms, scene_digest
+from tabletopgen_env.certify import instance_of, offered
 from tabletopgen_env.env import make_env
 from tabletopgen_env.randomization import Randomization
-from tabletopgen_env.tasks import NAMES
+from tabletopgen_env.tasks import NAMES, TaskName
 from tabletopgen_env.tasks.lift import Lift
-from tabletopgen_env.tasks.sequence import Sequence
+from tabletopgen_env.tasks.reach import Reach
+from tabletopgen_env.tasks.sequence import PRESETS, Sequence
+from tabletopgen_env.tasks.task import Episode
 from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.world import World
 
 Certify = Callable[..., Path]
 
@@ -35,13 +39,20 @@ def bundle(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def certify(bundle: Path) -> Certify:
-    """Writes instances into the bundle's certificate."""
+def kitchen(tmp_path: Path) -> Path:
+    [path] = find("kitchen-task-1")
+    return shutil.copytree(path, tmp_path / path.name)
 
-    def write(*instances: Instance) -> Path:
-        made = Certificate(scene_digest(bundle), 0, {}, instances)
-        certificate.write_certificate(bundle, made)
-        return bundle
+
+@pytest.fixture
+def certify(bundle: Path) -> Certify:
+    """Writes instances into the bundle's certificate, made for ``tasks`` or for theirs."""
+
+    def write(*instances: Instance, tasks: Iterable[str] = (), into: Path = bundle) -> Path:
+        terms = Terms((*tasks, *(i.task for i in instances)))
+        made = Certificate(scene_digest(into), terms, {}, instances)
+        certificate.write_certificate(into, made)
+        return into
 
     return write
 
@@ -49,6 +60,12 @@ def certify(bundle: Path) -> Certify:
 def seen(env: Any, key: str, count: int = 8) -> set[Any]:
     """What an info says over several resets."""
     return {env.reset(seed=k)[1][key] for k in range(count)}
+
+
+def world_of(bundle: Path) -> World:
+    env = make_env(bundle, task="Lift", certified=False)
+    env.reset(seed=0)
+    return env.world
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +99,7 @@ def test_all_certified_instances_are_drawn_by_the_seed(
 
 
 def test_points_are_goals_as_listed(bundle: Path, certify: Certify) -> None:
-    instance, *_ = offered(bundle, "Reach", 0, 1)
+    (instance,) = offered(world_of(bundle), Reach(), 0, 1)
     certify(Instance("Reach", None, instance.goal, 1, 1))
     env = make_env(bundle, task="Reach")
     env.reset(seed=3)
@@ -93,11 +110,11 @@ def test_points_are_goals_as_listed(bundle: Path, certify: Certify) -> None:
 def test_what_certify_lists_of_a_task_is_drawn(task: str, bundle: Path, certify: Certify) -> None:
     free = make_env(bundle, task=task)
     free.reset(seed=4)
-    listed = replace(_instance(task, free.episode), successes=1, episodes=1)
+    listed = replace(instance_of(free.task, free.episode), successes=1, episodes=1)
     certify(listed)
     env = make_env(bundle, task=task)
     assert env.reset(seed=0)[1]["certified"]
-    again = _instance(task, env.episode)
+    again = instance_of(env.task, env.episode)
     assert (again.target, again.goal) == (listed.target, listed.goal)
 
 
@@ -128,12 +145,56 @@ def test_a_scene_without_a_solved_instance_is_passed_over(
         make_env(bundle, task="Lift").reset(seed=0)
 
 
-def test_certificates_say_nothing_of_presets_or_of_tasks_of_ones_own() -> None:
+def test_what_it_was_made_for_and_lists_nothing_of_is_not_certified(
+    bundle: Path, certify: Certify
+) -> None:
+    certify(Instance("Push", "mug_1", (0.1, 0.1), 10, 10), tasks=["Lift"])
+    with pytest.raises(SceneError, match="nothing certified: of 0 instances of Lift"):
+        make_env(bundle, task="Lift").reset(seed=0)
+
+
+def test_presets_are_certified_by_themselves(kitchen: Path, certify: Callable[..., Path]) -> None:
+    solved = Instance("Sequence", None, None, 5, 5, "kitchen")
+    certify(solved, into=kitchen)
+    env = make_env(kitchen, task="Sequence", preset="kitchen")
+    info = env.reset(seed=0)[1]
+    assert info["certified"] is True and info["instruction"] == PRESETS["kitchen"].instruction
+    with pytest.raises(SceneError, match="of 0 instances of Sequence"):
+        make_env(kitchen, task="Sequence").reset(seed=0)
+    certify(Instance("Sequence", None, None, 5, 5), replace(solved, successes=3), into=kitchen)
+    assert make_env(kitchen, task="Sequence").reset(seed=0)[1]["certified"] is True
+    with pytest.raises(SceneError, match=r"of 1 instances of Sequence .*'kitchen'"):
+        make_env(kitchen, task="Sequence", preset="kitchen").reset(seed=0)
+
+
+def test_certifying_sequence_tries_the_presets_that_fit(
+    kitchen: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked: list[str] = []
+
+    def solved(env: Any, instance: Instance, rng: np.random.Generator) -> bool:
+        asked.append(env.task.instruction(*_begun(env)))
+        return True
+
+    monkeypatch.setattr(certify_module, "_solved", solved)
+    made = certify_module.certify(kitchen, Terms(("Sequence",), episodes=2))
+    drawn = Instance("Sequence", None, None, 2, 2)
+    assert made.instances == (drawn, replace(drawn, preset="kitchen"))
+    assert asked[2:] == [PRESETS["kitchen"].instruction] * 2 and asked[0] != asked[2]
+
+
+def _begun(env: Any) -> tuple[Any, Any]:
+    env.reset(seed=0)
+    return env.world, env.episode.goals
+
+
+def test_certificates_tell_presets_apart_and_say_nothing_of_tasks_of_ones_own() -> None:
     class Mine(Lift):
         """A task of one's own."""
 
-    assert Sequence().listed_as == "Sequence" and Sequence("kitchen").listed_as is None
-    assert Lift().listed_as == "Lift" and Mine().listed_as is None
+    assert Sequence().listed_as == ("Sequence", None)
+    assert Sequence("kitchen").listed_as == ("Sequence", "kitchen")
+    assert Lift().listed_as == ("Lift", None) and Mine().listed_as is None
 
 
 def test_where_things_are_moved_nothing_is_certified(
@@ -189,9 +250,34 @@ def test_every_kind_of_environment_heeds_it(
 def test_certifying_again_looks_at_everything(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    before = offered(bundle, "Lift", 0, 4)
+    before = offered(world_of(bundle), Lift(), 0, 4)
     certify(Instance("Lift", names[0], None, 10, 10))
-    assert offered(bundle, "Lift", 0, 4) == before and len(before) > 1
+    assert offered(world_of(bundle), Lift(), 0, 4) == before and len(before) > 1
+
+
+class Counted(Lift):
+    """Lift that counts how often it is sampled, at first with nothing to do."""
+
+    def __init__(self, idle: int) -> None:
+        self.idle, self.asked = idle, 0
+
+    @property
+    def listed_as(self) -> TaskName:
+        return TaskName("Lift")
+
+    def sample(self, *args: Any, **more: Any) -> Episode:
+        self.asked += 1
+        if self.asked <= self.idle:
+            raise SceneError("nothing")
+        return super().sample(*args, **more)
+
+
+def test_no_more_is_drawn_than_is_looked_for(bundle: Path) -> None:
+    world = world_of(bundle)
+    one, late, never = Counted(0), Counted(3), Counted(1000)
+    assert len(offered(world, one, 0, 1)) == 1 and one.asked == 1
+    assert len(offered(world, late, 0, 1)) == 1 and late.asked == 4
+    assert offered(world, never, 0, 1) == () and never.asked < 10
 
 
 def test_options_that_are_wrong_are_still_the_callers(

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import json
+import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -14,9 +17,10 @@ from generator.bundle import load, save, verify
 from generator.errors import BundleError, InputError
 from generator.physics.gate import judge
 from generator.scene import Scene
+from tabletopgen_env import certify as certify_module
 from tabletopgen_env.__main__ import run
-from tabletopgen_env.certificate import FILE, Instance, read_certificate
-from tabletopgen_env.certify import certified_instances, certify, perturb
+from tabletopgen_env.certificate import FILE, Instance, Terms, read_certificate
+from tabletopgen_env.certify import certified_instances, certify, is_certified, perturb
 from tabletopgen_env.env import make_env
 
 
@@ -29,10 +33,13 @@ def scene() -> Scene:
     return made.replace(report=judge(made))
 
 
+TERMS = Terms(("Stack", "Lift"), episodes=2, most=8, seed=3)
+
+
 @pytest.fixture(scope="module")
 def certified(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = save(scene(), tmp_path_factory.mktemp("store"))
-    certify(path, ["Lift", "Stack"], episodes=2, seed=3)
+    certify(path, TERMS)
     return path
 
 
@@ -46,7 +53,7 @@ def bundle(certified: Path, tmp_path: Path) -> Path:
 
 def test_it_lists_what_the_expert_did(certified: Path) -> None:
     found = read_certificate(certified)
-    assert found is not None and found.seed == 3 and "mujoco" in found.versions
+    assert found is not None and found.terms == TERMS and "mujoco" in found.versions
     assert [(i.task, i.target, i.goal) for i in found.instances] == [
         ("Lift", "cube_1", None), ("Stack", "cube_1", "board_1"),
     ]  # fmt: skip
@@ -63,9 +70,14 @@ def test_its_options_ask_for_the_instance(certified: Path) -> None:
 
 
 def test_the_same_seed_gives_the_same_certificate(certified: Path, bundle: Path) -> None:
-    again = certify(bundle, ["Stack"], episodes=2, seed=3)
-    assert again == certify(bundle, ["Stack"], episodes=2, seed=3, workers=2)
-    assert again.instances == certified_instances(certified)[1:]
+    for workers in (1, 2):
+        (bundle / FILE).unlink()
+        certify(bundle, TERMS, workers)
+        assert (bundle / FILE).read_bytes() == (certified / FILE).read_bytes()
+    assert (
+        certify(bundle, replace(TERMS, tasks=("Stack",))).instances
+        == (certified_instances(certified)[1:])
+    )
 
 
 def test_the_bundle_stays_sound_and_keeps_it(bundle: Path) -> None:
@@ -90,11 +102,16 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
     ("spoil", "reason"),
     [
         (lambda p: p | {"scene": "0" * 64}, "another scene"),
-        (lambda p: p | {"schema": 2}, "schema 1"),
+        (lambda p: p | {"schema": 1}, "not of schema 2.*certify the bundle again"),
         (lambda p: p | {"versions": ["mujoco"]}, "type dict"),
         (lambda p: spoilt(p, successes=9), "9 of 2"),
         (lambda p: spoilt(p, successes=True), "type int"),
-        (lambda p: spoilt(p, task="Juggle"), "no task 'Juggle'"),
+        (lambda p: spoilt(p, task="Juggle"), "Unknown task 'Juggle'"),
+        (lambda p: spoilt(p, task="Push"), "lists Push, which it was not made for"),
+        (lambda p: spoilt(p, preset="kitchen"), "Lift has no presets"),
+        (lambda p: spoilt(p, task="Sequence", preset="kichen"), "no preset 'kichen'"),
+        (lambda p: p | {"terms": p["terms"] | {"episodes": 0}}, "episodes to be a whole"),
+        (lambda p: p | {"terms": p["terms"] | {"tasks": ["Juggle"]}}, "Unknown task 'Juggle'"),
         (lambda p: spoilt(p, goal=[0.1, "x"]), "no sound certificate"),
         (lambda p: spoilt(p, goal=[0.1]), "no point"),
         (lambda p: p | {"instances": p["instances"] * 3000}, "too many|bytes|more than"),
@@ -134,12 +151,55 @@ def test_starts_are_a_little_off() -> None:
 
 def test_wrong_requests_are_explained(bundle: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(InputError, match="Did you mean 'Stack'"):
-        certify(bundle, ["Stak"])
+        Terms(("Stak",))
     with pytest.raises(InputError, match="episodes to be a whole number >= 1 and <= 10000, got 0"):
-        certify(bundle, ["Lift"], episodes=0)
+        Terms(episodes=0)
+    with pytest.raises(InputError, match="at least one task"):
+        Terms(())
+    with pytest.raises(InputError, match="certify needs workers"):
+        certify(bundle, TERMS, workers=0)
     assert run(["certify", str(bundle), "--tasks", "Lift", "--episodes", "0"]) == 2
-    assert "error: certify needs episodes" in capsys.readouterr().err
+    assert "error: Terms needs episodes" in capsys.readouterr().err
     assert run(["certify", str(bundle.parent / "none")]) == 4
+
+
+def test_the_command_goes_on_where_it_was_interrupted(
+    certified: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    done = shutil.copytree(certified, tmp_path / "a" / certified.name)
+    left = save(scene().replace(name="left"), tmp_path / "a")
+    other = json.loads((done / FILE).read_text())
+    (left / FILE).write_text(json.dumps(other))  # made for another scene
+    marked = other | {"versions": {"mujoco": "as it was"}}
+    (done / FILE).write_text(json.dumps(marked))
+    wanted = ["certify", str(tmp_path / "a"), "--tasks", "Lift", "Stack", "--most", "8"]
+    assert run([*wanted, "--episodes", "2", "--seed", "3"]) == 0
+    told = capsys.readouterr().out
+    assert "1 of 2 bundles are certified already" in told
+    assert f"{left.name}: Lift (target cube_1): 2 of 2" in told and done.name not in told
+    assert is_certified(left, TERMS) and json.loads((done / FILE).read_text()) == marked
+    assert not is_certified(left, replace(TERMS, seed=4)), "it says something else"
+    assert run([*wanted, "--episodes", "2", "--seed", "3", "--again"]) == 0
+    assert (done / FILE).read_bytes() == (certified / FILE).read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("failures", "successes", "episodes"),
+    [((), 5, 5), ((4,), 4, 5), ((0, 1), 0, 2), ((1, 4), 3, 5)],
+)
+def test_what_fails_too_often_is_given_up(
+    failures: tuple[int, ...], successes: int, episodes: int, bundle: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    played = itertools.count()
+    monkeypatch.setattr(certify_module, "_solved", lambda *_: next(played) not in failures)
+    (seen,) = certify(bundle, Terms(("Lift",), episodes=5)).instances
+    assert (seen.successes, seen.episodes) == (successes, episodes)
+
+
+def test_terms_are_alike_however_they_are_given() -> None:
+    terms = Terms(("Stack", "Lift", "Stack"), np.int64(2), most=8, seed=3)  # type: ignore[arg-type]
+    assert terms == TERMS and type(terms.episodes) is int
 
 
 def test_shares_are_of_the_episodes() -> None:
