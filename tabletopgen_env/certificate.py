@@ -10,8 +10,6 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from generator.bundle import MOST_BYTES, read_inside
 from generator.errors import BundleError, InputError, choices, require
 
@@ -33,8 +31,6 @@ MOST_INSTANCES = 4096
 MOST_EPISODES = 10_000
 """More episodes of an instance cannot be."""
 
-Point = tuple[float, ...]
-
 _MOST_FILE = 2**20
 
 
@@ -42,14 +38,14 @@ _MOST_FILE = 2**20
 class Instance:
     """One thing to do at a table, as ``reset`` takes it, and how often the expert did it.
 
-    ``goal`` is an object's name, a point of the world frame (m) or None; ``target`` an object's
-    name or None, as the task's page says. Sequence is one instance without either, drawn, and one
-    more for each ``preset``.
+    ``goal`` is an object's name, "spot" (drawn anew for each episode) or None, ``target`` an
+    object's name or None, as the task's page says. Reach is one instance without either, drawn,
+    and so is Sequence, with one more for each ``preset``.
     """
 
     task: str
     target: str | None
-    goal: str | Point | None
+    goal: str | None
     successes: int = 0
     episodes: int = 0
     preset: str | None = None
@@ -190,15 +186,9 @@ def _decoded(payload: dict[str, Any]) -> Certificate:
 
 def _decoded_instance(entry: dict[str, Any], terms: Terms) -> Instance:
     target, goal, preset = entry["target"], entry["goal"], entry["preset"]
-    for name in (target, preset):
+    for name in (target, goal, preset):
         if name is not None:
             typed(name, str)
-    if isinstance(goal, list):
-        goal = tuple(float(v) for v in goal if not isinstance(v, bool))
-        if len(goal) not in (2, 3) or not np.isfinite(goal).all():
-            raise ValueError(f"{entry['goal']!r} is no point")
-    elif goal is not None:
-        typed(goal, str)
     task = typed(entry["task"], str)
     task_named(task, preset)  # refuses what there is not
     if task not in terms.tasks:

@@ -32,7 +32,6 @@ from .certificate import (
     LEAST,
     Certificate,
     Instance,
-    Point,
     Terms,
     read_certificate,
     scene_digest,
@@ -43,6 +42,7 @@ from .episodes import Held
 from .robot.panda import Panda
 from .scenes.fixed import bundle_ref
 from .tasks import NAMES, TaskName, task_named
+from .tasks.goals import SPOT
 from .worlds import Masters
 
 if TYPE_CHECKING:
@@ -160,15 +160,10 @@ def offered(world: World, task: Task, seed: int, most: int) -> tuple[Instance, .
             continue
         failures = 0
         instance = instance_of(task, drawn)
-        found.setdefault((instance.target, _alike(instance.goal)), instance)
+        found.setdefault((instance.target, instance.goal), instance)
         if len(found) == most or not instance.options:  # as drawn: there are no others
             break
     return tuple(found.values())
-
-
-def _alike(goal: str | Point | None) -> Any:
-    """Return what tells goals apart: points of the table are all alike, but 20 cm apart."""
-    return goal if goal is None or isinstance(goal, str) else tuple(round(v / 0.2) for v in goal)
 
 
 def instance_of(task: Task, episode: Episode) -> Instance:
@@ -184,10 +179,8 @@ def instance_of(task: Task, episode: Episode) -> Instance:
         return Instance(name, episode.goals[1].target, first.target)
     if first.reference is not None:
         return Instance(name, first.target, first.reference)
-    if first.spot is None:
-        return Instance(name, first.target, None)
-    point = first.spot if name == "Reach" else first.spot[:2]
-    return Instance(name, first.target, tuple(round(float(v), 4) for v in point))
+    drawn = None if first.spot is None or name == "Reach" else SPOT
+    return Instance(name, first.target, drawn)
 
 
 # --------------------------------------------------------------------------------------- playing

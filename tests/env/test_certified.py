@@ -23,7 +23,7 @@ from tabletopgen_env.env import make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.tasks import NAMES, TaskName
 from tabletopgen_env.tasks.lift import Lift
-from tabletopgen_env.tasks.reach import Reach
+from tabletopgen_env.tasks.push import Push
 from tabletopgen_env.tasks.sequence import PRESETS, Sequence
 from tabletopgen_env.tasks.task import Episode
 from tabletopgen_env.vector import TabletopVectorEnv
@@ -98,12 +98,16 @@ def test_all_certified_instances_are_drawn_by_the_seed(
         assert one.reset(seed=k)[1]["target"] == other.reset(seed=k)[1]["target"]
 
 
-def test_points_are_goals_as_listed(bundle: Path, certify: Certify) -> None:
-    (instance,) = offered(world_of(bundle), Reach(), 0, 1)
-    certify(Instance("Reach", None, instance.goal, 1, 1))
-    env = make_env(bundle, task="Reach")
-    env.reset(seed=3)
-    assert tuple(env.goal.spot) == instance.goal
+def test_spots_are_drawn_anew(bundle: Path, certify: Certify) -> None:
+    pushed = offered(world_of(bundle), Push(), 0, 1)[0]
+    certify(Instance("Reach", None, None, 1, 1), replace(pushed, successes=1, episodes=1))
+    for task in ("Reach", "Push"):
+        env = make_env(bundle, task=task)
+        spots = set()
+        for seed in range(4):
+            assert env.reset(seed=seed)[1]["certified"] is True
+            spots.add(tuple(env.goal.spot))
+        assert len(spots) == 4
 
 
 @pytest.mark.parametrize("task", [name for name in NAMES if name != "Tidy"])  # has no tray
@@ -128,7 +132,7 @@ def test_what_options_ask_for_wins(bundle: Path, certify: Certify, names: list[s
 
 
 def test_without_a_word_on_the_task_it_is_sampled_freely(bundle: Path, certify: Certify) -> None:
-    certify(Instance("Push", "mug_1", (0.1, 0.1), 10, 10))
+    certify(Instance("Push", "mug_1", "spot", 10, 10))
     assert seen(make_env(bundle, task="Lift"), "certified", 2) == {False}
     (bundle / FILE).unlink()
     assert seen(make_env(bundle, task="Lift"), "certified", 1) == {False}
@@ -148,7 +152,7 @@ def test_a_scene_without_a_solved_instance_is_passed_over(
 def test_what_it_was_made_for_and_lists_nothing_of_is_not_certified(
     bundle: Path, certify: Certify
 ) -> None:
-    certify(Instance("Push", "mug_1", (0.1, 0.1), 10, 10), tasks=["Lift"])
+    certify(Instance("Push", "mug_1", "spot", 10, 10), tasks=["Lift"])
     with pytest.raises(SceneError, match="nothing certified: of 0 instances of Lift"):
         make_env(bundle, task="Lift").reset(seed=0)
 

@@ -112,8 +112,7 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
         (lambda p: spoilt(p, task="Sequence", preset="kichen"), "no preset 'kichen'"),
         (lambda p: p | {"terms": p["terms"] | {"episodes": 0}}, "episodes to be a whole"),
         (lambda p: p | {"terms": p["terms"] | {"tasks": ["Juggle"]}}, "Unknown task 'Juggle'"),
-        (lambda p: spoilt(p, goal=[0.1, "x"]), "no sound certificate"),
-        (lambda p: spoilt(p, goal=[0.1]), "no point"),
+        (lambda p: spoilt(p, goal=[0.1, 0.2]), "no sound certificate"),
         (lambda p: p | {"instances": p["instances"] * 3000}, "too many|bytes|more than"),
     ],
 )
@@ -205,4 +204,5 @@ def test_terms_are_alike_however_they_are_given() -> None:
 def test_shares_are_of_the_episodes() -> None:
     assert Instance("Lift", "a", None, 3, 4).share == 0.75
     assert Instance("Lift", "a", None).share == 0.0
-    assert Instance("Reach", None, (0.1, 0.2, 0.9)).options == {"goal": (0.1, 0.2, 0.9)}
+    assert Instance("Push", "a", "spot").options == {"target": "a", "goal": "spot"}
+    assert Instance("Reach", None, None).options == {}
