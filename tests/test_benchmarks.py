@@ -14,6 +14,7 @@ import pytest
 from toy import toy_object, toy_scene
 
 from generator.bundle import save
+from generator.compose import compose
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
 from tabletopgen_env.env import make_env
 
@@ -158,6 +159,30 @@ def test_speeds_are_compared_as_ratios_to_the_first_peer() -> None:
     text = bench.summary(rows, "python benchmarks/speed.py", "shared")
     assert "| ours | 2.50 | 2.50 | 50.0 | 50.0 | 50 |" in text and "shared" in text
     assert text.index("ratio, clock") < text.index("per second, clock")
+
+
+def test_renewing_costs_what_the_median_round_loses() -> None:
+    parts = script("speed").parts
+    fixed = [{"steps": 100.0, "with resets": 80.0}] * 2 + [{"steps": 900.0, "with resets": 9.0}]
+    renewed = [{"steps": 95.0, "with resets": 60.0}, {"steps": 1.0, "with resets": 60.0}] * 2
+    found = parts.compared({"fixed": fixed, "renewed": [renewed[0], *renewed[:2]]})
+    costs = {kind: (value, unit) for what, kind, value, unit in found if what.startswith("cost")}
+    assert costs == {"steps": (pytest.approx(5.0), "%"), "with resets": (pytest.approx(25.0), "%")}
+    assert ("fixed tables", "steps", 100.0, "steps per s") in found
+
+
+def test_renewed_tables_are_timed_beside_fixed_ones(monkeypatch: pytest.MonkeyPatch) -> None:
+    parts = script("speed").parts
+    for name, value in {"TABLES": 1, "ROUNDS": 1, "ROUND": 0.05, "PAUSE": 0.0}.items():
+        monkeypatch.setattr(parts, name, value)
+    found = parts.refreshing(compose("a mug on a desk", seed=0), 0)
+    rates = {what: value for what, kind, value, _ in found if kind == "with resets, clock"}
+    assert rates["fixed tables"] > 0 and rates["renewed tables"] > 0
+    assert rates["cost of renewing"] == pytest.approx(
+        100 * (1 - rates["renewed tables"] / rates["fixed tables"])
+    )
+    alone = {what: value for what, kind, value, _ in found if kind == "steps, clock"}
+    assert alone["fixed tables"] >= rates["fixed tables"]
 
 
 def test_a_soak_counts_what_goes_wrong() -> None:

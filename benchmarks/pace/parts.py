@@ -1,23 +1,42 @@
-"""What our environments alone are timed at: resets, pictures, many at once, memory."""
+"""What our environments alone are timed at: resets, renewing, pictures, many at once, memory."""
 
 from __future__ import annotations
 
 import statistics
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from itertools import product
 from pathlib import Path
 from types import MappingProxyType
 
 import numpy as np
+from jaxtyping import Float
 
+from generator.compose import compose
 from generator.scene import Scene
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.scenes import STARTER, FreshScenes
+from tabletopgen_env.scenes import STARTER, FixedScenes, FreshScenes, RefreshingScenes
+from tabletopgen_env.scenes.fixed import HeldRef
+from tabletopgen_env.scenes.refreshing import PER_MINUTE
 from tabletopgen_env.vector import TabletopVectorEnv
 
 Found = list[tuple[str, str, float, str]]
 """What was measured: name, setting, value, unit."""
+
+Rates = Mapping[str, float]
+"""Steps a second, by what counts: "steps, clock", "with resets, CPU" ..."""
+
+TABLES = 8
+"""Tables of the part refreshing."""
+
+EPISODE = 200
+"""Steps of an episode, the registered limit."""
+
+ROUNDS = 5
+"""Rounds at fixed and at renewed tables each."""
+
+ROUND, PAUSE = 20.0, 5.0
+"""Length of a round, and of the pause before each, seconds."""
 
 
 def resets(scene: Scene, count: int) -> Found:
@@ -36,6 +55,70 @@ def resets(scene: Scene, count: int) -> Found:
         found.append(("reset", f"{name}, longest", max(spent), "ms"))
         env.close()
     return found
+
+
+def refreshing(scene: Scene, count: int) -> Found:
+    """Time steps at fixed tables against those of a pool that one process keeps renewing.
+
+    The tables of both are of the scene's text, and the pool begins with the fixed ones. Rounds of
+    ``ROUND`` seconds alternate, the first ones to warm up; the process ends what it has begun in
+    the pauses. What becomes due outside the pool's rounds is ordered as its next one begins: its
+    rate is such that ``PER_MINUTE`` are renewed in a minute of its rounds.
+    """
+    text = scene.provenance.prompt or ""
+    fixed = FixedScenes(tuple(HeldRef(compose(text, seed)) for seed in range(TABLES)))
+    rate = PER_MINUTE * ROUND / (2 * (ROUND + PAUSE))
+    pool = RefreshingScenes(text, TABLES, per_minute=rate, workers=1, initial=fixed, seed=0)
+    envs = {"fixed": make_env(fixed), "renewed": make_env(pool)}
+    rounds: dict[str, list[Rates]] = {name: [] for name in envs}
+    renewals = []
+    for _ in range(ROUNDS + 1):
+        for name, env in envs.items():
+            time.sleep(PAUSE)
+            rounds[name].append(played(env, ROUND))
+        renewals.append(pool.renewals)
+    for env in envs.values():
+        env.close()
+    pool.close()
+    renewed = 60 * (renewals[-1] - renewals[0]) / (ROUNDS * ROUND)
+    timed = {name: of[1:] for name, of in rounds.items()}
+    return [*compared(timed), ("tables renewed", "in its rounds", renewed, "per minute")]
+
+
+def played(env: TabletopEnv, seconds: float) -> Rates:
+    """Act at random for some seconds, in episodes; return the steps a second, by what counts."""
+    env.action_space.seed(0)
+    count, spent, begin = 0, np.zeros(2), _clocks()
+    while (total := _clocks() - begin)[0] < seconds:
+        if count % EPISODE == 0:
+            env.reset()
+        action, before = env.action_space.sample(), _clocks()
+        env.step(action)
+        spent += _clocks() - before
+        count += 1
+    kinds = [f"{what}, {clock}" for what in ("steps", "with resets") for clock in ("clock", "CPU")]
+    return dict(zip(kinds, (count / np.array([*spent, *total])).tolist(), strict=True))
+
+
+def compared(rounds: Mapping[str, Sequence[Rates]]) -> Found:
+    """Return the median rates at fixed and at renewed tables, and what renewing costs of them."""
+    found: Found = []
+    for kind in rounds["fixed"][0]:
+        fixed, renewed = (
+            statistics.median(rates[kind] for rates in rounds[name])
+            for name in ("fixed", "renewed")
+        )
+        found += [
+            ("fixed tables", kind, fixed, "steps per s"),
+            ("renewed tables", kind, renewed, "steps per s"),
+            ("cost of renewing", kind, 100 * (1 - renewed / fixed), "%"),
+        ]
+    return found
+
+
+def _clocks() -> Float[np.ndarray, "2"]:
+    """Return the time and this process's CPU time, seconds."""
+    return np.array([time.perf_counter(), time.process_time()])
 
 
 def pixels(scene: Scene, count: int) -> Found:
@@ -122,9 +205,15 @@ def _seconds(work: Callable[[], object]) -> float:
 
 
 PARTS: Mapping[str, Callable[[Scene, int], Found]] = MappingProxyType(
-    {"resets": resets, "pixels": pixels, "vector": vector, "memory": memory}
+    {
+        "resets": resets,
+        "refreshing": refreshing,
+        "pixels": pixels,
+        "vector": vector,
+        "memory": memory,
+    }
 )
 """Every part by name; each takes the scene and how many resets to watch."""
 
-DEFAULT = ("resets", "pixels", "vector")
+DEFAULT = ("resets", "refreshing", "pixels", "vector")
 """The parts measured unless others are asked for."""

@@ -7,7 +7,10 @@ drawing time on a CPU is geometry.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
+from types import MappingProxyType
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -25,11 +28,15 @@ COLORS: dict[str, tuple[float, float, float, float]] = {
 
 @dataclass(frozen=True, eq=False)
 class Shell:
-    """One coloured closed mesh. ``color`` is a key of ``COLORS``."""
+    """One coloured closed mesh, read-only. ``color`` is a key of ``COLORS``."""
 
     color: str
     vertices: Float[np.ndarray, "n 3"]
     faces: Int[np.ndarray, "m 3"]
+
+    def __post_init__(self) -> None:
+        self.vertices.setflags(write=False)
+        self.faces.setflags(write=False)
 
 
 def _rings(rings: Float[np.ndarray, "k s 3"], color: str) -> Shell:
@@ -135,11 +142,12 @@ def slab(
     return _rings(np.array(rings), color)
 
 
-def arm_shells() -> dict[str, tuple[Shell, ...]]:
-    """Return the shells of every body of the robot, by body name."""
+@cache
+def arm_shells() -> Mapping[str, tuple[Shell, ...]]:
+    """Return the shells of every body of the robot, by body name; built once, read-only."""
     r = 0.054
     ring = 0.0565
-    return {
+    shells = {
         "link0": (
             tube(WHITE, [(0, 0, 0.0), (0, 0, 0.14)], [0.088, 0.078, 0.066, 0.058, r], rings=3),
             slab(WHITE, (-0.075, 0, 0.042), (0.078, 0.085, 0.042), taper=(1.0, 0.72), power=5),
@@ -242,6 +250,7 @@ def arm_shells() -> dict[str, tuple[Shell, ...]]:
         "left_finger": _finger(),
         "right_finger": _finger(),
     }
+    return MappingProxyType(shells)
 
 
 def _finger() -> tuple[Shell, ...]:

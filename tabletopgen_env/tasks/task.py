@@ -174,8 +174,8 @@ class Task(ABC):
         self, achieved: Float[np.ndarray, "*n g"], desired: Float[np.ndarray, "*n g"]
     ) -> Agreement:
         """Return how goal vectors agree; vectorised."""
-        goals = (*np.shape(achieved)[:-1], -1, ENTRIES)
-        a, d = (np.asarray(v, np.float64).reshape(goals) for v in (achieved, desired))
+        a, d = (np.asarray(v, np.float64) for v in (achieved, desired))
+        a, d = (v.reshape(*v.shape[:-1], -1, ENTRIES) for v in (a, d))
         across, up = distance(a, d)
         used = d[..., 3] > 0
         met = (across <= 0) & (up <= 0) & (a[..., 7] >= d[..., 7]) | ~used

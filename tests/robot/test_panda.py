@@ -79,6 +79,12 @@ def test_shells_are_closed_and_turn_outwards() -> None:
             assert (np.unique(edges, axis=0, return_counts=True)[1] == 2).all(), body
 
 
+def test_shells_are_built_once_for_all_and_stay_as_they_are() -> None:
+    assert arm_shells() is arm_shells()
+    for shell in (shell for shells in arm_shells().values() for shell in shells):
+        assert not shell.vertices.flags.writeable and not shell.faces.flags.writeable
+
+
 def test_it_holds_its_home_pose_against_gravity(model: mujoco.MjModel) -> None:
     data = at_home(model)
     mujoco.mj_step(model, data, 1000)
