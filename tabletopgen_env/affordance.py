@@ -1,4 +1,4 @@
-"""What a parallel gripper can do with an object of a scene, from its collision shape alone.
+"""What a parallel gripper can do with an object of a scene, from its collision shape.
 
 Pure functions of ``generator.scene.Object``; poses are world poses, openings are in the object's
 body frame (metres). They say what is worth asking a robot to do; where to put the fingers is the
@@ -8,6 +8,7 @@ expert's affair.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from jaxtyping import Bool, Float, Int
@@ -41,6 +42,8 @@ LEVEL = 0.003
 """By how much a flat top may be uneven, metres."""
 
 _GRID = 48
+_FINE = 0.002  # metres, about as thin as walls are
+_LEAST_HOLLOW = 8 / _GRID**2  # of the bounding rectangle
 _BLOCK = 2**16  # numbers at once: what the processor keeps near
 _UPRIGHT = np.cos(np.deg2rad(20.0))
 
@@ -120,20 +123,59 @@ def opening(obj: Object) -> Opening | None:
     """Return the hollow of an object that can hold things, or None if it has none.
 
     The collision parts are scanned from above on a grid: the hollow is the region around the
-    centre that lies at least ``WALL_DEPTH`` below the rim, the highest surface around it.
+    centre that lies at least ``WALL_DEPTH`` below the rim, the highest surface around it. What the
+    model calls a container is looked at more finely if that shows none: its wall may be thinner
+    than a cell, or a handle rise above its rim. The rim is then where the hollow would spill.
     """
-    low, high = (f(collision_points(obj), axis=0) for f in (np.min, np.max))
-    cell = (high - low)[:2] / _GRID
-    middles = low[:2] + cell * (np.arange(_GRID)[:, None] + 0.5)
-    x, y = np.meshgrid(*middles.T, indexing="ij")
-    top = top_surface(obj.parts, np.column_stack([x.ravel(), y.ravel()])).reshape(x.shape)
+    from scipy import ndimage
+
+    scan = _scan(obj, np.array([_GRID, _GRID]))
+    top, outside = scan.top, _outside(scan.top)
     rim = float(np.quantile(top[np.isfinite(top)], 0.98))
-    inner = _hollow(np.isfinite(top) & (top < rim - WALL_DEPTH), np.isfinite(top))
+    found = _opening(scan, rim, _hollow(top, rim - WALL_DEPTH, outside))
+    if found is not None or not obj.model.container:
+        return found
+    fine = np.ceil((scan.high - scan.low)[:2] / _FINE).astype(int)
+    scan = _scan(obj, np.maximum(fine, _GRID))
+    top = np.asarray(ndimage.grey_closing(scan.top, 3))  # without hairline gaps between parts
+    outside = _outside(top)
+    for rim in np.arange(scan.high[2], scan.low[2] + WALL_DEPTH, -LEVEL):
+        basin = _hollow(top, float(rim), outside)
+        inner = basin & (top < rim - WALL_DEPTH)
+        if 2 * inner.sum() > basin.sum():  # not the hem of a full cup
+            return _opening(scan, float(rim), inner)
+    return None
+
+
+class _Scan(NamedTuple):
+    """A body seen from above: its box, and the places and heights of a grid's cells, metres."""
+
+    low: Float[np.ndarray, "3"]
+    high: Float[np.ndarray, "3"]
+    x: Float[np.ndarray, "nx ny"]
+    y: Float[np.ndarray, "nx ny"]
+    top: Float[np.ndarray, "nx ny"]
+
+
+def _scan(obj: Object, count: Int[np.ndarray, "2"]) -> _Scan:
+    """Scan an object on a grid of ``count`` cells along the body's x and y."""
+    low, high = (f(collision_points(obj), axis=0) for f in (np.min, np.max))
+    cell = (high - low)[:2] / count
+    middles = [low[k] + cell[k] * (np.arange(count[k]) + 0.5) for k in (0, 1)]
+    x, y = np.meshgrid(*middles, indexing="ij")
+    top = top_surface(obj.parts, np.column_stack([x.ravel(), y.ravel()])).reshape(x.shape)
+    return _Scan(low, high, x, y, top)
+
+
+def _opening(scan: _Scan, rim: float, inner: Bool[np.ndarray, "nx ny"]) -> Opening | None:
+    """Return the opening with this rim over the cells ``inner``, None if it is too shallow."""
+    low, high, x, y, top = scan
     if not inner.any():
         return None
     floor = float(np.quantile(top[inner], 0.05))
     if rim - floor < WALL_DEPTH:
         return None
+    cell = (high - low)[:2] / top.shape
     center = np.array([x[inner].mean(), y[inner].mean()])
     spans = np.array([np.ptp(x[inner]), np.ptp(y[inner])]) + cell
     wall = float(((high - low)[:2] - spans).min() / 2)
@@ -178,23 +220,28 @@ def plateau(obj: Object) -> Plateau | None:
     return Plateau(np.array([x[row, column], y[row, column], float(top.max())]) @ turn, radius)
 
 
-def _hollow(
-    below: Bool[np.ndarray, "g g"], solid: Bool[np.ndarray, "g g"]
-) -> Bool[np.ndarray, "g g"]:
-    """Return the largest connected region of ``below`` that never reaches the solid's border."""
+def _outside(top: Float[np.ndarray, "nx ny"]) -> Bool[np.ndarray, "nx ny"]:
+    """Return the cells beside the solid, and those of its own that touch them."""
     from scipy import ndimage
 
-    labels = np.empty(below.shape, dtype=np.int32)
-    count = int(ndimage.label(below, output=labels))  # type: ignore[arg-type]
     # Parts may leave hairline gaps between them.
-    whole = np.asarray(ndimage.binary_fill_holes(solid), dtype=bool)
-    outside = ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
-    best = np.zeros_like(below)
-    for k in range(1, count + 1):
-        region = labels == k
-        if not (region & outside).any() and region.sum() > max(best.sum(), 8):
-            best = region
-    return best
+    whole = np.asarray(ndimage.binary_fill_holes(np.isfinite(top)), dtype=bool)
+    return ndimage.binary_dilation(np.pad(~whole, 1, constant_values=True))[1:-1, 1:-1]
+
+
+def _hollow(
+    top: Float[np.ndarray, "nx ny"], level: float, outside: Bool[np.ndarray, "nx ny"]
+) -> Bool[np.ndarray, "nx ny"]:
+    """Return the largest connected region below a level that never reaches the outside."""
+    from scipy import ndimage
+
+    labels = np.empty(top.shape, dtype=np.int32)
+    ndimage.label(np.isfinite(top) & (top < level), output=labels)  # type: ignore[arg-type]
+    sizes = np.bincount(labels.ravel())
+    sizes[0] = 0
+    sizes[labels[outside]] = 0
+    best = int(sizes.argmax())
+    return (labels == best) & (sizes[best] > _LEAST_HOLLOW * top.size)
 
 
 def top_surface(

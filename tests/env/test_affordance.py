@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 from toy import corners, ring_parts, toy_object, toy_scene
 
+from generator.catalogue import build
 from generator.geometry import yaw_quaternion
-from generator.scene import ConvexPart, Pose
+from generator.scene import ConvexPart, Object, Pose
 from tabletopgen_env.affordance import (
+    LEVEL,
     grasp_width,
     is_upright,
     opening,
@@ -81,6 +83,61 @@ def test_a_cup_with_a_wide_gap_is_none(missing) -> None:
     floor, walls = cup.parts[-1], list(cup.parts[:-1])
     del walls[missing]
     assert opening(replace(cup, parts=(*walls, floor))) is None
+
+
+def pan(*, wall: float = 0.003, gap: float = 1.0, container: bool = True) -> Object:
+    """A pan 20 cm wide and 4 cm high whose handle rises 2 cm above it, its parts shrunk by gap."""
+    handle = ConvexPart(corners([0.095, -0.012, 0.0], [0.28, 0.012, 0.04]), "box")
+    parts = (*ring_parts(np.array([0.2, 0.2, 0.04]), wall, 0.005), handle)
+    shrunk = (p.vertices.mean(0) + gap * (p.vertices - p.vertices.mean(0)) for p in parts)
+    made = toy_object("pan_1", (0.2, 0.2, 0.04), (0.0, 0.0), wall=wall)
+    model = replace(made.model, container=container)
+    return replace(made, model=model, parts=tuple(map(ConvexPart, shrunk)))
+
+
+@pytest.mark.parametrize("gap", [1.0, 0.995])
+def test_a_pan_is_open_up_to_where_it_would_spill(gap) -> None:
+    hollow = opening(pan(gap=gap))
+    assert hollow is not None
+    assert np.allclose(hollow.center, 0.0, atol=2e-3)
+    assert np.allclose(hollow.semi, 0.097, atol=4e-3)
+    assert 0.02 - 2 * LEVEL <= hollow.rim <= 0.02, "not that of the handle"
+    assert hollow.floor == pytest.approx(-0.015, abs=1e-3)
+
+
+def test_only_what_is_called_a_container_is_searched_for_a_lower_rim() -> None:
+    assert opening(pan(container=False)) is None
+
+
+def test_a_pan_without_a_floor_or_a_piece_of_wall_has_no_opening() -> None:
+    whole = pan()
+    *walls, floor, handle = whole.parts
+    assert opening(replace(whole, parts=(*walls, handle))) is None
+    assert opening(replace(whole, parts=(*walls[:5], *walls[6:], floor, handle))) is None
+
+
+def test_a_full_cup_has_no_opening() -> None:
+    cup = toy_object("cup_1", (0.12, 0.12, 0.1), (0.0, 0.0), wall=0.0022)
+    angles = np.arange(12) * np.pi / 6
+    ring = 0.058 * np.column_stack([np.cos(angles), np.sin(angles)])
+    # The drink is lower at its hem, which alone lies deep enough.
+    drink = [
+        [*(share * xy), z] for xy in ring for share, z in ((1, -0.05), (1, 0.025), (0.8, 0.038))
+    ]
+    assert opening(cup) is not None
+    assert opening(replace(cup, parts=(*cup.parts, ConvexPart(np.array(drink))))) is None
+
+
+@pytest.mark.parametrize("key", ["pan", "tray"])
+@pytest.mark.parametrize("size", ["small", "large"])
+def test_pans_and_trays_of_the_catalogue_are_open(key, size) -> None:
+    for seed in range(4, 7):
+        model = build(key, seed, attributes={"size": size})
+        parts = tuple(ConvexPart(p.vertices * model.size) for p in model.parts)
+        made = toy_object(key, tuple(model.size), (0.0, 0.0))
+        hollow = opening(replace(made, model=model, parts=parts))
+        assert hollow is not None and hollow.rim <= model.size[2] / 2
+        assert hollow.semi.min() > 0.3 * model.size[1]
 
 
 def test_solids_and_plates_have_no_opening() -> None:
