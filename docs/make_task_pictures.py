@@ -55,7 +55,7 @@ STRIPS = {
         "PickPlace", "kitchen-cutting", options={"target": "tomato_1", "goal": "bowl_1"}
     ),
     "stack": Strip("Stack", "office-desk"),
-    "swap": Strip("Swap", "kitchen-cutting"),
+    "swap": Strip("Swap", "kitchen-cutting", seed=1),
     "sequence": Strip("Sequence", "coffee-square", seed=2),
     "sequence_kitchen": Strip("Sequence", "kitchen-task-3", preset="kitchen"),
     "sequence_coffee_table": Strip("Sequence", "coffee-table-task-2", preset="coffee_table"),
