@@ -41,7 +41,7 @@ class CloningConfig:
     expert_share: float = 0.2
     noise: float = 0.15
     steps: int = 2000
-    last_steps: int = 2000
+    last_steps: int = 8000
     batch: int = 512
     learning_rate: float = 1e-3
 
