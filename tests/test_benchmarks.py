@@ -7,7 +7,7 @@ import json
 import subprocess
 import sys
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
@@ -247,6 +247,34 @@ def test_a_baseline_is_trained_once_and_played_at_tables_of_its_own(tmp_path) ->
     assert (tmp_path / "tiny-3" / "policy.safetensors").read_bytes() == kept
     told = bench.summary([row | {"recipe": "tiny", "solved": 1}], "bench", "")
     assert "| `tiny` | 1 of 1 | 100.0 % | 21 to 100 % |" in told
+
+
+def test_a_baseline_that_was_cut_off_is_trained_anew(tmp_path, monkeypatch) -> None:
+    bench = script("baselines")
+
+    def cut_off(recipe, out, plan):
+        (out / "policy.safetensors").parent.mkdir(parents=True)
+        (out / "policy.safetensors").touch()
+        return SimpleNamespace(interrupted=True)
+
+    monkeypatch.setattr(bench, "train", cut_off)
+    for _ in range(2):
+        with pytest.raises(KeyboardInterrupt):
+            bench.trained("reach-clone", 0, tmp_path, 1)
+    assert [path.name for path in tmp_path.iterdir()] == ["reach-clone-0.part"]
+
+
+@pytest.mark.parametrize("lets_go", [False, True])
+def test_the_rule_goes_where_the_hint_points(lets_go: bool) -> None:
+    rule = script("baselines").HintRule(lets_go)
+    seen = np.zeros(287, np.float32)
+    seen[-8:] = [0.1, 0.0, -0.1, 0.0, 0.06, 0.03, 0.0, 1.0]
+    away = rule.predict(seen, deterministic=True)[0]
+    assert away[0] == 1.0 and away[4] > 0.0
+    seen[-8:-5] = 0.0
+    assert rule.predict(seen, deterministic=True)[0][4] == -1.0, "there: it closes"
+    seen[-1] = -1.0
+    assert (rule.predict(seen, deterministic=True)[0][4] > 0.0) == lets_go
 
 
 def test_the_expert_summary_counts_what_was_run() -> None:
