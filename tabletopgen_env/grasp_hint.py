@@ -17,6 +17,9 @@ entry  meaning                                                                  
        no grasp is known
 =====  =============================================================================  ==========
 
+The planners know the collision shapes and run in the environment, so that a policy with the hint
+has little more to learn than to go where it points.
+
 With the target between both fingers the way leads straight up, and once it is raised, unless that
 is all the goal asks for, to where it is to be let go. That place is shown until the object lies
 still, let go, elsewhere; the grasp that lost it is not shown again if there are others. Within 2 cm
