@@ -34,6 +34,18 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.render",
         ),
     ),
+    (
+        "generator.backends.modelers",
+        (
+            *VALUES,
+            "generator.backends.protocols",
+            "generator.backends.modelers",
+            "generator.backends.embedded",
+            "generator.catalogue",
+            "generator.render",
+            "generator.running",
+        ),
+    ),
     ("generator.backends", ("generator.backends.select",)),
     ("generator.catalogue.sheet", (*VALUES, "generator.catalogue", "generator.render")),
     ("generator.catalogue", (*VALUES, "generator.catalogue")),
