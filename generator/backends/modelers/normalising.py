@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from types import MappingProxyType
 
 import numpy as np
 import trimesh
@@ -47,7 +48,7 @@ def normal_mesh(
     kind: Kind = "glb",
     up: Axis = "y",
     to: Normal | None = None,
-    resolver: Any = None,
+    beside: Mapping[str, bytes] = MappingProxyType({}),
 ) -> Mesh:
     """Return a GLB or OBJ file as one closed, textured mesh with +z up, in the file's units.
 
@@ -57,12 +58,12 @@ def normal_mesh(
         kind: the format.
         up: the file's upward axis.
         to: how light it is to be.
-        resolver: gives an OBJ's material files by name; None: it has none.
+        beside: the files that an OBJ names, by name; see ``companions``.
 
     Raises:
         BackendError: it cannot be read (``inspection``), repaired (``repairing``) or reduced.
     """
-    return normal_surface(read_surface(raw, what, kind, resolver), what, up=up, to=to)
+    return normal_surface(read_surface(raw, what, kind, beside), what, up=up, to=to)
 
 
 def normal_trimesh(mesh: trimesh.Trimesh, what: str, *, up: Axis, to: Normal | None = None) -> Mesh:

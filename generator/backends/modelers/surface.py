@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 from typing import Any, Literal
 
 import numpy as np
 import trimesh
 from jaxtyping import Bool, Float, Int, UInt8
 from PIL import Image
+from trimesh.resolvers import ZipResolver
 
 from ...errors import BackendError
 from ...render.shading import sample_texture
@@ -71,7 +74,9 @@ class Surface:
         return found
 
 
-def read_surface(raw: bytes, what: str, kind: Kind, resolver: Any = None) -> Surface:
+def read_surface(
+    raw: bytes, what: str, kind: Kind, beside: Mapping[str, bytes] = MappingProxyType({})
+) -> Surface:
     """Return everything in a GLB or OBJ file as one surface, node transforms applied.
 
     Of a material the base colour counts: factor, texture, and alpha where it blends.
@@ -80,7 +85,7 @@ def read_surface(raw: bytes, what: str, kind: Kind, resolver: Any = None) -> Sur
         raw: the file's content.
         what: how messages call it.
         kind: the format.
-        resolver: gives an OBJ's material files by name; None: it has none.
+        beside: the files that an OBJ names, by name; see ``companions``.
 
     Raises:
         BackendError: see ``inspection``; or numbers that are not finite.
@@ -90,10 +95,9 @@ def read_surface(raw: bytes, what: str, kind: Kind, resolver: Any = None) -> Sur
         header = inspect_glb(raw, what)
     else:
         inspect_obj(raw, what)
+    files = ZipResolver({name: io.BytesIO(b) for name, b in beside.items()})
     try:
-        loaded = trimesh.load_scene(
-            io.BytesIO(raw), file_type=kind, resolver=resolver, process=False
-        )
+        loaded = trimesh.load_scene(io.BytesIO(raw), file_type=kind, resolver=files, process=False)
         parts = [g for g in loaded.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
         maker = str(header.get("asset", {}).get("generator", ""))
         return surface_of(parts, what, kind == "glb" and "trimesh" not in maker)
@@ -152,6 +156,8 @@ def _piece(
     flat = _seen(factor, linear)
     if image is not None and getattr(visual, "uv", None) is not None:
         tint = factor[:3] / 255 if linear else _light(factor[:3] / 255)
+        if hasattr(material, "image"):  # an OBJ's: programs write a grey beside the picture
+            tint = np.ones(3)
         picture = _small(image)
         pictures.append(picture if (tint == 1).all() else _tinted(picture, tint))
         return uv, np.tile(flat, (count, 1)), len(pictures) - 1, alpha

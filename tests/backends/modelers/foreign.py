@@ -11,6 +11,8 @@ import trimesh
 from PIL import Image
 from trimesh.visual.material import PBRMaterial
 
+from generator.scene import Instance, SizePrior
+
 
 def glb(*meshes: trimesh.Trimesh) -> bytes:
     return trimesh.Scene(list(meshes)).export(file_type="glb")
@@ -50,3 +52,17 @@ def edited(raw: bytes, change: Callable[[dict], None]) -> bytes:
     rest = raw[20 + size :]
     head = struct.pack("<4sIIII", b"glTF", 2, 20 + len(text) + len(rest), len(text), 0x4E4F534A)
     return head + text + rest
+
+
+def instance(label: str) -> Instance:
+    """A thing whose crop is a red disc, cut out, in a frame that is not square."""
+    rows, columns = np.mgrid[:60, :80]
+    crop = np.zeros((60, 80, 4), np.uint8)
+    crop[(rows - 30) ** 2 + (columns - 40) ** 2 < 400] = (200, 30, 30, 255)
+    box = np.array([20.0, 10, 60, 50])
+    mask = crop[..., 3] > 0
+    return Instance(f"{label}_1", label, box, mask, crop, np.array([0.0, 0, 80, 60]))
+
+
+def prior(label: str) -> SizePrior:
+    return SizePrior(label, np.array([0.12, 0.09, 0.1]))

@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import trimesh
-from backends.modelers.foreign import glb, plain, striped_box, textured
+from backends.modelers.foreign import edited, glb, instance, plain, striped_box, textured
 
 from generator.backends.modelers.normalising import Normal, foreign_model, normal_mesh
+from generator.catalogue import category
 from generator.errors import BackendError, InputError
 from generator.physics.inertia import body_mass, is_watertight
 from generator.render.shading import sample_texture
-from generator.scene import Instance, Mesh, SizePrior
+from generator.scene import Mesh, SizePrior
 
 
 def read(*meshes: trimesh.Trimesh, **settings) -> Mesh:
@@ -25,13 +26,6 @@ def colors(mesh: Mesh) -> np.ndarray:
 
 def middles(mesh: Mesh) -> np.ndarray:
     return mesh.vertices[mesh.faces].mean(1)
-
-
-def instance(label: str) -> Instance:
-    return Instance(
-        f"{label}_1", label, np.array([0, 0, 4, 4]), np.ones((4, 4), bool),
-        np.full((4, 4, 4), 255, np.uint8), np.array([0, 0, 4, 4]),
-    )  # fmt: skip
 
 
 def test_a_y_up_file_stands_up():
@@ -82,8 +76,6 @@ def test_one_plain_color_needs_no_large_texture():
 
 
 def test_linear_colors_of_other_programs_look_as_they_do_there():
-    from backends.modelers.foreign import edited
-
     def blender(header: dict) -> None:
         header["asset"]["generator"] = "Khronos glTF Blender I/O v4"
 
@@ -195,8 +187,6 @@ def test_models_have_the_prior_s_size_and_weigh_as_their_kind_does():
     np.testing.assert_allclose(made.size, np.sort(made.size)[[2, 0, 1]])
     np.testing.assert_allclose(made.size[0] * made.size[1], 0.1 * 0.2, rtol=1e-6)
     assert (made.name, made.label, made.category) == ("book_1", "book", "book")
-    from generator.catalogue import category
-
     usual = np.array(category("book").size)
     weighed = body_mass(made.mesh, usual, made.physics, ())
     assert weighed.mass == pytest.approx(category("book").mass, rel=0.01)
