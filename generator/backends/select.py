@@ -24,6 +24,7 @@ PROTOCOLS: Mapping[str, type] = {
 }
 
 _EMBEDDED = "generator.backends.embedded"
+_MODELERS = "generator.backends.modelers"
 
 TABLE: Mapping[str, Mapping[str, str]] = {
     "embedded": {
@@ -33,6 +34,12 @@ TABLE: Mapping[str, Mapping[str, str]] = {
         "modeler": f"{_EMBEDDED}.modeler:Modeler",
         "encoder": f"{_EMBEDDED}.encoder:Encoder",
     },
+    "folder": {"modeler": f"{_MODELERS}.folder:Folder"},
+    "hunyuan3d": {"modeler": f"{_MODELERS}.hunyuan3d:Hunyuan3D"},
+    "tencent": {"modeler": f"{_MODELERS}.tencent:Tencent"},
+    "trellis": {"modeler": f"{_MODELERS}.trellis:Trellis"},
+    "triposr": {"modeler": f"{_MODELERS}.triposr:TripoSR"},
+    "sam3d": {"modeler": f"{_MODELERS}.sam3d:Sam3D"},
 }
 """Backend name, then question set, to the class that answers; loaded when selected."""
 
