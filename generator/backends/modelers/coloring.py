@@ -9,11 +9,12 @@ from scipy.spatial import KDTree
 from ...scene import Mesh
 from ..embedded.baking import lay_out, textured
 from ..embedded.unwrap import Atlas, face_normals, unwrap
-from .surface import Surface
+from .surface import MOST_TEXTURE, Surface
 
 _SAMPLES = 60_000  # points by which the nearest triangles are found
 _NEAR = 4  # of them, tried for each texel
 _FACING = 0.02  # of the diagonal: what a triangle that looks the other way counts as away
+_ROOM = 40  # texels for each face, its gutter included, where none lie together
 _SLACK = 1e-3  # by which places in a texture may lie outside it
 
 
@@ -56,10 +57,17 @@ def painted_shape(
     )
 
 
-def best_size(surface: Surface, most: int) -> int:
-    """Return the side of a new texture, at most ``most``: as fine as the pictures it is made of."""
+def best_size(surface: Surface, most: int, faces: int) -> int:
+    """Return the side of a new texture for so many ``faces``, in texels.
+
+    As fine as the pictures that it is made of, at least 512, and at most ``most``, unless the faces
+    need more to lie apart.
+    """
     sides = [np.sqrt(picture.shape[0] * picture.shape[1]) for picture in surface.pictures]
-    return int(min(most, max(512.0, *(2.0 ** round(np.log2(side)) for side in (*sides, 1.0)))))
+    size = int(min(most, max(512.0, *(2.0 ** round(np.log2(side)) for side in (*sides, 1.0)))))
+    while size < MOST_TEXTURE and _ROOM * faces > size * size:
+        size *= 2
+    return min(size, MOST_TEXTURE)
 
 
 def nearest_places(

@@ -29,15 +29,15 @@ class Normal:
     """What foreign meshes are brought to.
 
     Attributes:
-        faces: most triangles; up to four times as many where the shape needs them.
-        texture: side of a texture made anew, texels, at most 2048.
+        faces: most triangles, 50 to 25,000; up to four times as many where the shape needs them.
+        texture: side of a texture made anew, texels, at most 2048; more where many faces need it.
     """
 
     faces: int = 6000
     texture: int = 1024
 
     def __post_init__(self) -> None:
-        require(self, "faces", least=50, whole=True)
+        require(self, "faces", least=50, most=25_000, whole=True)
         require(self, "texture", least=16, most=MOST_TEXTURE, whole=True)
 
 
@@ -83,7 +83,7 @@ def normal_surface(surface: Surface, what: str, *, up: Axis, to: Normal | None =
     faces = np.where(over[:, None], faces[:, ::-1], faces)
     vertices, faces = filled(vertices, faces)
     check_surface(faces, what)
-    size = best_size(surface, to.texture)
+    size = best_size(surface, to.texture, len(faces))
     if not own or len(faces) > len(surface.faces):
         return painted_shape(vertices, faces, surface, size)
     surface = surface.flipped(over)

@@ -118,13 +118,16 @@ def surface_of(parts: list[trimesh.Trimesh], what: str, linear: bool = False) ->
         linear: plain colours are linear, as glTF has them (trimesh writes them as they look).
 
     Raises:
-        BackendError: none has faces, or a vertex is NaN or infinite.
+        BackendError: none has faces, or a vertex is not there, NaN or infinite.
     """
     if not sum(len(part.faces) for part in parts):
         raise BackendError(f"{what} has no triangles. Export a mesh with faces.")
     for part in parts:
         if not np.isfinite(np.asarray(part.vertices, np.float32)).all():
             raise BackendError(f"{what} holds NaN or infinity; every vertex must be finite.")
+        faces = np.asarray(part.faces)
+        if len(faces) and not 0 <= faces.min() <= faces.max() < len(part.vertices):
+            raise BackendError(f"{what} is damaged: faces name vertices that are not there.")
     pictures: list[np.ndarray] = []
     pieces = [_piece(part, pictures, linear) for part in parts]
     shift = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])

@@ -14,6 +14,7 @@ from backends.modelers.foreign import edited, glb, striped_box
 
 from generator.backends.modelers import inspection
 from generator.backends.modelers.inspection import inspect_glb, inspect_obj
+from generator.backends.modelers.normalising import Normal, normal_mesh
 from generator.backends.modelers.surface import read_surface
 from generator.errors import BackendError
 
@@ -179,3 +180,35 @@ def test_obj_files_are_text_with_faces():
         inspect_obj(b"v\0\0", "it")
     with pytest.raises(BackendError, match="cannot be read"):
         read_surface(b"v 0 0 0\nf 1 2 99\n", "it", "obj")
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("seed", range(3))
+def test_whatever_is_damaged_is_read_or_refused(seed):
+    """Bytes, digits of the header or single bits are changed; nothing but BackendError comes."""
+    rng = np.random.default_rng(seed)
+    header = 20 + struct.unpack("<I", GOOD[12:16])[0]
+    digits = [k for k in range(20, header) if chr(GOOD[k]).isdigit()]
+    outcomes = set()
+    for _ in range(12):
+        for place, value in (
+            (rng.integers(20, header), rng.integers(32, 127)),
+            (rng.integers(header, len(GOOD)), rng.integers(0, 256)),
+            (rng.choice(digits), rng.integers(48, 58)),
+            (rng.integers(0, 20), rng.integers(0, 256)),
+        ):
+            raw = bytearray(GOOD)
+            raw[place] = value
+            try:
+                normal_mesh(bytes(raw), "it", to=Normal(texture=64))
+                outcomes.add("read")
+            except BackendError:
+                outcomes.add("refused")
+    assert outcomes == {"read", "refused"}
+
+
+def test_faces_without_vertices_are_refused():
+    raw = GOOD.replace(np.arange(12, dtype="<u4").tobytes(), np.full(12, 99, "<u4").tobytes())
+    assert raw != GOOD
+    with pytest.raises(BackendError, match="faces name vertices that are not there"):
+        read_surface(raw, "it", "glb")

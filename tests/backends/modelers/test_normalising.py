@@ -199,6 +199,16 @@ def test_vessels_are_containers():
     assert foreign_model(read(striped_box()), instance("mug"), prior).container
 
 
+def test_a_texture_too_small_for_all_faces_grows():
+    """Faces that each look another way are islands, and islands have gutters."""
+    rng = np.random.default_rng(0)
+    rough = trimesh.creation.icosphere(3)
+    rough.vertices *= rng.uniform(0.6, 1.4, (len(rough.vertices), 1))
+    shade = rng.integers(0, 255, (len(rough.vertices), 3))
+    rough.visual = trimesh.visual.ColorVisuals(rough, vertex_colors=shade)
+    assert read(rough, to=Normal(texture=16)).texture.shape[0] == 256
+
+
 def test_settings_out_of_range_are_refused():
     with pytest.raises(InputError, match="Normal needs texture"):
         Normal(texture=4096)
