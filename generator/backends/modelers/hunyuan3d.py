@@ -84,13 +84,13 @@ class Hunyuan3D:
             BackendError: no server, no answer, or no usable GLB.
         """
         what = f"hunyuan3d, model of {instance.name!r}:"
+        to = Normal(self.faces, self.texture)
         body = self.body(png(cutout(instance, "hunyuan3d")))
         raw = self._ask(body, what, "yes")
         try:
             inspect_glb(raw, f"{what} the answer")
         except BackendError:
             raw = self._ask(body, what, "renew")
-        to = Normal(self.faces, self.texture)
         return foreign_model(normal_mesh(raw, f"{what} the answer", to=to), instance, size)
 
     def body(self, picture: bytes) -> Mapping[str, Any]:

@@ -53,6 +53,7 @@ class Sam3D:
             BackendError: it is not installed, or fails.
         """
         what = f"sam3d, model of {instance.name!r}:"
+        to = Normal(self.faces, self.texture)
         mask = instance.crop[..., 3] > 127
         if not mask.any():
             raise BackendError(f"{what} its crop shows nothing.")
@@ -60,7 +61,6 @@ class Sam3D:
             image = np.ascontiguousarray(instance.crop[..., :3])
             told = call(self._inference, "sam3d", image, mask, seed=self.seed)
             made = told["glb"]
-        to = Normal(self.faces, self.texture)
         mesh = normal_trimesh(only_mesh(made, what), what, up="y", to=to)
         return foreign_model(mesh, instance, size)
 

@@ -64,10 +64,10 @@ class Trellis:
             BackendError: it is not installed, or fails.
         """
         what = f"trellis, model of {instance.name!r}:"
+        to = Normal(self.faces, self.texture)
         picture = Image.fromarray(cutout(instance, "trellis"))
         with self._turn, working(what):
             made = self._first(picture) if self.version == "1" else self._second(picture)
-        to = Normal(self.faces, self.texture)
         mesh = normal_trimesh(only_mesh(made, what), what, up="y", to=to)
         return foreign_model(mesh, instance, size)
 

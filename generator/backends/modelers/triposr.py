@@ -51,10 +51,10 @@ class TripoSR:
             BackendError: it is not installed, or fails.
         """
         what = f"triposr, model of {instance.name!r}:"
+        to = Normal(self.faces, self.texture)
         picture = Image.fromarray(on_grey(cutout(instance, "triposr")))
         with self._turn, working(what):
             made = self._run(picture)
-        to = Normal(self.faces, self.texture)
         mesh = normal_trimesh(only_mesh(made, what), what, up="z", to=to)
         return foreign_model(mesh, instance, size)
 

@@ -11,13 +11,13 @@ import numpy as np
 import pytest
 from backends.modelers.foreign import glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
-from generator.running.session import Session
-from generator.running.store import CallStore
 from PIL import Image
 
 from generator.backends.modelers.signing import authorization
 from generator.backends.modelers.tencent import HOSTS, Tencent
 from generator.errors import BackendError, InputError
+from generator.running.session import Session
+from generator.running.store import CallStore
 from generator.scene import USUAL_VIEW, Model
 
 GOOD = glb(striped_box((1.0, 2.0, 1.0)))
@@ -166,6 +166,15 @@ def test_an_expired_address_is_asked_for_again(tmp_path):
     assert cloud.log == [LOAD, QUERY, LOAD]
 
 
+def test_a_damaged_download_is_fetched_once_more(tmp_path):
+    cloud = Cloud(loads=[Answer(body=GOOD[:100]), Answer(body=GOOD)])
+    with serving(cloud) as served:
+        for _ in range(2):
+            assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+    assert (cloud.jobs, cloud.log.count(LOAD)) == (1, 2)
+    assert "the answer is cut off" in refused(Cloud(loads=[Answer(body=GOOD[:100])]))
+
+
 def test_a_job_kept_no_longer_is_submitted_once_more(tmp_path):
     cloud = Cloud(errors={QUERY: ["InternalError"]})
     with serving(cloud) as served:
@@ -260,3 +269,7 @@ def test_settings_out_of_range_are_refused():
         Tencent(style="Lowpoly")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="needs asked_faces"):
         Tencent(asked_faces=1000)
+    cloud = Cloud()
+    with serving(cloud) as served, pytest.raises(InputError, match="Normal needs faces"):
+        ask(served.url, faces=3)
+    assert not cloud.log
