@@ -30,12 +30,13 @@ def cleaned(surface: Surface, what: str) -> Surface:
     Raises:
         BackendError: nothing is left, or it is flat.
     """
-    corner = welded(surface.vertices)[surface.faces]
+    weld = welded(surface.vertices)
+    corner = weld[surface.faces]
     surface = surface.kept((corner != np.roll(corner, 1, axis=1)).all(1))
     if len(surface.faces):
-        surface = surface.kept(_single(welded(surface.vertices)[surface.faces]))
+        surface = surface.kept(_single(weld[surface.faces]))
     if len(surface.faces):
-        surface = surface.kept(_sizable(surface))
+        surface = surface.kept(_sizable(surface, weld[surface.faces]))
     if not len(surface.faces):
         raise BackendError(f"{what} has only triangles without area. Export a mesh with faces.")
     used = surface.vertices[surface.faces].reshape(-1, 3)
@@ -141,9 +142,8 @@ def _single(corner: Faces) -> Bool[np.ndarray, "m"]:
     return first & ~both
 
 
-def _sizable(surface: Surface) -> Bool[np.ndarray, "m"]:
+def _sizable(surface: Surface, corner: Faces) -> Bool[np.ndarray, "m"]:
     """Tell which faces belong to a connected piece of some size."""
-    corner = welded(surface.vertices)[surface.faces]
     size = int(corner.max()) + 1
     ends = np.concatenate([corner[:, [0, 1]], corner[:, [1, 2]]])
     links = sparse.coo_matrix((np.ones(len(ends)), ends.T), shape=(size, size))
