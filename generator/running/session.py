@@ -174,7 +174,7 @@ class Session:
 
 
 def _results(futures: Sequence[Future[R]]) -> list[R]:
-    """Return the results, or raise the error that came first of those that tell most."""
+    """Return the results, or raise the first item's error that is more than "stopped"."""
     errors = [error for f in futures if (error := f.exception()) is not None]
     dry = [str(error) for error in errors if isinstance(error, DryRunError)]
     if len(dry) > 1 and len(dry) == len(errors):
