@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import ssl
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
@@ -111,6 +113,13 @@ class Session:
             base_url=base_url, transport=transport, timeout=timeout, trust_env=False
         )
 
+    @functools.cached_property
+    def trust(self) -> ssl.SSLContext:
+        """The certificates that servers are held against: reading them takes long, so once."""
+        import httpx2
+
+        return httpx2.create_ssl_context()
+
     def each(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
         """Return ``work`` of every item, in their order, ``workers`` at a time.
 
@@ -165,7 +174,7 @@ class Session:
 
 
 def _results(futures: Sequence[Future[R]]) -> list[R]:
-    """Return the results, or raise the error that came first of those that tell most."""
+    """Return the results, or raise the first item's error that is more than "stopped"."""
     errors = [error for f in futures if (error := f.exception()) is not None]
     dry = [str(error) for error in errors if isinstance(error, DryRunError)]
     if len(dry) > 1 and len(dry) == len(errors):

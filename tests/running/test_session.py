@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
 
 import pytest
-from paid_server import Says, ask, serving, session
+from paid_server import Asked, Says, ask, serving, session
 
 from generator.errors import BackendError, DryRunError, InputError, StoppedError
 from generator.running.store import CallStore
@@ -98,9 +99,12 @@ def test_calls_answered_beside_a_failed_one_are_kept(tmp_path) -> None:
 
 def test_stop_ends_waits_and_calls_to_come() -> None:
     shared = session(patience=PATIENT)
-    timer = threading.Timer(0.2, shared.stop.set)
-    with serving([Says(status=503)]) as server:
-        timer.start()
+
+    def busy(asked: Asked, k: int) -> Says:
+        threading.Timer(0.2, shared.stop.set).start()  # while the caller waits to ask again
+        return Says(status=503)
+
+    with serving(busy) as server:
         began = time.monotonic()
         with pytest.raises(StoppedError, match="kept"):
             ask(shared, server.url)
@@ -153,3 +157,9 @@ def test_settings_are_checked() -> None:
     ):
         with pytest.raises(InputError, match=word):
             session(**settings)
+
+
+def test_a_missing_extra_names_the_pip_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "httpx2", None)
+    with pytest.raises(BackendError, match=r"cloud .*httpx2.* pip install 'tabletopgen\[cloud\]'"):
+        session().client("cloud", "https://host")

@@ -99,3 +99,9 @@ def test_it_can_be_selected_by_name(name):
     assert not {"session", "_turn"} & set(chosen.identity()["modeler"])
     with pytest.raises(BackendError, match=f"Backend '{name}' has no reasoner"):
         Backends.select(name)
+
+
+@pytest.mark.parametrize("name", ["hunyuan3d", "tencent"])
+def test_what_asks_servers_shares_the_session(name):
+    session = quick()
+    assert Backends.select("embedded", session=session, modeler=name).modeler.session is session  # type: ignore[attr-defined]
