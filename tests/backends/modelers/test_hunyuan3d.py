@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 from backends.modelers.foreign import glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
+from generator.running.session import Session
 from generator.running.store import CallStore
 from PIL import Image
 
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
-from generator.errors import BackendError, InputError
+from generator.errors import BackendError, DryRunError, InputError
 from generator.scene import USUAL_VIEW, Model
 
 GOOD = glb(striped_box((1.0, 2.0, 1.0)))
@@ -137,6 +138,13 @@ def test_a_server_that_hangs_or_is_not_there_is_given_up():
         hang.set()
     with pytest.raises(BackendError, match=r"hunyuan3d, model.*cannot be reached"):
         ask("http://127.0.0.1:9")
+
+
+def test_a_dry_run_says_what_it_would_ask():
+    with serving(lambda call: Answer(body=GOOD)) as served:
+        with pytest.raises(DryRunError, match=r"Would ask hunyuan3d, model \(hunyuan3d-2\.1\)"):
+            ask(served.url, session=Session(dry=True))
+        assert not served.calls
 
 
 def test_the_environment_names_the_server(monkeypatch):
