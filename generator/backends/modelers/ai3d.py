@@ -1,0 +1,124 @@
+"""Tencent Cloud's service ai3d: signed calls that submit a job and look at it."""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+from urllib.parse import urlsplit
+
+from ...errors import BackendError
+from ...running.redaction import redacted
+from ...running.session import Session
+from .signing import signed_headers
+
+if TYPE_CHECKING:
+    import httpx2
+
+SECRET_ID, SECRET_KEY = "TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY"
+"""The environment's names for the two halves of the key."""
+
+_VERSION = "2025-05-13"
+_SUBMIT, _QUERY = "SubmitHunyuanTo3DProJob", "QueryHunyuanTo3DProJob"
+_MODELS = {_SUBMIT: "hunyuan-3d-pro", _QUERY: "hunyuan-3d-query"}  # in price tables
+_BUSY = "RequestLimitExceeded"  # too many calls, or too many jobs at once
+_GONE = ("NotFound", "NotExist", "Expire")  # in the code of a job that is kept no longer
+
+
+class LostJob(Exception):
+    """A job submitted earlier of which nothing can be had any more."""
+
+
+def read_keys(what: str) -> tuple[str, str]:
+    """Return the two halves of the key from the environment.
+
+    Raises:
+        BackendError: they are not there; ``what`` names who needs them.
+    """
+    found = os.environ.get(SECRET_ID, ""), os.environ.get(SECRET_KEY, "")
+    if not all(found):
+        raise BackendError(f"{what} no key. Set {SECRET_ID} and {SECRET_KEY} in the environment.")
+    return found
+
+
+@dataclass(frozen=True)
+class Service:
+    """The calls about one instance. ``what`` begins their messages.
+
+    While the service is busy it is asked again every ``interval`` seconds, for ``timeout`` seconds.
+    """
+
+    client: httpx2.Client
+    keys: tuple[str, str] = field(repr=False)
+    endpoint: str
+    region: str
+    what: str
+    session: Session
+    interval: float
+    timeout: float
+
+    def submit(self, body: Mapping[str, Any], memo: str) -> str:
+        """Return the id of a new job, or of the one that this body was submitted as before.
+
+        ``memo`` "renew" submits it again whatever was before.
+
+        Raises:
+            BackendError: the service refuses.
+        """
+        job = self._call(_SUBMIT, body, memo).get("JobId")
+        if not isinstance(job, str) or not job:
+            raise BackendError(f"{self.what} the submission was answered without a JobId.")
+        return job
+
+    def look(self, job: str, memo: str) -> Mapping[str, Any]:
+        """Return the state of a job; with ``memo`` "yes" as it was seen last, if it ever was.
+
+        Raises:
+            BackendError: the service refuses.
+            LostJob: the job is kept no longer.
+        """
+        return self._call(_QUERY, {"JobId": job}, memo)
+
+    def _call(self, action: str, body: Mapping[str, Any], memo: str) -> Mapping[str, Any]:
+        until = time.monotonic() + self.timeout
+        while True:
+            told = self._once(action, body, memo)
+            error = told.get("Error")
+            if not isinstance(error, Mapping):
+                return told
+            code = str(error.get("Code", ""))
+            if not code.startswith(_BUSY) or time.monotonic() > until:
+                break
+            self.session.pause(self.interval)
+        said = redacted(f"{code}: {error.get('Message', '')}"[:400], self.keys)
+        if action == _QUERY and any(word in code for word in _GONE):
+            raise LostJob(said)
+        hint = f" Check {SECRET_ID} and {SECRET_KEY}." if code.startswith("AuthFailure") else ""
+        raise BackendError(f"{self.what} {action} was refused ({said}).{hint}")
+
+    def _once(self, action: str, body: Mapping[str, Any], memo: str) -> Mapping[str, Any]:
+        """Sign and send a call; returns its Response."""
+        data = json.dumps(body).encode()
+        headers = {
+            **signed_headers(
+                *self.keys, host=urlsplit(self.endpoint).netloc, action=action, version=_VERSION,
+                region=self.region, body=data, timestamp=int(time.time()),
+            ),
+            "x-tabletopgen-question": "model",
+            "x-tabletopgen-model": _MODELS[action],
+            "x-tabletopgen-memo": memo,
+        }  # fmt: skip
+        answer = self.client.post("/", content=data, headers=headers)
+        try:
+            told = json.loads(answer.content)["Response"]
+        except (ValueError, KeyError, TypeError):
+            told = None
+        if not isinstance(told, Mapping):
+            raise BackendError(
+                f"{self.what} {action} was answered by {answer.status_code}, "
+                f"{redacted(answer.text[:80], self.keys)!r}. Is {self.endpoint} Tencent's?"
+            )
+        return told

@@ -1,0 +1,141 @@
+"""One texture for a foreign mesh: its own where it has one, else painted anew from its colours."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Float, Int
+from scipy.spatial import KDTree
+
+from ...scene import Mesh
+from ..embedded.baking import lay_out, textured
+from ..embedded.unwrap import Atlas, face_normals, unwrap
+from .surface import MOST_TEXTURE, Surface
+
+_SAMPLES = 60_000  # points by which the nearest triangles are found
+_NEAR = 4  # of them, tried for each texel
+_FACING = 0.02  # of the diagonal: what a triangle that looks the other way counts as away
+_ROOM = 40  # texels for each face, its gutter included, where none lie together
+_SLACK = 1e-3  # by which places in a texture may lie outside it
+
+
+def own_texture(surface: Surface) -> Mesh | None:
+    """Return a surface as it is, if one picture without repeats or one plain colour has it all."""
+    used, faces = np.unique(surface.faces, return_inverse=True)
+    faces = faces.reshape(-1, 3)
+    vertices, uv = surface.vertices[used], surface.uv[used]
+    if (surface.picture < 0).all():
+        colors = surface.colors[used]
+        if np.ptp(colors.astype(int), axis=0).max() > 2:
+            return None
+        plain = np.broadcast_to(colors[0], (4, 4, 3))
+        return Mesh(vertices, faces, np.full((len(used), 2), 0.5), plain, surface.opacity)
+    one = (surface.picture == surface.picture[0]).all()
+    if not one or uv.min() < -_SLACK or uv.max() > 1 + _SLACK:
+        return None
+    picture = surface.pictures[surface.picture[0]]
+    return Mesh(vertices, faces, uv.clip(0, 1), picture, surface.opacity)
+
+
+def painted_faces(surface: Surface, size: int) -> Mesh:
+    """Return a surface with all its materials in one new texture of side ``size``, texels."""
+    atlas = unwrap(surface.vertices, surface.faces, size)
+    colors = surface.colors_at(atlas.face, atlas.weights)
+    return textured(atlas, surface.vertices, lay_out(atlas, colors), surface.opacity)
+
+
+def painted_shape(
+    vertices: Float[np.ndarray, "n 3"],
+    faces: Int[np.ndarray, "m 3"],
+    surface: Surface,
+    size: int,
+) -> Mesh:
+    """Return a shape of other triangles in the colours that ``surface`` has next to them."""
+    atlas = unwrap(vertices, faces, size)
+    face, weights = nearest_places(surface, *_texels(atlas, vertices, faces))
+    return textured(
+        atlas, vertices, lay_out(atlas, surface.colors_at(face, weights)), surface.opacity
+    )
+
+
+def best_size(surface: Surface, most: int, faces: int) -> int:
+    """Return the side of a new texture for so many ``faces``, in texels.
+
+    As fine as the pictures that it is made of, at least 512, and at most ``most``, unless the faces
+    need more to lie apart.
+    """
+    sides = [np.sqrt(picture.shape[0] * picture.shape[1]) for picture in surface.pictures]
+    size = int(min(most, max(512.0, *(2.0 ** round(np.log2(side)) for side in (*sides, 1.0)))))
+    while size < MOST_TEXTURE and _ROOM * faces > size * size:
+        size *= 2
+    return min(size, MOST_TEXTURE)
+
+
+def nearest_places(
+    surface: Surface, point: Float[np.ndarray, "t 3"], normal: Float[np.ndarray, "t 3"]
+) -> tuple[Int[np.ndarray, "t"], Float[np.ndarray, "t 3"]]:
+    """Return the face of ``surface`` nearest to each point, and the place on it by its weights.
+
+    Of those about as near, one that faces the same way is taken: both sides of a thin wall keep
+    their colours.
+    """
+    triangles = surface.vertices[surface.faces]
+    owner, samples = _spread(triangles)
+    own_normals = face_normals(surface.vertices, surface.faces)
+    diagonal = float(np.linalg.norm(np.ptp(samples, axis=0)))
+    reach = _FACING * diagonal
+    tree = KDTree(np.hstack([samples, reach * own_normals[owner]]))
+    _, found = tree.query(np.hstack([point, reach * normal]), k=min(_NEAR, len(samples)))
+    best = np.full(len(point), np.inf)
+    face = np.zeros(len(point), np.int64)
+    weights = np.zeros((len(point), 3))
+    for k in range(np.reshape(found, (len(point), -1)).shape[1]):
+        at = owner[np.reshape(found, (len(point), -1))[:, k]]
+        place, gap = _closest(point, triangles[at])
+        gap += reach**2 * (1 - (own_normals[at] * normal).sum(1))
+        better = gap < best
+        best[better], face[better], weights[better] = gap[better], at[better], place[better]
+    return face, weights
+
+
+def _texels(
+    atlas: Atlas, vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> tuple[Float[np.ndarray, "t 3"], Float[np.ndarray, "t 3"]]:
+    """Return where each texel lies, and the normal of its face."""
+    corner = vertices[faces[atlas.face]]
+    return (corner * atlas.weights[:, :, None]).sum(1), face_normals(vertices, faces)[atlas.face]
+
+
+def _spread(
+    triangles: Float[np.ndarray, "m 3 3"],
+) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "s 3"]]:
+    """Return points all over triangles, at least one each, and whose they are."""
+    a, b, c = triangles.transpose(1, 0, 2)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    count = 1 + (area / area.sum() * _SAMPLES).astype(np.int64)
+    owner = np.repeat(np.arange(len(triangles)), count)
+    u, v = np.random.default_rng(0).random((2, len(owner)))
+    over = u + v > 1
+    u, v = np.where(over, 1 - u, u), np.where(over, 1 - v, v)
+    first = np.cumsum(count) - count
+    u[first] = v[first] = 1 / 3
+    spread = a[owner] + u[:, None] * (b - a)[owner] + v[:, None] * (c - a)[owner]
+    return owner, spread
+
+
+def _closest(
+    point: Float[np.ndarray, "t 3"], triangle: Float[np.ndarray, "t 3 3"]
+) -> tuple[Float[np.ndarray, "t 3"], Float[np.ndarray, "t"]]:
+    """Return about the nearest place of a triangle, by weights, and its squared distance.
+
+    The foot of the perpendicular, pulled into the triangle along its sides.
+    """
+    a, b, c = triangle.transpose(1, 0, 2)
+    ab, ac, ap = b - a, c - a, point - a
+    d00, d01, d11 = (ab * ab).sum(1), (ab * ac).sum(1), (ac * ac).sum(1)
+    d20, d21 = (ap * ab).sum(1), (ap * ac).sum(1)
+    area = np.maximum(d00 * d11 - d01 * d01, 1e-30)
+    v, w = (d11 * d20 - d01 * d21) / area, (d00 * d21 - d01 * d20) / area
+    weights = np.clip(np.column_stack([1 - v - w, v, w]), 0, None)
+    weights /= weights.sum(1, keepdims=True)
+    foot = (triangle * weights[:, :, None]).sum(1)
+    return weights, ((foot - point) ** 2).sum(1)

@@ -1,0 +1,53 @@
+"""The picture of one instance as image-to-3D models want it: alone, centred, in a square."""
+
+from __future__ import annotations
+
+import io
+
+import numpy as np
+from jaxtyping import UInt8
+from PIL import Image
+
+from ...errors import BackendError
+from ...geometry import mask_box
+from ...scene import Instance
+
+_SHARE = 0.85  # of the square's side that the thing fills
+_LEAST, _MOST = 256, 1024  # pixels of the square's side
+
+Cutout = UInt8[np.ndarray, "s s 4"]
+
+
+def cutout(instance: Instance, backend: str) -> Cutout:
+    """Return an instance's crop as a square of 256 to 1024 pixels, transparent around it.
+
+    Raises:
+        BackendError: the crop shows nothing.
+    """
+    crop = instance.crop
+    if not (crop[..., 3] > 127).any():
+        raise BackendError(f"{backend}, model of {instance.name!r}: its crop shows nothing.")
+    x0, y0, x1, y1 = mask_box(crop[..., 3] > 0).astype(int)
+    thing = np.where(crop[..., 3:] > 0, crop, 0).astype(np.uint8)[y0:y1, x0:x1]
+    side = int(np.ceil(max(thing.shape[:2]) / _SHARE))
+    square = np.zeros((side, side, 4), np.uint8)
+    top, left = (side - thing.shape[0]) // 2, (side - thing.shape[1]) // 2
+    square[top : top + thing.shape[0], left : left + thing.shape[1]] = thing
+    wanted = int(np.clip(side, _LEAST, _MOST))
+    if wanted == side:
+        return square
+    resized = Image.fromarray(square).resize((wanted, wanted), Image.Resampling.LANCZOS)
+    return np.asarray(resized, np.uint8)
+
+
+def png(picture: UInt8[np.ndarray, "h w c"]) -> bytes:
+    """Return a picture as PNG."""
+    stream = io.BytesIO()
+    Image.fromarray(picture).save(stream, "PNG")
+    return stream.getvalue()
+
+
+def on_grey(picture: Cutout) -> UInt8[np.ndarray, "s s 3"]:
+    """Return a cut-out over middle grey."""
+    share = picture[..., 3:] / 255.0
+    return np.round(picture[..., :3] * share + 127.5 * (1 - share)).astype(np.uint8)

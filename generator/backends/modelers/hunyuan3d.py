@@ -1,0 +1,177 @@
+"""Hunyuan3D-2.x on a server of your own: its ``api_server.py``, 2.0 and 2.1."""
+
+from __future__ import annotations
+
+import base64
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from ...errors import BackendError, choices, require
+from ...running.session import Session
+from ...scene import Instance, Model, SizePrior, View
+from .cutout import cutout, png
+from .inspection import inspect_glb
+from .normalising import Normal, foreign_model, normal_mesh
+
+ADDRESS = "TABLETOPGEN_HUNYUAN3D_URL"
+"""The environment's name for the server's address, where ``Hunyuan3D.url`` is empty."""
+
+USUAL = "http://127.0.0.1:8081"
+"""Where the server listens unless told otherwise."""
+
+_MOST_BYTES = 128 * 2**20
+_ROUTE = "generate"  # the only one that tells of failures
+_HEALTH_SECONDS = 10.0
+
+Version = Literal["2.0", "2.1"]
+
+
+@dataclass(frozen=True)
+class Hunyuan3D:
+    """Asks a local server of Hunyuan3D for one textured GLB per instance.
+
+    The server works on one request at a time. 2.1's ignores seed, steps and resolution; 2.0's needs
+    ``--enable_tex`` for textures. Both get a cut-out, for 2.1's never removes a background.
+
+    Attributes:
+        url: the server's address; empty: the environment's ``TABLETOPGEN_HUNYUAN3D_URL``, else
+            ``http://127.0.0.1:8081``.
+        version: which body the server reads.
+        textured: whether it paints the mesh.
+        seed: of its noise.
+        octree: resolution of its surface, 64 to 512.
+        steps: of its diffusion, 1 to 20.
+        guidance: how closely it follows the picture.
+        asked_faces: triangles that it is asked for.
+        timeout: seconds for one answer, those in which it works for others included.
+        faces: most triangles kept, see ``Normal``.
+        texture: side of a texture made anew, texels.
+        session: what the calls of one generation share.
+    """
+
+    url: str = ""
+    version: Version = "2.1"
+    textured: bool = True
+    seed: int = 1234
+    octree: int = 256
+    steps: int = 5
+    guidance: float = 5.0
+    asked_faces: int = 40_000
+    timeout: float = 1800.0
+    faces: int = Normal.faces
+    texture: int = Normal.texture
+    session: Session = field(default_factory=Session, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        if self.version not in ("2.0", "2.1"):
+            raise BackendError(
+                f"hunyuan3d has no version {self.version!r}." + choices(self.version, _BODIES)
+            )
+        require(self, "octree", least=64, most=512, whole=True)
+        require(self, "steps", least=1, most=20, whole=True)
+        require(self, "asked_faces", least=1000, most=100_000, whole=True)
+        require(self, "timeout", above=0)
+
+    def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
+        """Return the server's mesh of one instance; see ``protocols.Modeler``.
+
+        An answer kept from an earlier run that turns out damaged is asked for once more.
+
+        Raises:
+            BackendError: no server, no answer, or no usable GLB.
+        """
+        what = f"hunyuan3d, model of {instance.name!r}:"
+        to = Normal(self.faces, self.texture)
+        body = self.body(png(cutout(instance, "hunyuan3d")))
+        raw = self._ask(body, what, "yes")
+        try:
+            inspect_glb(raw, f"{what} the answer")
+        except BackendError:
+            raw = self._ask(body, what, "renew")
+        return foreign_model(normal_mesh(raw, f"{what} the answer", to=to), instance, size)
+
+    def body(self, picture: bytes) -> Mapping[str, Any]:
+        """Return what is asked about a PNG, as the server's version reads it."""
+        return {
+            "image": base64.b64encode(picture).decode(),
+            "texture": self.textured,
+            "seed": self.seed,
+            "octree_resolution": self.octree,
+            "num_inference_steps": self.steps,
+            "guidance_scale": self.guidance,
+            "face_count": self.asked_faces,
+            **_BODIES[self.version],
+        }
+
+    def health(self) -> str:
+        """Return what the server calls itself; it does not answer while it works.
+
+        Raises:
+            BackendError: nothing answers, or 2.1's route is not there (2.0's server has none).
+        """
+        client = self.session.client("hunyuan3d", self._address(), timeout=_HEALTH_SECONDS)
+        headers = {"x-tabletopgen-question": "health", "x-tabletopgen-memo": "no"}
+        with client:
+            answer = client.get("health", headers=headers)
+        told = _object(answer.content)
+        if answer.status_code != 200 or told.get("status") != "healthy":
+            raise BackendError(
+                f"hunyuan3d, health: {self._address()} answers {answer.status_code}, "
+                f"{answer.content[:80]!r}. Is it Hunyuan3D-2.1's api_server.py?"
+            )
+        return str(told.get("worker_id", ""))
+
+    def _address(self) -> str:
+        return self.url or os.environ.get(ADDRESS, "") or USUAL
+
+    def _ask(self, body: Mapping[str, Any], what: str, memo: str) -> bytes:
+        client = self.session.client(
+            "hunyuan3d", self._address(), timeout=self.timeout, most_bytes=_MOST_BYTES
+        )
+        headers = {
+            "x-tabletopgen-question": "model",
+            "x-tabletopgen-model": f"hunyuan3d-{self.version}",
+            "x-tabletopgen-memo": memo,
+        }
+        with client:
+            answer = client.post(_ROUTE, json=body, headers=headers)
+        if answer.status_code == 200:
+            return answer.content
+        raise BackendError(f"{what} {self._refusal(answer.status_code, answer.content)}")
+
+    def _refusal(self, status: int, content: bytes) -> str:
+        """Return what an answer that is no mesh says: the server tells of failures by 404."""
+        told = _object(content)
+        if "error_code" in told:
+            hint = " (2.0 needs --enable_tex for textures)" if self.version == "2.0" else ""
+            return (
+                f"the server failed ({status}, {str(told.get('text', ''))[:200]!r}). Its own log "
+                f"has the reason: GPU memory, or no texture model{hint}."
+            )
+        if status == 422:
+            return (
+                f"the server does not take the request ({content[:300]!r}). Version {self.version} "
+                "was spoken; set Hunyuan3D.version to the server's."
+            )
+        return (
+            f"{self._address()} answers {status}, {content[:80]!r}. Is it Hunyuan3D's "
+            f"api_server.py? Set {ADDRESS} to its address."
+        )
+
+
+_BODIES: Mapping[str, Mapping[str, Any]] = {
+    "2.0": {"type": "glb"},
+    "2.1": {"remove_background": False, "num_chunks": 8000},
+}
+
+
+def _object(content: bytes) -> Mapping[str, Any]:
+    """Return a JSON object, or an empty one where there is none."""
+    try:
+        told = json.loads(content)
+    except ValueError:
+        return {}
+    return told if isinstance(told, dict) else {}

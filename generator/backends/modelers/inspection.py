@@ -1,0 +1,212 @@
+"""What is wrong with a foreign mesh file, found before any of it is decoded."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import io
+import json
+import struct
+from collections.abc import Mapping
+from typing import Any
+
+from PIL import Image
+
+from ...errors import BackendError
+
+MOST_BYTES = 256 * 2**20
+"""Larger files are refused."""
+
+MOST_FACES = 10_000_000
+"""Meshes of more triangles are refused."""
+
+MOST_TEXELS = 64 * 2**20
+"""Pictures of more pixels are refused: a small file may unpack to any size."""
+
+_MOST_HEADER = 32 * 2**20  # bytes of JSON
+_CLAIMED = 4  # times the file's size that its numbers may take: accessors may share bytes
+_JSON = 0x4E4F534A
+_COMPRESSED = {
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
+    "KHR_texture_basisu",
+}
+_UNDERSTOOD = ("KHR_materials_", "KHR_lights_punctual", "EXT_texture_webp", "KHR_texture_transform")
+_COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+_WIDTHS = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
+_DAMAGE = (KeyError, IndexError, TypeError, AttributeError, ValueError)
+
+Header = Mapping[str, Any]
+
+
+def inspect_glb(raw: bytes, what: str, most_faces: int = MOST_FACES) -> Header:
+    """Return the JSON header of a GLB file (glTF 2.0) that can be read without harm.
+
+    Args:
+        raw: the file's content.
+        what: how messages call it: the backend and the thing it was asked for.
+        most_faces: meshes of more triangles, repeated ones counted each time, are refused.
+
+    Raises:
+        BackendError: no GLB, cut off, too large, compressed, with files outside itself, without
+            triangles, or with a picture that cannot be read or is too large.
+    """
+    header, data = _chunks(raw, what)
+    try:
+        reason = (
+            _extensions(header)
+            or _links(header)
+            or _amounts(header, len(raw))
+            or _faces(header, most_faces)
+            or _pictures(header, data)
+        )
+    except _DAMAGE as error:
+        reason = f"is damaged ({type(error).__name__}: {error}). Export it again."
+    if reason:
+        raise BackendError(f"{what} {reason}")
+    return header
+
+
+def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
+    """Check that an OBJ file is text with faces, and not too many.
+
+    Raises:
+        BackendError: it is none, or too large.
+    """
+    _check_size(raw, what)
+    if b"\0" in raw[:4096]:
+        raise BackendError(f"{what} is no OBJ file: it is not text. Export it again.")
+    count = raw.count(b"\nf ") + raw.count(b"\nf\t") + raw.startswith((b"f ", b"f\t"))
+    if not 0 < count <= most_faces:
+        raise BackendError(f"{what} has {count} faces; 1 to {most_faces} are read.")
+
+
+def check_picture(raw: bytes) -> str | None:
+    """Return why a picture cannot be used, or None. Only its header is read."""
+    try:
+        with Image.open(io.BytesIO(raw)) as picture:
+            width, height = picture.size
+    except (Image.DecompressionBombError, Image.DecompressionBombWarning):
+        return "has a texture that unpacks to more pixels than any needs. Make it smaller."
+    except Exception as error:  # whatever a decoder may stumble over in a foreign file
+        return f"has a texture that cannot be read ({error}). Use PNG or JPEG."
+    if width * height > MOST_TEXELS:
+        return f"has a texture of {width} x {height} pixels; at most {MOST_TEXELS} are read."
+    return None
+
+
+def _check_size(raw: bytes, what: str) -> None:
+    if len(raw) > MOST_BYTES:
+        raise BackendError(
+            f"{what} takes {len(raw) / 2**20:.0f} MiB; at most {MOST_BYTES // 2**20} are read."
+        )
+
+
+def _chunks(raw: bytes, what: str) -> tuple[Header, bytes]:
+    """Return the JSON header and the binary chunk (empty where there is none)."""
+    _check_size(raw, what)
+    if raw[:4] != b"glTF" or len(raw) < 20:
+        raise BackendError(
+            f"{what} is no GLB file: its {len(raw)} bytes begin with {raw[:12]!r}. "
+            "Binary glTF 2.0 is read."
+        )
+    version, length, size, kind = struct.unpack("<4I", raw[4:20])
+    if version != 2 or kind != _JSON:
+        raise BackendError(f"{what} is glTF version {version}; binary glTF 2.0 is read.")
+    if length > len(raw) or size > length - 20:
+        raise BackendError(f"{what} is cut off: {len(raw)} of {max(length, size)} bytes are there.")
+    if size > _MOST_HEADER:
+        raise BackendError(f"{what} has a header of {size} bytes; at most {_MOST_HEADER} are read.")
+    try:
+        header = json.loads(raw[20 : 20 + size])
+    except (ValueError, RecursionError) as error:
+        raise BackendError(f"{what} has a damaged header ({error}). Export it again.") from error
+    if not isinstance(header, dict):
+        raise BackendError(f"{what} has a header that is no JSON object. Export it again.")
+    return header, raw[28 + size :]
+
+
+def _extensions(header: Header) -> str | None:
+    required = set(header.get("extensionsRequired", ()))
+    compressed = sorted(_COMPRESSED & (required | set(header.get("extensionsUsed", ()))))
+    if compressed:
+        return f"is compressed by {', '.join(compressed)}, not read. Export it uncompressed."
+    foreign = sorted(name for name in required if not name.startswith(_UNDERSTOOD))
+    if foreign:
+        return f"needs {', '.join(foreign)}, not read. Export plain glTF 2.0."
+    for material in header.get("materials", ()):
+        color = material.get("pbrMetallicRoughness", {}).get("baseColorTexture", {})
+        if "KHR_texture_transform" in color.get("extensions", {}):
+            return "moves its texture by KHR_texture_transform, not read. Apply it to the UV map."
+    return None
+
+
+def _links(header: Header) -> str | None:
+    for entry in (*header.get("buffers", ()), *header.get("images", ())):
+        uri = entry.get("uri", "data:")
+        if not uri.startswith("data:"):
+            return f"names a file outside itself, {uri[:80]!r}. Export one GLB with all in it."
+    return None
+
+
+def _amounts(header: Header, size: int) -> str | None:
+    claimed = 0
+    for accessor in header.get("accessors", ()):
+        if "bufferView" not in accessor or "sparse" in accessor:
+            return "has sparse or empty accessors, not read. Export plain glTF 2.0."
+        count = int(accessor["count"])
+        if count < 0:
+            return f"is damaged (an accessor of {count} elements). Export it again."
+        claimed += count * _COLUMNS[accessor["type"]] * _WIDTHS[accessor["componentType"]]
+    if claimed > _CLAIMED * size:
+        return f"is damaged: its accessors claim {claimed} bytes, the file has {size}."
+    return None
+
+
+def _faces(header: Header, most: int) -> str | None:
+    """Count triangles as they would be drawn: a mesh at two nodes is there twice."""
+    per_mesh = [_mesh_faces(header, mesh) for mesh in header.get("meshes", ())]
+    nodes = header.get("nodes", ())
+    listed = [root for scene in header.get("scenes", ()) for root in scene.get("nodes", ())]
+    waiting = listed.copy() or list(range(len(nodes)))
+    seen: set[int] = set()
+    total = 0 if nodes else sum(per_mesh)
+    while waiting:
+        at = waiting.pop()
+        if at in seen and listed:
+            return "is damaged: a node has two parents. Export it again."
+        node = nodes[at]
+        seen.add(at)
+        total += per_mesh[node["mesh"]] if "mesh" in node else 0
+        waiting += node.get("children", ()) if listed else ()
+    if not 0 < total <= most:
+        return f"has {total} triangles; 1 to {most} are read."
+    return None
+
+
+def _mesh_faces(header: Header, mesh: Header) -> int:
+    faces = 0
+    for primitive in mesh["primitives"]:
+        index = primitive.get("indices", primitive["attributes"].get("POSITION"))
+        count = int(header["accessors"][index]["count"]) if index is not None else 0
+        mode = primitive.get("mode", 4)
+        faces += count // 3 if mode == 4 else max(count - 2, 0) if mode in (5, 6) else 0
+    return faces
+
+
+def _pictures(header: Header, data: bytes) -> str | None:
+    for image in header.get("images", ()):
+        if "bufferView" in image:
+            view = header["bufferViews"][image["bufferView"]]
+            start = view.get("byteOffset", 0)
+            raw = data[start : start + view["byteLength"]]
+        else:
+            try:
+                raw = base64.b64decode(image["uri"].partition("base64,")[2])
+            except binascii.Error as error:
+                return f"has a damaged texture ({error}). Export it again."
+        reason = check_picture(raw)
+        if reason:
+            return reason
+    return None

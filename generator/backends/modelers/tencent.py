@@ -1,0 +1,179 @@
+"""Hunyuan3D-3.x as jobs of Tencent Cloud (service ai3d): submit, poll, download."""
+
+from __future__ import annotations
+
+import base64
+import contextlib
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, get_args
+from urllib.parse import urlsplit
+
+from ...errors import BackendError, choices, require
+from ...running.session import Session
+from ...scene import Instance, Model, SizePrior, View
+from .ai3d import LostJob, Service, read_keys
+from .cutout import cutout, png
+from .inspection import inspect_glb
+from .normalising import Normal, foreign_model, normal_mesh
+
+HOSTS = (".myqcloud.com", ".tencentcos.cn", ".tencentcos.com")
+"""Where results may lie: Tencent's object storage."""
+
+_MOST_BYTES = 256 * 2**20
+
+Style = Literal["Normal", "LowPoly", "Geometry", "Sketch"]
+
+
+@dataclass(frozen=True)
+class Tencent:
+    """Has Tencent's cloud make one GLB per instance, as the paper does.
+
+    Keys are read from ``TENCENTCLOUD_SECRET_ID`` and ``TENCENTCLOUD_SECRET_KEY`` at each call. A
+    submission is remembered by its content: a run that goes on polls the job that it paid for.
+
+    Attributes:
+        endpoint: the service's address.
+        region: where it runs.
+        style: what it makes: "Normal" is textured, "Geometry" is not.
+        pbr: whether it makes physically based materials; only their base colour is used.
+        asked_faces: triangles that it is asked for, 40,000 to 1,500,000.
+        interval: seconds between two looks at a job.
+        timeout: seconds that a job may take.
+        hosts: ends of the names of hosts that results may be downloaded from, over https.
+        faces: most triangles kept, see ``Normal``.
+        texture: side of a texture made anew, texels.
+        session: what the calls of one generation share.
+    """
+
+    endpoint: str = "https://ai3d.tencentcloudapi.com"
+    region: str = "ap-guangzhou"
+    style: Style = "Normal"
+    pbr: bool = False
+    asked_faces: int = 40_000
+    interval: float = 5.0
+    timeout: float = 1800.0
+    hosts: tuple[str, ...] = HOSTS
+    faces: int = Normal.faces
+    texture: int = Normal.texture
+    session: Session = field(default_factory=Session, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        if self.style not in get_args(Style):
+            raise BackendError(
+                f"tencent makes no {self.style!r}." + choices(self.style, get_args(Style))
+            )
+        require(self, "asked_faces", least=40_000, most=1_500_000, whole=True)
+        require(self, "interval", "timeout", above=0)
+
+    def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
+        """Return the cloud's mesh of one instance; see ``protocols.Modeler``.
+
+        Of an earlier run's job that failed or is kept no longer, another is submitted, once.
+
+        Raises:
+            BackendError: no key, no answer, a job that fails, or no usable GLB.
+        """
+        what = f"tencent, model of {instance.name!r}:"
+        to = Normal(self.faces, self.texture)
+        body = {
+            "ImageBase64": base64.b64encode(png(cutout(instance, "tencent"))).decode(),
+            "GenerateType": self.style,
+            "EnablePBR": self.pbr,
+            "FaceCount": self.asked_faces,
+        }
+        with self._service(what) as service:
+            try:
+                raw = self._result(service, service.submit(body, "yes"))
+            except LostJob:
+                try:
+                    raw = self._result(service, service.submit(body, "renew"))
+                except LostJob as error:
+                    raise BackendError(f"{what} {error}") from error
+        return foreign_model(normal_mesh(raw, f"{what} the answer", to=to), instance, size)
+
+    @contextlib.contextmanager
+    def _service(self, what: str) -> Iterator[Service]:
+        keys = read_keys(what)
+        with self.session.client("tencent", self.endpoint, secrets=keys) as client:
+            yield Service(
+                client, keys, self.endpoint, self.region, what, self.session, self.interval,
+                self.timeout,
+            )  # fmt: skip
+
+    def _result(self, service: Service, job: str) -> bytes:
+        """Return a job's GLB, once it is done.
+
+        The last look at a job is kept with its answer: what is downloaded once needs no network
+        again.
+
+        Raises:
+            LostJob: it was over before this look at it, and nothing can be had of it.
+        """
+        what, until = service.what, time.monotonic() + self.timeout
+        told = service.look(job, "yes")
+        new = told.get("Status") in ("WAIT", "RUN")
+        while told.get("Status") in ("WAIT", "RUN"):
+            if time.monotonic() > until:
+                raise BackendError(
+                    f"{what} job {job} is not done after {self.timeout:g} s. It goes on there; "
+                    "run it again to look at it again."
+                )
+            self.session.pause(self.interval)
+            told = service.look(job, "renew")
+        if told.get("Status") != "DONE":
+            _failed(told, job, what, new)
+        raw = self._download(told, what)
+        if raw is None:  # its address has expired: another look gives another
+            raw = self._download(service.look(job, "renew"), what)
+        if raw is None and not new:
+            raise LostJob(f"the result of job {job} is kept no longer.")
+        if raw is None:
+            raise BackendError(f"{what} the result of job {job} cannot be fetched. Run it again.")
+        return raw
+
+    def _download(self, told: Mapping[str, Any], what: str) -> bytes | None:
+        """Return the GLB that a job's answer names; None if its address has expired."""
+        files = {str(f.get("Type", "")).upper(): f.get("Url") for f in _dicts(told)}
+        url = files.get("GLB")
+        if not isinstance(url, str):
+            raise BackendError(f"{what} the result has no GLB." + choices("GLB", files))
+        parts = urlsplit(url)
+        if not self._trusted(parts.scheme, parts.hostname or ""):
+            raise BackendError(
+                f"{what} the result lies at {parts.scheme}://{parts.hostname}, not below "
+                f"{', '.join(self.hosts)}. If that is right, add the host to Tencent.hosts."
+            )
+        client = self.session.client(
+            "tencent", f"{parts.scheme}://{parts.netloc}", most_bytes=_MOST_BYTES
+        )
+        with client:
+            for memo in ("yes", "renew"):  # a kept answer that is damaged is fetched once more
+                headers = {"x-tabletopgen-question": "model", "x-tabletopgen-memo": memo}
+                answer = client.get(url, headers=headers)
+                if answer.status_code != 200:
+                    break
+                with contextlib.suppress(BackendError):
+                    inspect_glb(answer.content, what)
+                    break
+        return answer.content if answer.status_code == 200 else None
+
+    def _trusted(self, scheme: str, host: str) -> bool:
+        """Return whether results may be fetched from there; plain http only from this machine."""
+        ends = tuple("." + end.lstrip(".") for end in self.hosts)
+        safe = scheme == "https" or (scheme == "http" and host in ("127.0.0.1", "localhost"))
+        return safe and f".{host}".endswith(ends)
+
+
+def _failed(told: Mapping[str, Any], job: str, what: str, new: bool) -> None:
+    said = f"{told.get('ErrorCode', '')} {told.get('ErrorMessage', '')}".strip()
+    reason = f"job {job} ended as {told.get('Status')!r} ({said[:300]})."
+    if not new:
+        raise LostJob(reason)
+    raise BackendError(f"{what} {reason} Run it again to submit it anew.")
+
+
+def _dicts(told: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    listed = told.get("ResultFile3Ds")
+    return [f for f in listed if isinstance(f, Mapping)] if isinstance(listed, list) else []

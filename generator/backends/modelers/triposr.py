@@ -1,0 +1,84 @@
+"""TripoSR of VAST and Stability AI in this process; the smallest, it runs on a CPU, too."""
+
+from __future__ import annotations
+
+import inspect
+import threading
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from PIL import Image
+
+from ...errors import require
+from ...scene import Instance, Model, SizePrior, View
+from .cutout import cutout, on_grey
+from .installed import call, module, only_mesh, working
+from .normalising import Normal, foreign_model, normal_trimesh
+
+_HOW = "Install github.com/VAST-AI-Research/TripoSR and put it on the path."
+_CHUNK = 8192  # points of its renderer worked on at once
+
+
+@dataclass(frozen=True)
+class TripoSR:
+    """Runs TripoSR where it is installed, one instance at a time.
+
+    Attributes:
+        weights: name or folder of the weights.
+        device: "cuda", "cpu" …; empty: "cuda" where there is one.
+        resolution: of its surface, cells along a side.
+        faces: most triangles kept, see ``Normal``.
+        texture: side of the texture that its vertex colours are painted into, texels.
+    """
+
+    weights: str = "stabilityai/TripoSR"
+    device: str = ""
+    resolution: int = 256
+    faces: int = Normal.faces
+    texture: int = Normal.texture
+    _turn: threading.Lock = field(
+        default_factory=threading.Lock, init=False, repr=False, compare=False
+    )
+
+    def __post_init__(self) -> None:
+        require(self, "resolution", least=32, most=512, whole=True)
+
+    def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
+        """Return its mesh of one instance; see ``protocols.Modeler``.
+
+        Raises:
+            BackendError: it is not installed, or fails.
+        """
+        what = f"triposr, model of {instance.name!r}:"
+        to = Normal(self.faces, self.texture)
+        picture = Image.fromarray(on_grey(cutout(instance, "triposr")))
+        with self._turn, working(what):
+            made = self._run(picture)
+        mesh = normal_trimesh(only_mesh(made, what), what, up="z", to=to)
+        return foreign_model(mesh, instance, size)
+
+    @cached_property
+    def _network(self) -> Any:
+        kind = module("tsr.system", "triposr", _HOW).TSR
+        made = call(
+            kind.from_pretrained, "triposr", self.weights, config_name="config.yaml",
+            weight_name="model.ckpt",
+        )  # fmt: skip
+        made.renderer.set_chunk_size(_CHUNK)
+        made.to(self._device)
+        return made
+
+    @cached_property
+    def _device(self) -> str:
+        torch = module("torch", "triposr", _HOW)
+        return self.device or ("cuda" if torch.cuda.is_available() else "cpu")
+
+    def _run(self, picture: Image.Image) -> Any:
+        network = self._network
+        with module("torch", "triposr", _HOW).inference_mode():
+            codes = network([picture], device=self._device)
+            extract = network.extract_mesh
+            colored = "has_vertex_color" in inspect.signature(extract).parameters
+            named = {"has_vertex_color": True} if colored else {}  # newer versions ask for it
+            return call(extract, "triposr", codes, resolution=self.resolution, **named)[0]

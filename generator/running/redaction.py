@@ -1,0 +1,60 @@
+"""Secrets out of texts: keys never reach a message, a log, a file."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from collections.abc import Iterable
+from urllib.parse import parse_qsl, quote, urlencode, urlsplit, urlunsplit
+
+REDACTED = "[redacted]"
+
+_SHAPES = (
+    re.compile(r"(?i)(?<=\bbearer )[^\s\"',;]+"),
+    re.compile(r"(?i)(?<=\bbasic )[A-Za-z0-9+/=_-]{8,}"),
+    re.compile(r"\b(?:sk|pk|hf|r8|gsk|xai|rk)[-_][A-Za-z0-9*._-]{8,}"),
+    re.compile(r"\bAKID[A-Za-z0-9]{12,}"),
+    re.compile(r"(?i)(?<=signature=)[^\s&\"',;]+"),
+)
+_SIGNED = re.compile(
+    r"(?i)^(?:x-(?:amz|goog|tos|oss|cos)-|q-(?:ak|sign|key|header|url)|(?:signature|sig|expires)$"
+    r"|(?:oss|aws)accesskeyid$|googleaccessid$)"
+)
+"""Parameters of signed links: how they are signed, not what they lead to."""
+
+
+def redacted(text: str, secrets: Iterable[str] = ()) -> str:
+    """Return ``text`` without the secrets given, and without what is shaped like a key.
+
+    A secret is found as it is, quoted for a URL, escaped in JSON, or in base64 by itself.
+    """
+    for secret in sorted(set(secrets), key=len, reverse=True):
+        for form in _forms(secret):
+            text = text.replace(form, REDACTED)
+    for shape in _SHAPES:
+        text = shape.sub(REDACTED, text)
+    return text
+
+
+def holds(text: str, secrets: Iterable[str]) -> bool:
+    """Return whether a text holds one of the secrets, in any of the forms that are redacted."""
+    return any(form in text for secret in secrets for form in _forms(secret))
+
+
+def plain_url(url: str) -> str:
+    """Return ``url`` without user, fragment, and the parameters that sign it.
+
+    Links to one file that were signed at different times become the same.
+    """
+    parts = urlsplit(url)
+    asked = parse_qsl(parts.query, keep_blank_values=True)
+    kept = urlencode([(name, value) for name, value in asked if not _SIGNED.search(name)])
+    return urlunsplit((parts.scheme, parts.netloc.rpartition("@")[2], parts.path, kept, ""))
+
+
+def _forms(secret: str) -> tuple[str, ...]:
+    if not secret.strip():
+        return ()
+    encoded = base64.b64encode(secret.encode()).decode()
+    return secret, quote(secret, safe=""), json.dumps(secret)[1:-1], encoded

@@ -1,0 +1,94 @@
+"""A small HTTP server of the tests' own, in a thread."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import threading
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+
+from generator.running.session import Session
+from generator.running.store import CallStore
+from generator.running.waiting import Patience
+
+
+@dataclass(frozen=True)
+class Call:
+    method: str
+    path: str
+    headers: dict[str, str]
+    body: bytes
+
+    @property
+    def json(self) -> dict:
+        return json.loads(self.body)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """``length`` is what the headers claim; more than ``body`` has is an answer cut off.
+
+    ``hang`` is awaited first.
+    """
+
+    status: int = 200
+    body: bytes = b""
+    kind: str = "application/octet-stream"
+    length: int | None = None
+    hang: threading.Event | None = None
+
+    @classmethod
+    def of(cls, told: object, status: int = 200) -> Answer:
+        return cls(status, json.dumps(told).encode(), "application/json")
+
+
+@dataclass
+class Served:
+    url: str
+    calls: list[Call] = field(default_factory=list)
+
+
+@contextlib.contextmanager
+def serving(answer: Callable[[Call], Answer]) -> Iterator[Served]:
+    served = Served("")
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            size = int(self.headers.get("content-length", 0))
+            headers = {name.lower(): value for name, value in self.headers.items()}
+            call = Call(self.command, self.path, headers, self.rfile.read(size))
+            served.calls.append(call)
+            made = answer(call)
+            if made.hang is not None:
+                made.hang.wait(30)
+            with contextlib.suppress(OSError):
+                self.send_response(made.status)
+                self.send_header("content-type", made.kind)
+                length = len(made.body) if made.length is None else made.length
+                self.send_header("content-length", str(length))
+                self.end_headers()
+                self.wfile.write(made.body)
+
+        do_POST = do_GET
+
+        def log_message(self, *_: object) -> None:
+            pass
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    server.daemon_threads = True
+    served.url = f"http://127.0.0.1:{server.server_address[1]}"
+    thread = threading.Thread(target=server.serve_forever, args=(0.01,))
+    thread.start()
+    try:
+        yield served
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()
+
+
+def quick(store: CallStore | None = None, attempts: int = 1) -> Session:
+    """A session that does not wait long."""
+    return Session(store=store, attempts=attempts, patience=Patience(first=0.01, longest=0.02))

@@ -1,0 +1,107 @@
+"""What every modeler keeps, whoever makes the mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+from backends.modelers.foreign import glb, instance, prior, striped_box
+from backends.modelers.server import Answer, Call, quick, serving
+from backends.modelers.test_tencent import ID, KEY, Cloud
+
+from generator.backends import Backends
+from generator.backends.embedded.modeler import Modeler as Embedded
+from generator.backends.embedded.reasoner import Reasoner
+from generator.backends.modelers.folder import Folder
+from generator.backends.modelers.hunyuan3d import Hunyuan3D
+from generator.backends.modelers.tencent import Tencent
+from generator.backends.protocols import Modeler
+from generator.errors import BackendError
+from generator.physics.inertia import body_mass, is_watertight
+from generator.scene import USUAL_VIEW, Model
+from generator.stages.modeling import align_canonically
+
+THING = glb(striped_box((1.0, 0.8, 0.7)))
+NAMES = ("embedded", "folder", "hunyuan3d", "tencent")
+
+
+@pytest.fixture(params=NAMES, scope="module")
+def modeler(request, tmp_path_factory) -> Iterator[Modeler]:
+    folder = tmp_path_factory.mktemp("assets")
+    (folder / "gizmo.glb").write_bytes(THING)
+    cloud = Cloud(loads=[Answer(body=THING)])
+
+    def answer(call: Call) -> Answer:
+        return Answer(body=THING) if call.path == "/generate" else cloud(call)
+
+    with serving(answer) as served, pytest.MonkeyPatch.context() as environment:
+        environment.setenv("TENCENTCLOUD_SECRET_ID", ID)
+        environment.setenv("TENCENTCLOUD_SECRET_KEY", KEY)
+        yield {
+            "embedded": Embedded(texture=64),
+            "folder": Folder(str(folder)),
+            "hunyuan3d": Hunyuan3D(served.url, session=quick()),
+            "tencent": Tencent(
+                served.url, interval=0.01, hosts=("127.0.0.1",), session=quick()
+            ),
+        }[request.param]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def made(modeler) -> Model:
+    return ask(modeler)
+
+
+def ask(modeler: Modeler) -> Model:
+    return modeler.model(instance("gizmo"), prior("gizmo"), USUAL_VIEW)
+
+
+def test_it_answers_the_protocol_and_is_a_value(modeler):
+    assert isinstance(modeler, Modeler)
+    with pytest.raises(AttributeError):
+        modeler.seed = 3  # type: ignore[attr-defined]
+    assert KEY not in repr(modeler)
+
+
+def test_its_model_is_whole_light_and_textured(made):
+    mesh = made.mesh
+    assert made.label == "gizmo"
+    assert is_watertight(mesh)
+    assert len(mesh.faces) <= 24_000
+    assert max(mesh.texture.shape) <= 2048
+    assert mesh.uv.min() >= 0 and mesh.uv.max() <= 1
+    assert body_mass(mesh, made.size, made.physics, made.parts).mass > 0
+
+
+def test_its_size_is_the_prior_s(made):
+    longest = np.sort(made.size)[1:]
+    assert np.prod(longest) == pytest.approx(np.prod(np.sort(prior("gizmo").extent)[1:]), rel=1e-5)
+
+
+def test_the_same_question_has_the_same_answer(modeler, made):
+    again = ask(modeler)
+    assert again.mesh.vertices.tobytes() == made.mesh.vertices.tobytes()
+    assert again.mesh.texture.tobytes() == made.mesh.texture.tobytes()
+    assert again.size.tolist() == made.size.tolist()
+
+
+def test_the_stage_can_align_it(made):
+    thing = instance("gizmo")
+    aligned = align_canonically(made, thing, prior("gizmo"), Reasoner())
+    assert (aligned.name, aligned.label) == (thing.name, thing.label)
+
+
+@pytest.mark.parametrize("name", ["folder", "hunyuan3d", "tencent", "trellis", "triposr", "sam3d"])
+def test_it_can_be_selected_by_name(name):
+    chosen = Backends.select("embedded", modeler=name)
+    assert isinstance(chosen.modeler, Modeler)
+    assert not {"session", "_turn"} & set(chosen.identity()["modeler"])
+    with pytest.raises(BackendError, match=f"Backend '{name}' has no reasoner"):
+        Backends.select(name)
+
+
+@pytest.mark.parametrize("name", ["hunyuan3d", "tencent"])
+def test_what_asks_servers_shares_the_session(name):
+    session = quick()
+    assert Backends.select("embedded", session=session, modeler=name).modeler.session is session  # type: ignore[attr-defined]

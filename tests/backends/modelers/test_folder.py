@@ -1,0 +1,113 @@
+"""Your own files as models: which one is taken, what of it stays, what is refused."""
+
+from __future__ import annotations
+
+import io
+
+import numpy as np
+import pytest
+import trimesh
+from backends.modelers.foreign import glb, instance, plain, prior, striped_box
+from PIL import Image
+
+from generator.backends.modelers.folder import Folder
+from generator.errors import BackendError
+from generator.scene import USUAL_VIEW
+
+RED, GREEN = (200, 0, 0, 255), (0, 200, 0, 255)
+
+
+def box(color: tuple[int, int, int, int]) -> bytes:
+    return glb(plain(trimesh.creation.box(extents=(1, 2, 3)), color))
+
+
+def ask(folder, label: str = "mug", **settings):
+    return Folder(str(folder), **settings).model(instance(label), prior(label), USUAL_VIEW)
+
+
+def test_the_name_goes_before_the_category(tmp_path):
+    (tmp_path / "mug.glb").write_bytes(box(RED))
+    assert ask(tmp_path).mesh.texture[0, 0, 0] == 200
+    (tmp_path / "Mug-1.GLB").write_bytes(box(GREEN))
+    assert ask(tmp_path).mesh.texture[0, 0, 1] == 200
+
+
+def test_other_words_for_a_category_find_its_file(tmp_path):
+    (tmp_path / "mug.glb").write_bytes(box(RED))
+    made = ask(tmp_path, "coffee mug")
+    assert (made.name, made.label, made.category) == ("coffee mug_1", "coffee mug", "mug")
+
+
+def test_texture_and_proportions_are_its_own_and_the_size_is_the_prior_s(tmp_path):
+    (tmp_path / "gizmo.glb").write_bytes(glb(striped_box((2.0, 4.0, 1.0))))
+    made = ask(tmp_path, "gizmo")
+    assert made.mesh.texture.shape == (64, 64, 3)
+    np.testing.assert_allclose(made.size / made.size[0], [1, 0.5, 2], rtol=1e-5)
+    want = np.sort(prior("gizmo").extent)[1:]
+    np.testing.assert_allclose(np.prod(np.sort(made.size)[1:]), np.prod(want), rtol=1e-5)
+
+
+def test_an_obj_comes_with_its_material_and_picture(tmp_path):
+    picture = io.BytesIO()
+    Image.fromarray(np.full((8, 8, 3), (10, 20, 200), np.uint8)).save(picture, "PNG")
+    (tmp_path / "maps").mkdir()
+    (tmp_path / "maps/blue paint.png").write_bytes(picture.getvalue())
+    (tmp_path / "mug.mtl").write_text("newmtl paint\nKd 0.5 0.5 0.5\nmap_Kd maps/blue paint.png\n")
+    corners = "\n".join(f"v {x} {y} {z}" for x in (0, 1) for y in (0, 1) for z in (0, 1))
+    sides = "1 2 4 3|5 7 8 6|1 5 6 2|3 4 8 7|1 3 7 5|2 6 8 4"
+    faces = "\n".join("f " + " ".join(f"{c}/1" for c in s.split()) for s in sides.split("|"))
+    text = f"mtllib mug.mtl\n{corners}\nvt 0.5 0.5\nusemtl paint\n{faces}\n"
+    (tmp_path / "mug.obj").write_text(text)
+    made = ask(tmp_path)
+    assert made.mesh.texture.reshape(-1, 3).tolist() == [[10, 20, 200]] * 64
+    (tmp_path / "maps/blue paint.png").write_bytes(b"<html>")
+    with pytest.raises(BackendError, match=r"mug\.obj has a texture that cannot be read"):
+        ask(tmp_path)
+    (tmp_path / "maps/blue paint.png").unlink()
+    with pytest.raises(BackendError, match=r"names 'maps/blue paint\.png', which is not beside it"):
+        ask(tmp_path)
+
+
+@pytest.mark.parametrize("name", ["../secret.mtl", "/etc/passwd", "http://example.org/a.mtl"])
+def test_an_obj_names_no_file_outside_its_folder(tmp_path, name):
+    (tmp_path / "secret.mtl").write_text("newmtl a\n")
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in/mug.obj").write_text(f"mtllib {name}\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
+    with pytest.raises(BackendError, match="names a file outside its folder"):
+        ask(tmp_path / "in")
+
+
+def test_what_is_missing_is_told_with_what_is_there(tmp_path):
+    (tmp_path / "mugs.glb").write_bytes(box(RED))
+    (tmp_path / "readme.txt").write_text("mine")
+    with pytest.raises(BackendError) as caught:
+        ask(tmp_path)
+    said = str(caught.value)
+    assert said.startswith(f"folder, model of 'mug_1': {tmp_path} has no mug_1.glb or mug.glb.")
+    assert said.endswith("Did you mean 'mugs'? Available: mugs.")
+
+
+def test_somebody_else_may_model_the_rest(tmp_path):
+    (tmp_path / "mug.glb").write_bytes(box(RED))
+    (tmp_path / "others").mkdir()
+    (tmp_path / "others/book.glb").write_bytes(box(GREEN))
+    rest = Folder(str(tmp_path / "others"))
+    assert ask(tmp_path, rest=rest).mesh.texture[0, 0, 0] == 200
+    assert ask(tmp_path, "book", rest=rest).mesh.texture[0, 0, 1] == 200
+
+
+def test_the_environment_names_the_folder(tmp_path, monkeypatch):
+    (tmp_path / "mug.glb").write_bytes(box(RED))
+    monkeypatch.setenv("TABLETOPGEN_ASSETS", str(tmp_path))
+    assert ask("").label == "mug"
+    monkeypatch.delenv("TABLETOPGEN_ASSETS")
+    with pytest.raises(BackendError, match="Set TABLETOPGEN_ASSETS"):
+        ask("")
+    with pytest.raises(BackendError, match="is no folder"):
+        ask(tmp_path / "nowhere")
+
+
+def test_a_broken_file_names_backend_thing_and_file(tmp_path):
+    (tmp_path / "mug.glb").write_bytes(b"")
+    with pytest.raises(BackendError, match=r"^folder, model of 'mug_1': mug.glb is no GLB file"):
+        ask(tmp_path)

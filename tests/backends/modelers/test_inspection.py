@@ -1,0 +1,214 @@
+"""Files that would do harm, or cannot be read, are refused before they are decoded."""
+
+from __future__ import annotations
+
+import base64
+import io
+import struct
+import zlib
+
+import numpy as np
+import pytest
+import trimesh
+from backends.modelers.foreign import edited, glb, striped_box
+
+from generator.backends.modelers import inspection
+from generator.backends.modelers.inspection import inspect_glb, inspect_obj
+from generator.backends.modelers.normalising import Normal, normal_mesh
+from generator.backends.modelers.surface import read_surface
+from generator.errors import BackendError
+
+GOOD = glb(striped_box())
+
+
+def refusal(raw: bytes) -> str:
+    with pytest.raises(BackendError) as caught:
+        inspect_glb(raw, "hunyuan3d, model of 'mug_1':")
+    assert str(caught.value).startswith("hunyuan3d, model of 'mug_1': ")
+    return str(caught.value)
+
+
+def test_a_good_file_passes():
+    assert inspect_glb(GOOD, "it")["asset"]["version"] == "2.0"
+
+
+@pytest.mark.parametrize(
+    ("raw", "said"),
+    [
+        (b"", "no GLB file: its 0 bytes"),
+        (b"<!DOCTYPE html><html>busy</html>", "begin with b'<!DOCTYPE ht'"),
+        (GOOD[: len(GOOD) // 2], "cut off"),
+        (GOOD[:18], "no GLB file"),
+        (GOOD[:4] + struct.pack("<I", 1) + GOOD[8:], "version 1"),
+        (GOOD[:24] + b"\xff\xff" + GOOD[26:], "damaged header"),
+    ],
+)
+def test_what_is_no_whole_glb_is_refused(raw, said):
+    assert said in refusal(raw)
+
+
+def test_deep_json_is_refused():
+    text = b"[" * 40_000
+    raw = struct.pack("<4sIIII", b"glTF", 2, 20 + len(text), len(text), 0x4E4F534A) + text
+    assert "damaged header" in refusal(raw)
+
+
+@pytest.mark.parametrize("where", ["buffers", "images"])
+@pytest.mark.parametrize("uri", ["http://example.org/a.png", "../../etc/passwd", "file:///a.bin"])
+def test_files_outside_are_refused(where, uri):
+    raw = edited(GOOD, lambda header: header[where][0].update(uri=uri))
+    assert f"names a file outside itself, {uri!r}" in refusal(raw)
+
+
+@pytest.mark.parametrize(
+    "name", ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_texture_basisu"]
+)
+def test_compression_is_refused(name):
+    raw = edited(GOOD, lambda header: header.update(extensionsUsed=[name]))
+    assert f"compressed by {name}" in refusal(raw)
+
+
+def test_unknown_requirements_are_refused():
+    raw = edited(GOOD, lambda header: header.update(extensionsRequired=["KHR_mesh_quantization"]))
+    assert "needs KHR_mesh_quantization" in refusal(raw)
+
+
+def test_moved_textures_are_refused():
+    def move(header: dict) -> None:
+        texture = header["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]
+        texture["extensions"] = {"KHR_texture_transform": {"scale": [2, 2]}}
+
+    assert "KHR_texture_transform" in refusal(edited(GOOD, move))
+
+
+def test_no_faces_and_too_many_are_refused():
+    def points(header: dict) -> None:
+        header["meshes"][0]["primitives"][0]["mode"] = 0
+
+    assert "has 0 triangles" in refusal(edited(GOOD, points))
+    assert "damaged (IndexError" in refusal(edited(GOOD, lambda header: header.update(meshes=[])))
+    with pytest.raises(BackendError, match="has 12 triangles; 1 to 11"):
+        inspect_glb(GOOD, "it", most_faces=11)
+
+
+def test_repeated_meshes_count_each_time():
+    def many(header: dict) -> None:
+        node = next(k for k, n in enumerate(header["nodes"]) if "mesh" in n)
+        first = len(header["nodes"])
+        header["nodes"] += [dict(header["nodes"][node]) for _ in range(50)]
+        header["scenes"][0]["nodes"] += list(range(first, first + 50))
+
+    with pytest.raises(BackendError, match=f"has {51 * 12} triangles"):
+        inspect_glb(edited(GOOD, many), "it", most_faces=600)
+
+
+def test_nodes_with_two_parents_are_refused():
+    def twice(header: dict) -> None:
+        root = header["scenes"][0]["nodes"][0]
+        header["nodes"][-1]["children"] = [root]
+
+    assert "two parents" in refusal(edited(GOOD, twice))
+
+
+def test_accessors_that_claim_more_than_is_there_are_refused():
+    def claim(header: dict) -> None:
+        header["accessors"][0]["count"] = 2**30
+
+    assert "accessors claim" in refusal(edited(GOOD, claim))
+
+    def empty(header: dict) -> None:
+        del header["accessors"][0]["bufferView"]
+
+    assert "empty accessors" in refusal(edited(GOOD, empty))
+    nonsense = edited(GOOD, lambda header: header.update(accessors=[7]))
+    assert "is damaged (TypeError" in refusal(nonsense)
+
+
+def png(width: int, height: int) -> bytes:
+    """A picture that says how large it is, and holds nothing."""
+
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return (
+            struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        )
+
+    head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", b"") + chunk(b"IEND", b"")
+
+
+@pytest.mark.parametrize(
+    ("picture", "said"),
+    [
+        (png(9000, 9000), "9000 x 9000 pixels"),
+        (png(60_000, 60_000), "unpacks to more pixels"),
+        (b"<html>", "texture that cannot be read"),
+    ],
+)
+@pytest.mark.filterwarnings("ignore::PIL.Image.DecompressionBombWarning")
+def test_bombs_and_broken_pictures_are_refused(picture, said):
+    uri = "data:image/png;base64," + base64.b64encode(picture).decode()
+
+    def replace(header: dict) -> None:
+        header["images"][0] = {"uri": uri}
+
+    assert said in refusal(edited(GOOD, replace))
+
+
+def test_large_files_are_refused(monkeypatch):
+    monkeypatch.setattr(inspection, "MOST_BYTES", len(GOOD) - 1)
+    assert "MiB; at most" in refusal(GOOD)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, 1e39])
+def test_vertices_must_be_finite(bad):
+    mesh = trimesh.creation.box()
+    stream = io.BytesIO()
+    mesh.export(stream, file_type="obj")
+    text = stream.getvalue().replace(b"v -0.5", f"v {bad}".encode(), 1)
+    assert f"v {bad}".encode() in text
+    with pytest.raises(BackendError, match=r"the file: (holds NaN or infinity|cannot be read)"):
+        read_surface(text, "the file:", "obj")
+
+
+def test_obj_files_are_text_with_faces():
+    inspect_obj(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "it")
+    with pytest.raises(BackendError, match="has 0 faces"):
+        inspect_obj(b"v 0 0 0\n", "it")
+    with pytest.raises(BackendError, match="has 2 faces; 1 to 1"):
+        inspect_obj(b"f 1 2 3\nf 1 2 3\n", "it", most_faces=1)
+    with pytest.raises(BackendError, match="not text"):
+        inspect_obj(b"v\0\0", "it")
+    with pytest.raises(BackendError, match="cannot be read"):
+        read_surface(b"v 0 0 0\nf 1 2 99\n", "it", "obj")
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("seed", range(3))
+def test_whatever_is_damaged_is_read_or_refused(seed):
+    """Bytes, digits of the header or single bits are changed; nothing but BackendError comes."""
+    rng = np.random.default_rng(seed)
+    header = 20 + struct.unpack("<I", GOOD[12:16])[0]
+    digits = [k for k in range(20, header) if chr(GOOD[k]).isdigit()]
+    outcomes = set()
+    for _ in range(12):
+        for place, value in (
+            (rng.integers(20, header), rng.integers(32, 127)),
+            (rng.integers(header, len(GOOD)), rng.integers(0, 256)),
+            (rng.choice(digits), rng.integers(48, 58)),
+            (rng.integers(0, 20), rng.integers(0, 256)),
+        ):
+            raw = bytearray(GOOD)
+            raw[place] = value
+            try:
+                normal_mesh(bytes(raw), "it", to=Normal(texture=64))
+                outcomes.add("read")
+            except BackendError:
+                outcomes.add("refused")
+    assert outcomes == {"read", "refused"}
+
+
+def test_faces_without_vertices_are_refused():
+    raw = GOOD.replace(np.arange(12, dtype="<u4").tobytes(), np.full(12, 99, "<u4").tobytes())
+    assert raw != GOOD
+    with pytest.raises(BackendError, match="faces name vertices that are not there"):
+        read_surface(raw, "it", "glb")

@@ -1,0 +1,236 @@
+"""Models in this process: fakes with the signatures of the real ones, and what is asked of them."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import types
+
+import numpy as np
+import pytest
+import trimesh
+from backends.modelers.foreign import instance, prior, striped_box
+
+from generator.backends.modelers.sam3d import Sam3D
+from generator.backends.modelers.trellis import Trellis
+from generator.backends.modelers.triposr import TripoSR
+from generator.errors import BackendError, InputError
+from generator.scene import USUAL_VIEW, Model
+
+
+def install(monkeypatch, name: str, **members) -> None:
+    """Put a module, and the packages it is in, where imports find it."""
+    parts = name.split(".")
+    for k in range(1, len(parts) + 1):
+        stem = ".".join(parts[:k])
+        if k == len(parts) or stem not in sys.modules:
+            monkeypatch.setitem(sys.modules, stem, types.ModuleType(stem))
+    vars(sys.modules[name]).update(members)
+
+
+def ask(modeler) -> Model:
+    return modeler.model(instance("mug"), prior("mug"), USUAL_VIEW)
+
+
+def tall(up: int) -> trimesh.Trimesh:
+    """A box twice as high as wide, in colours by vertex."""
+    size = np.ones(3)
+    size[up] = 2
+    made = trimesh.creation.box(extents=size)
+    made.visual = trimesh.visual.ColorVisuals(made, vertex_colors=[10, 150, 20, 255])
+    return made
+
+
+class FakeTrellis:
+    """Of trellis.pipelines: loaded once, asked with a cut-out."""
+
+    loads: list[str]
+    asked: list[dict]
+
+    def cuda(self) -> None:
+        pass
+
+    def run(
+        self, image, num_samples: int = 1, seed: int = 42,
+        sparse_structure_sampler_params: dict = {}, slat_sampler_params: dict = {},  # noqa: B006
+        formats: list[str] = ["mesh", "gaussian", "radiance_field"], preprocess_image: bool = True,  # noqa: B006
+    ) -> dict:  # fmt: skip
+        self.asked.append({"seed": seed, "formats": formats, "mode": image.mode})
+        return {"gaussian": ["splats"], "mesh": ["shape"]}
+
+
+def fake_trellis(monkeypatch, bake) -> type[FakeTrellis]:
+    class Pipeline(FakeTrellis):
+        loads, asked = [], []
+
+        @staticmethod
+        def from_pretrained(path: str) -> Pipeline:
+            Pipeline.loads.append(path)
+            return Pipeline()
+
+    install(monkeypatch, "trellis.pipelines", TrellisImageTo3DPipeline=Pipeline)
+    install(monkeypatch, "trellis.utils.postprocessing_utils", to_glb=bake)
+    return Pipeline
+
+
+def test_trellis_is_loaded_once_and_its_mesh_stands_up(monkeypatch):
+    def to_glb(
+        app_rep, mesh, simplify: float = 0.95, fill_holes: bool = True,
+        fill_holes_max_size: float = 0.04, texture_size: int = 1024, debug: bool = False,
+        verbose: bool = True,
+    ):  # fmt: skip
+        assert (app_rep, mesh) == ("splats", "shape")
+        return striped_box((1.0, 2.0, 1.0))
+
+    fake = fake_trellis(monkeypatch, to_glb)
+    modeler = Trellis(seed=5)
+    for _ in range(2):
+        made = ask(modeler)
+    np.testing.assert_allclose(made.size / made.size[0], [1, 1, 2], rtol=1e-5)
+    assert fake.loads == ["microsoft/TRELLIS-image-large"]
+    assert fake.asked == [{"seed": 5, "formats": ["gaussian", "mesh"], "mode": "RGBA"}] * 2
+
+
+def test_a_changed_signature_is_told(monkeypatch):
+    fake_trellis(monkeypatch, lambda splats, shape, quality: None)
+    with pytest.raises(BackendError, match=r"installed version has .*\(splats, shape, quality\)"):
+        ask(Trellis())
+
+
+def test_what_a_model_raises_or_makes_is_told(monkeypatch):
+    def full(app_rep, mesh, simplify, texture_size, verbose):
+        raise RuntimeError("CUDA out of memory.\nTried to allocate 2 GiB")
+
+    fake_trellis(monkeypatch, full)
+    said = r"^trellis, model of 'mug_1': it failed \(RuntimeError: CUDA out of memory\. Tried"
+    with pytest.raises(BackendError, match=said):
+        ask(Trellis())
+    fake_trellis(monkeypatch, lambda *_, **__: "a path")
+    with pytest.raises(BackendError, match="it made str, not a trimesh"):
+        ask(Trellis())
+
+
+def test_trellis_2_bakes_by_voxels(monkeypatch):
+    asked: dict = {}
+
+    class Pipeline:
+        @classmethod
+        def from_pretrained(cls, path: str, config_file: str = "pipeline.json"):
+            asked["weights"] = path
+            return cls()
+
+        def cuda(self):
+            pass
+
+        def run(self, image, num_samples: int = 1, seed: int = 42, preprocess_image: bool = True):
+            names = ("vertices", "faces", "attrs", "coords", "layout", "voxel_size")
+            made = types.SimpleNamespace(**{name: name for name in names})
+            made.simplify = lambda target: asked.update(simplified=target)
+            return [made]
+
+    def to_glb(
+        vertices, faces, attr_volume, coords, attr_layout, aabb, voxel_size=None, grid_size=None,
+        decimation_target=1000000, texture_size: int = 2048, remesh: bool = True,
+    ):  # fmt: skip
+        assert (vertices, attr_volume, attr_layout) == ("vertices", "attrs", "layout")
+        return striped_box((1.0, 2.0, 1.0))
+
+    install(monkeypatch, "trellis2.pipelines", Trellis2ImageTo3DPipeline=Pipeline)
+    install(monkeypatch, "o_voxel.postprocess", to_glb=to_glb)
+    assert ask(Trellis(version="2")).size[2] > 0.1
+    assert asked == {"weights": "microsoft/TRELLIS.2-4B", "simplified": 16_777_216}
+
+
+class Network:
+    """Of tsr.system, without ``extract_mesh``, which changed."""
+
+    def __init__(self) -> None:
+        self.renderer = types.SimpleNamespace(set_chunk_size=lambda size: None)
+
+    @classmethod
+    def from_pretrained(
+        cls, pretrained_model_name_or_path: str, config_name: str, weight_name: str
+    ):
+        assert (config_name, weight_name) == ("config.yaml", "model.ckpt")
+        return cls()
+
+    def to(self, device: str):
+        assert device == "cpu"
+
+    def __call__(self, image, device):
+        assert np.asarray(image[0])[0, 0].tolist() in ([127] * 3, [128] * 3)
+        return ["codes"]
+
+
+class Older(Network):
+    def extract_mesh(self, scene_codes, resolution: int = 256, threshold: float = 25.0):
+        return [tall(2)]
+
+
+class Newer(Network):
+    def extract_mesh(
+        self, scene_codes, has_vertex_color, resolution: int = 256, threshold: float = 25.0
+    ):
+        assert has_vertex_color is True and resolution == 128
+        return [tall(2)]
+
+
+@pytest.mark.parametrize("network", [Older, Newer])
+def test_both_versions_of_triposr_work(monkeypatch, network):
+    cuda = types.SimpleNamespace(is_available=lambda: False)
+    install(monkeypatch, "torch", inference_mode=contextlib.nullcontext, cuda=cuda)
+    install(monkeypatch, "tsr.system", TSR=network)
+    made = ask(TripoSR(resolution=128))
+    np.testing.assert_allclose(made.size / made.size[0], [1, 1, 2], rtol=1e-5)
+    assert made.mesh.texture[0, 0].tolist() == [10, 150, 20]
+
+
+SCRIPT = """
+import numpy as np, trimesh
+
+class Inference:
+    def __init__(self, config_file: str, compile: bool = False):
+        assert config_file.endswith("pipeline.yaml")
+
+    def __call__(self, image, mask, seed=None, pointmap=None, export_usd_path=None):
+        assert image.shape == (60, 80, 3) and image.dtype == np.uint8
+        assert mask.shape == (60, 80) and mask.dtype == bool and mask[30, 40] and not mask[0, 0]
+        made = trimesh.creation.box(extents=(1, 2, 1))
+        return {"glb": made if seed else None, "rotation": [1, 0, 0, 0]}
+"""
+
+
+def test_sam3d_is_loaded_from_its_checkout(monkeypatch, tmp_path):
+    with pytest.raises(BackendError, match="TABLETOPGEN_SAM3D"):
+        ask(Sam3D(str(tmp_path)))
+    (tmp_path / "notebook").mkdir()
+    (tmp_path / "notebook/inference.py").write_text(SCRIPT)
+    (tmp_path / "checkpoints/hf").mkdir(parents=True)
+    (tmp_path / "checkpoints/hf/pipeline.yaml").write_text("")
+    monkeypatch.setenv("TABLETOPGEN_SAM3D", str(tmp_path))
+    path = list(sys.path)
+    made = ask(Sam3D())
+    np.testing.assert_allclose(made.size / made.size[0], [1, 1, 2], rtol=1e-5)
+    assert sys.path == path
+    with pytest.raises(BackendError, match="it made NoneType"):
+        ask(Sam3D(seed=0))
+
+
+@pytest.mark.parametrize(
+    ("modeler", "said"),
+    [
+        (Trellis(), "trellis needs trellis.* which does not load .* Install github"),
+        (Trellis(version="2"), "trellis needs (trellis2|o_voxel)"),
+        (TripoSR(device="cpu"), "triposr needs tsr.system"),
+    ],
+)
+def test_what_is_not_installed_says_how_to(modeler, said):
+    with pytest.raises(BackendError, match=said):
+        ask(modeler)
+
+
+def test_settings_out_of_range_are_refused():
+    with pytest.raises(BackendError, match="trellis has no version '3'"):
+        Trellis(version="3")  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="TripoSR needs resolution"):
+        TripoSR(resolution=4)

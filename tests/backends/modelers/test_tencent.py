@@ -1,0 +1,275 @@
+"""Tencent's cloud jobs: submitted, looked at, downloaded; never paid for twice."""
+
+from __future__ import annotations
+
+import base64
+import io
+import time
+from dataclasses import dataclass, field
+
+import numpy as np
+import pytest
+from backends.modelers.foreign import glb, instance, prior, striped_box
+from backends.modelers.server import Answer, Call, quick, serving
+from PIL import Image
+
+from generator.backends.modelers.signing import authorization
+from generator.backends.modelers.tencent import HOSTS, Tencent
+from generator.errors import BackendError, InputError
+from generator.running.session import Session
+from generator.running.store import CallStore
+from generator.scene import USUAL_VIEW, Model
+
+GOOD = glb(striped_box((1.0, 2.0, 1.0)))
+ID, KEY = "AKIDexampleexample", "secret-of-the-tests"
+SUBMIT, QUERY, LOAD = "SubmitHunyuanTo3DProJob", "QueryHunyuanTo3DProJob", "download"
+
+
+@pytest.fixture(autouse=True)
+def keys(monkeypatch):
+    monkeypatch.setenv("TENCENTCLOUD_SECRET_ID", ID)
+    monkeypatch.setenv("TENCENTCLOUD_SECRET_KEY", KEY)
+
+
+@dataclass
+class Cloud:
+    """Jobs go through ``states``; ``loads`` are the answers to downloads, the last one repeated.
+
+    ``errors`` are the codes with which calls of an action are refused, in turn.
+    """
+
+    states: list[dict] = field(
+        default_factory=lambda: [{"Status": "WAIT"}, {"Status": "RUN"}, {"Status": "DONE"}]
+    )
+    loads: list[Answer] = field(default_factory=lambda: [Answer(body=GOOD)])
+    errors: dict[str, list[str]] = field(default_factory=dict)
+    place: str = ""
+    jobs: int = 0
+    looks: dict[str, int] = field(default_factory=dict)
+    log: list[str] = field(default_factory=list)
+
+    def __call__(self, call: Call) -> Answer:
+        if call.method == "GET":
+            self.log.append(LOAD)
+            return self.loads[min(self.log.count(LOAD), len(self.loads)) - 1]
+        action = call.headers["x-tc-action"]
+        self.log.append(action)
+        if self.errors.get(action):
+            code = self.errors[action].pop(0)
+            return told(Error={"Code": code, "Message": f"about {KEY} and so on"})
+        if refusal := self.checked(call, action):
+            return told(Error={"Code": "AuthFailure.SignatureFailure", "Message": refusal})
+        if action == SUBMIT:
+            self.jobs += 1
+            return told(JobId=f"job-{self.jobs}")
+        job = call.json["JobId"]
+        state = self.states[min(self.looks.get(job, 0), len(self.states) - 1)]
+        self.looks[job] = self.looks.get(job, 0) + 1
+        host = call.headers["host"]
+        url = self.place or f"http://{host}/{job}.glb?q-sign-time={time.monotonic_ns()}"
+        files = [{"Type": "OBJ", "Url": url + "zip"}, {"Type": "GLB", "Url": url}]
+        return told(**state, **({"ResultFile3Ds": files} if state["Status"] == "DONE" else {}))
+
+    def checked(self, call: Call, action: str) -> str:
+        """Return what is wrong with a call's signature, as the service would check it."""
+        stamp = int(call.headers["x-tc-timestamp"])
+        if abs(time.time() - stamp) > 300:
+            return "expired"
+        host = call.headers["host"]
+        wanted = authorization(ID, KEY, host=host, action=action, body=call.body, timestamp=stamp)
+        return "" if call.headers["authorization"] == wanted else "signature"
+
+
+def told(**response: object) -> Answer:
+    return Answer.of({"Response": {**response, "RequestId": "f0c1"}})
+
+
+def ask(url: str, session: Session | None = None, **settings) -> Model:
+    settings = {"interval": 0.01, "hosts": ("127.0.0.1",), **settings}
+    made = Tencent(url, session=session or quick(), **settings)
+    return made.model(instance("mug"), prior("mug"), USUAL_VIEW)
+
+
+def refused(cloud: Cloud, session: Session | None = None, **settings) -> str:
+    with serving(cloud) as served, pytest.raises(BackendError) as caught:
+        ask(served.url, session, **settings)
+    assert str(caught.value).startswith("tencent, model of 'mug_1':")
+    assert KEY not in str(caught.value)
+    return str(caught.value)
+
+
+def test_a_job_is_submitted_looked_at_and_downloaded():
+    cloud = Cloud()
+    with serving(cloud) as served:
+        made = ask(served.url)
+    assert cloud.log == [SUBMIT, QUERY, QUERY, QUERY, LOAD]
+    np.testing.assert_allclose(made.size / made.size[0], [1, 1, 2], rtol=1e-5)
+    body = served.calls[0].json
+    assert set(body) == {"ImageBase64", "GenerateType", "EnablePBR", "FaceCount"}
+    picture = Image.open(io.BytesIO(base64.b64decode(body["ImageBase64"], validate=True)))
+    assert picture.mode == "RGBA" and min(picture.size) >= 128
+    assert served.calls[0].headers["x-tc-version"] == "2025-05-13"
+    assert served.calls[0].headers["x-tc-region"] == "ap-guangzhou"
+
+
+def test_downloads_get_no_key():
+    with serving(Cloud()) as served:
+        ask(served.url)
+    load = next(call for call in served.calls if call.method == "GET")
+    assert "authorization" not in load.headers
+    assert KEY not in str(served.calls)
+
+
+def test_a_run_that_was_killed_polls_the_job_it_paid_for(tmp_path):
+    cloud = Cloud(errors={QUERY: ["InternalError"]})
+    with serving(cloud) as served:
+        with pytest.raises(BackendError, match="InternalError"):
+            ask(served.url, quick(CallStore(tmp_path)))
+        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+    assert cloud.jobs == 1
+
+
+def test_what_is_done_needs_no_network_again(tmp_path):
+    cloud = Cloud()
+    with serving(cloud) as served:
+        ask(served.url, quick(CallStore(tmp_path)))
+        calls = len(cloud.log)
+        ask(served.url, quick(CallStore(tmp_path)))
+    assert len(cloud.log) == calls
+
+
+def test_a_job_that_fails_is_told_and_submitted_anew_by_the_next_run(tmp_path):
+    failing = {"Status": "FAIL", "ErrorCode": "FailedOperation", "ErrorMessage": "no object"}
+    cloud = Cloud([{"Status": "RUN"}, failing])
+    said = refused(cloud, quick(CallStore(tmp_path)))
+    assert "job job-1 ended as 'FAIL' (FailedOperation no object)" in said
+    assert cloud.jobs == 1
+    with serving(cloud) as served:
+        cloud.states = [{"Status": "RUN"}, failing]
+        session = quick(CallStore(tmp_path / "other"))
+        with pytest.raises(BackendError):
+            ask(served.url, session)
+        cloud.states = [{"Status": "RUN"}, {"Status": "DONE"}]
+        assert ask(served.url, session).name == "mug_1"
+    assert cloud.jobs == 3
+
+
+def test_an_expired_address_is_asked_for_again(tmp_path):
+    expired = Answer(403, b"<Error/>", "application/xml")
+    cloud = Cloud(loads=[expired])
+    with serving(cloud) as served:
+        with pytest.raises(BackendError, match="cannot be fetched"):
+            ask(served.url, quick(CallStore(tmp_path)))
+        cloud.loads, cloud.log = [expired, Answer(body=GOOD)], []
+        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+    assert cloud.jobs == 1
+    assert cloud.log == [LOAD, QUERY, LOAD]
+
+
+def test_a_damaged_download_is_fetched_once_more(tmp_path):
+    cloud = Cloud(loads=[Answer(body=GOOD[:100]), Answer(body=GOOD)])
+    with serving(cloud) as served:
+        for _ in range(2):
+            assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+    assert (cloud.jobs, cloud.log.count(LOAD)) == (1, 2)
+    assert "the answer is cut off" in refused(Cloud(loads=[Answer(body=GOOD[:100])]))
+
+
+def test_a_job_kept_no_longer_is_submitted_once_more(tmp_path):
+    cloud = Cloud(errors={QUERY: ["InternalError"]})
+    with serving(cloud) as served:
+        with pytest.raises(BackendError):
+            ask(served.url, quick(CallStore(tmp_path)))
+        cloud.errors[QUERY] = ["ResourceNotFound.JobNotExist"]
+        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+    assert cloud.jobs == 2
+    assert "JobNotExist" in refused(Cloud(errors={QUERY: ["ResourceNotFound.JobNotExist"] * 9}))
+
+
+def test_a_busy_service_is_waited_for():
+    cloud = Cloud(errors={SUBMIT: ["RequestLimitExceeded.JobNumExceed", "RequestLimitExceeded"]})
+    with serving(cloud) as served:
+        assert ask(served.url).name == "mug_1"
+    assert cloud.jobs == 1
+    assert "RequestLimitExceeded" in refused(
+        Cloud(errors={SUBMIT: ["RequestLimitExceeded"] * 999}), timeout=0.1
+    )
+
+
+def test_a_job_that_takes_too_long_is_left_to_go_on():
+    said = refused(Cloud([{"Status": "RUN"}]), timeout=0.1)
+    assert "job job-1 is not done after 0.1 s. It goes on there" in said
+
+
+@pytest.mark.parametrize(
+    "place",
+    [
+        "https://evil.example.org/a.glb",
+        "https://eviltencentcos.cn/a.glb",
+        "http://bucket.cos.ap-guangzhou.tencentcos.cn/a.glb",
+        "file:///etc/passwd",
+        "https://127.0.0.1.evil.org/a.glb",
+    ],
+)
+def test_results_elsewhere_are_not_fetched(place):
+    cloud = Cloud(place=place)
+    said = refused(cloud, hosts=(*HOSTS, "127.0.0.1"))
+    assert "the result lies at" in said and "add the host to Tencent.hosts" in said
+    assert LOAD not in cloud.log
+
+
+def test_a_wrong_key_is_told_without_the_key(monkeypatch):
+    monkeypatch.setenv("TENCENTCLOUD_SECRET_KEY", "another")
+    said = refused(Cloud())
+    assert "AuthFailure.SignatureFailure" in said
+    assert "Check TENCENTCLOUD_SECRET_ID and TENCENTCLOUD_SECRET_KEY" in said
+
+
+def test_a_message_that_repeats_the_key_is_redacted():
+    assert "[redacted]" in refused(Cloud(errors={SUBMIT: ["InvalidParameter"]}))
+
+
+def test_no_key_asks_nothing(monkeypatch):
+    monkeypatch.delenv("TENCENTCLOUD_SECRET_ID")
+    cloud = Cloud()
+    assert "Set TENCENTCLOUD_SECRET_ID and TENCENTCLOUD_SECRET_KEY" in refused(cloud)
+    assert not cloud.log
+
+
+@pytest.mark.parametrize(
+    ("answer", "what"),
+    [
+        (Answer.of([1, 2]), "Is http://127.0.0.1"),
+        (Answer.of({"Response": {"RequestId": "1"}}), "without a JobId"),
+        (Answer.of({"Response": None}), "was answered by 200"),
+    ],
+)
+def test_answers_of_another_shape_are_refused(answer, what):
+    with serving(lambda call: answer) as served, pytest.raises(BackendError) as caught:
+        ask(served.url)
+    assert what in str(caught.value)
+
+
+def test_a_result_without_glb_is_refused():
+    cloud = Cloud([{"Status": "DONE"}])
+    with (
+        serving(lambda call: strip(cloud(call))) as served,
+        pytest.raises(BackendError, match=r"the result has no GLB\. Available: OBJ\."),
+    ):
+        ask(served.url)
+
+
+def strip(answer: Answer) -> Answer:
+    body = answer.body.replace(b'"GLB"', b'"OBJ"')
+    return Answer(answer.status, body, answer.kind)
+
+
+def test_settings_out_of_range_are_refused():
+    with pytest.raises(BackendError, match="Did you mean 'LowPoly'"):
+        Tencent(style="Lowpoly")  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="needs asked_faces"):
+        Tencent(asked_faces=1000)
+    cloud = Cloud()
+    with serving(cloud) as served, pytest.raises(InputError, match="Normal needs faces"):
+        ask(served.url, faces=3)
+    assert not cloud.log
