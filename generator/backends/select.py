@@ -24,6 +24,7 @@ PROTOCOLS: Mapping[str, type] = {
 }
 
 _EMBEDDED = "generator.backends.embedded"
+_CLOUD = "generator.backends.cloud"
 
 TABLE: Mapping[str, Mapping[str, str]] = {
     "embedded": {
@@ -32,6 +33,10 @@ TABLE: Mapping[str, Mapping[str, str]] = {
         "segmenter": f"{_EMBEDDED}.segmenter:Segmenter",
         "modeler": f"{_EMBEDDED}.modeler:Modeler",
         "encoder": f"{_EMBEDDED}.encoder:Encoder",
+    },
+    "cloud": {
+        "reasoner": f"{_CLOUD}.reasoner:Reasoner",
+        "imager": f"{_CLOUD}.imager:Imager",
     },
 }
 """Backend name, then question set, to the class that answers; loaded when selected."""
