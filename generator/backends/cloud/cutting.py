@@ -10,7 +10,7 @@ from jaxtyping import Bool, Float, UInt8
 from scipy import ndimage, signal
 
 from ...geometry import mask_box
-from ...scene import Detection, Instance, Reference
+from ...scene import TABLE, Detection, Instance, Reference
 from .pictures import RGBA, thing_in
 from .reading import Wrong
 
@@ -21,7 +21,8 @@ _ROOM = 1.4  # side of the cut-out, times the longer side of the thing's box
 _MARGIN = 0.04  # of a crop's longer side, around the thing
 _COARSE = 128  # pixels at which a redrawing is put in place
 _SCALES = np.geomspace(0.8, 1.25, 11)
-_MOVED = 0.02  # what a change of size costs, so that none is made for nothing
+_FINE = np.linspace(0.97, 1.03, 7)  # around the best of these, at twice the pixels
+_MOVED = 0.05  # what a change of size costs, so that none is made for nothing
 _COVERED = 0.6  # least share of what was seen that the redrawing covers
 _BEYOND = 0.6  # most that it covers beside, as a share of that
 _HIDDEN = 0.02  # share of what was seen from which a thing counts as hidden in part
@@ -75,7 +76,8 @@ def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...
     seen = moved(np.asarray(detection.mask))
     hiders = np.zeros(image.shape[:2], bool)
     for other in others:
-        hiders |= np.asarray(other.mask)
+        if other.label != TABLE:  # it hides nothing that stands on it
+            hiders |= np.asarray(other.mask)
     outside = ~moved(np.ones(image.shape[:2], bool))
     name = _ground(colors[seen])
     picture = np.where(seen[..., None], colors, np.array(_GROUNDS[name], np.uint8))
@@ -142,18 +144,9 @@ def _squared(picture: RGBA) -> RGBA:
 
 def _registered(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2"]]:
     """Return the size and the shift (shares of the side) that put a redrawing in place."""
-    seen = _coarse(cutout.seen)
-    worth = np.where(seen, 1.0, np.where(_coarse(cutout.unknown), 0.0, -1.0))
-    best = (-np.inf, 1.0, np.zeros(2))
-    for scale in _SCALES:
-        own = _placed(mask, float(scale), np.zeros(2), _COARSE).astype(float)
-        gain = signal.fftconvolve(worth, own[::-1, ::-1], mode="full") / max(seen.sum(), 1)
-        row, column = np.unravel_index(int(np.argmax(gain)), gain.shape)
-        value = float(gain[row, column]) - _MOVED * abs(float(np.log(scale)))
-        if value > best[0]:
-            shift = np.array([column, row]) - (_COARSE - 1)
-            best = (value, float(scale), shift / _COARSE)
-    _, scale, shift = best
+    scale, _ = _best(mask, cutout, _SCALES, _COARSE)
+    scale, shift = _best(mask, cutout, _FINE * scale, 2 * _COARSE)
+    seen, worth = _worth(cutout, _COARSE)
     own = _placed(mask, scale, shift, _COARSE)
     covered = float((own & seen).sum() / max(seen.sum(), 1))
     beyond = float((own & (worth < 0)).sum() / max(seen.sum(), 1))
@@ -165,9 +158,30 @@ def _registered(mask: Mask, cutout: Cutout) -> tuple[float, Float[np.ndarray, "2
     return scale, shift
 
 
-def _coarse(mask: Mask) -> Bool[np.ndarray, "c c"]:
-    small = cv2.resize(mask.astype(np.float32), (_COARSE, _COARSE), interpolation=cv2.INTER_AREA)
-    return small > 0.5
+def _best(
+    mask: Mask, cutout: Cutout, scales: Float[np.ndarray, "k"], side: int
+) -> tuple[float, Float[np.ndarray, "2"]]:
+    """Return the scale of some, and the shift, that gain most at a resolution of ``side``."""
+    seen, worth = _worth(cutout, side)
+    best = (-np.inf, 1.0, np.zeros(2))
+    for scale in scales.tolist():
+        own = _placed(mask, scale, np.zeros(2), side).astype(float)
+        gain = signal.fftconvolve(worth, own[::-1, ::-1], mode="full") / max(seen.sum(), 1)
+        row, column = np.unravel_index(int(np.argmax(gain)), gain.shape)
+        value = float(gain[row, column]) - _MOVED * abs(float(np.log(scale)))
+        if value > best[0]:
+            best = (value, scale, (np.array([column, row]) - (side - 1)) / side)
+    return best[1], best[2]
+
+
+def _worth(cutout: Cutout, side: int) -> tuple[Mask, Float[np.ndarray, "s s"]]:
+    """Return where the thing is seen, and what covering a pixel gains: -1 where it is not."""
+    seen = _small(cutout.seen, side)
+    return seen, np.where(seen, 1.0, np.where(_small(cutout.unknown, side), 0.0, -1.0))
+
+
+def _small(mask: Mask, side: int) -> Mask:
+    return cv2.resize(mask.astype(np.float32), (side, side), interpolation=cv2.INTER_AREA) > 0.5
 
 
 def _placed(

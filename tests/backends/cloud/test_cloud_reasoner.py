@@ -238,7 +238,7 @@ def test_turns_bring_up_upward_and_along_to_x(
 ) -> None:
     always(server, {"up": up, "along": along})
     if up[1] == along[1]:
-        with pytest.raises(BackendError, match="review_orientation.*must be two axes"):
+        with pytest.raises(BackendError, match=r"review_orientation.*must be two axes"):
             reasoner.review_orientation(cube_mesh(), instances()[1], SIZES["book_1"])
         return
     steps = reasoner.review_orientation(cube_mesh(), instances()[1], SIZES["book_1"])
