@@ -1,4 +1,4 @@
-"""The errors this project raises on purpose: one base class and its five children.
+"""The errors this project raises on purpose: one base class, its five children, and theirs.
 
 Each message says what was wrong, what exists instead, and what to do: ``choices`` helps with names,
 ``require`` with the numbers of settings.
@@ -22,6 +22,18 @@ class InputError(TabletopError, ValueError):
 
 class BackendError(TabletopError, RuntimeError):
     """A backend is unknown, not installed, or failed to answer a stage's question."""
+
+
+class BudgetError(BackendError):
+    """A call was not sent since it might cost more than is left of the budget."""
+
+
+class DryRunError(BackendError):
+    """A call was not sent since nothing is to be sent; the message says what would have been."""
+
+
+class StoppedError(BackendError):
+    """A call was not sent, or not tried again, since the session was stopped."""
 
 
 class BundleError(TabletopError, RuntimeError):

@@ -18,7 +18,8 @@ socket.socket.connect = refuse
 socket.create_connection = refuse
 socket.getaddrinfo = refuse
 {statement}
-print(" ".join(m for m in ("torch", "stable_baselines3", "mujoco", "cv2") if m in sys.modules))
+heavy = ("torch", "stable_baselines3", "mujoco", "cv2", "httpx2", "openai")
+print(" ".join(m for m in heavy if m in sys.modules))
 """
 
 
@@ -47,6 +48,12 @@ def test_composing_needs_no_torch() -> None:
 
 def test_evaluating_geometry_needs_no_torch() -> None:
     assert "torch" not in loaded_by("import generator.evaluation.report")
+
+
+def test_a_session_loads_no_client_until_one_is_asked_for() -> None:
+    asked = "from generator.running import Session; session = Session()"
+    assert loaded_by(asked) == []
+    assert "httpx2" in loaded_by(f"{asked}; session.client('here', 'http://127.0.0.1:9')")
 
 
 def test_the_probe_can_fail() -> None:

@@ -1,0 +1,239 @@
+"""The ledger: what was asked, how long it took, and what it cost."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import json
+import os
+import tempfile
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+from ..errors import BudgetError, StorageError
+from .prices import Price, Prices
+
+__all__ = ["Account", "Entry", "Outcome", "Price", "Prices", "Row"]
+
+LEDGER = "ledger.json"
+"""The file that lies beside what a bundle lists."""
+
+Outcome = Literal["answered", "cached", "failed"]
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One call: an answer, an answer of the store, or an attempt that failed.
+
+    ``money`` is None where the price is not known. An attempt that broke off after it was sent
+    counts with the most that it can have cost.
+    """
+
+    server: str
+    question: str
+    model: str = ""
+    outcome: Outcome = "answered"
+    seconds: float = 0.0
+    tokens_in: int = 0
+    tokens_out: int = 0
+    images: int = 0
+    money: float | None = 0.0
+
+
+@dataclass(frozen=True)
+class Row:
+    """All calls of one question to one model: sums of their entries.
+
+    ``money`` is of the calls whose price is known; ``unpriced`` counts the others.
+    """
+
+    server: str
+    question: str
+    model: str
+    calls: int
+    cached: int
+    failed: int
+    seconds: float
+    tokens_in: int
+    tokens_out: int
+    images: int
+    money: float
+    unpriced: int
+
+
+class Account:
+    """The calls of one scene, entered by any thread."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._entries: list[Entry] = []
+        self._notes: list[str] = []
+        self._reserved = 0.0
+
+    def add(self, entry: Entry) -> None:
+        """Enter a call."""
+        with self._lock:
+            self._entries.append(entry)
+
+    def note(self, text: str) -> None:
+        """Keep a remark that the summary ends with; the same one is kept once."""
+        with self._lock:
+            if text not in self._notes:
+                self._notes.append(text)
+
+    @property
+    def entries(self) -> tuple[Entry, ...]:
+        """All calls, in the order they ended."""
+        with self._lock:
+            return tuple(self._entries)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """The remarks."""
+        with self._lock:
+            return tuple(self._notes)
+
+    @property
+    def money(self) -> float:
+        """What the calls cost whose price is known."""
+        return sum(entry.money or 0.0 for entry in self.entries)
+
+    @property
+    def unpriced(self) -> int:
+        """How many calls there are whose price is not known."""
+        return sum(entry.money is None for entry in self.entries)
+
+    @contextlib.contextmanager
+    def reserving(
+        self, most: float | None, budget: float | None, what: str
+    ) -> Iterator[Callable[[Entry], None]]:
+        """Set aside what a call may cost while it runs; yields what enters the call instead.
+
+        Args:
+            most: the most it can cost; None where that is not known.
+            budget: what all calls may cost; None for no limit.
+            what: names the call in the message.
+
+        Raises:
+            BudgetError: it might exceed the budget, or nobody knows.
+        """
+        with self._lock:
+            spent = sum(entry.money or 0.0 for entry in self._entries)
+            if budget is not None and most is None:
+                raise BudgetError(
+                    f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. "
+                    "Add the model to the price table, or give no budget."
+                )
+            asked = most or 0.0
+            if budget is not None and spent + self._reserved + asked > budget:
+                running = f", {self._reserved:.4f} may go to calls under way" * bool(self._reserved)
+                raise BudgetError(
+                    f"{what}: not sent, for it may cost {asked:.4f}. Of the budget of {budget:g}, "
+                    f"{spent:.4f} is spent{running}. What was answered is kept; raise the budget "
+                    "to go on."
+                )
+            self._reserved += asked
+        left = [asked]
+
+        def enter(entry: Entry | None) -> None:
+            with self._lock:
+                self._reserved -= left.pop() if left else 0.0
+                if entry is not None:
+                    self._entries.append(entry)
+
+        try:
+            yield enter
+        finally:
+            enter(None)
+
+    def summary(self) -> tuple[Row, ...]:
+        """Return a row for each question, server and model, in the order first asked."""
+        groups: dict[tuple[str, str, str], list[Entry]] = {}
+        for entry in self.entries:
+            groups.setdefault((entry.server, entry.question, entry.model), []).append(entry)
+        return tuple(_row(*names, entries) for names, entries in groups.items())
+
+    def text(self, currency: str = "USD") -> str:
+        """Return the summary as a table for people; "" if nothing was asked."""
+        rows = self.summary()
+        if not rows:
+            return ""
+        total = _row("total", "", "", self.entries)
+        head = ("server", "question", "model", "calls", "cached", "failed", "seconds",
+                "tokens in", "tokens out", "images", currency)  # fmt: skip
+        table = [head, *(_cells(row) for row in (*rows, total))]
+        widths = [max(len(line[k]) for line in table) for k in range(len(head))]
+        lines = [
+            "  ".join(
+                cell.ljust(width) if k < 3 else cell.rjust(width)
+                for k, (cell, width) in enumerate(zip(line, widths, strict=True))
+            ).rstrip()
+            for line in table
+        ]
+        return "\n".join([*lines, *(f"note: {note}" for note in self.notes)])
+
+    def facts(self, prices: Prices) -> dict[str, Any]:
+        """Return the ledger as JSON values."""
+        return {
+            "currency": prices.currency,
+            "prices_of": prices.date,
+            "money": self.money,
+            "unpriced": self.unpriced,
+            "summary": [dataclasses.asdict(row) for row in self.summary()],
+            "calls": [dataclasses.asdict(entry) for entry in self.entries],
+            "notes": list(self.notes),
+        }
+
+    def save(self, folder: str | Path, prices: Prices) -> Path:
+        """Write ``ledger.json`` into ``folder``, whole or not at all; return its path.
+
+        A bundle's folder may hold it: what the bundle lists does not change.
+
+        Raises:
+            StorageError: it cannot be written.
+        """
+        path = Path(folder) / LEDGER
+        try:
+            number, name = tempfile.mkstemp(prefix=".ledger-", dir=folder)
+            try:
+                with os.fdopen(number, "w", encoding="utf-8") as file:
+                    json.dump(self.facts(prices), file, indent=2)
+                Path(name).chmod(0o644)
+                Path(name).replace(path)
+            finally:
+                Path(name).unlink(missing_ok=True)
+        except OSError as error:
+            raise StorageError(
+                f"The ledger {path} cannot be written: {error.strerror or error}."
+            ) from error
+        return path
+
+
+def _row(server: str, question: str, model: str, entries: Iterable[Entry]) -> Row:
+    entries = tuple(entries)
+    outcomes = [entry.outcome for entry in entries]
+    return Row(
+        server, question, model,
+        calls=outcomes.count("answered"),
+        cached=outcomes.count("cached"),
+        failed=outcomes.count("failed"),
+        seconds=sum(entry.seconds for entry in entries),
+        tokens_in=sum(entry.tokens_in for entry in entries),
+        tokens_out=sum(entry.tokens_out for entry in entries),
+        images=sum(entry.images for entry in entries),
+        money=sum(entry.money or 0.0 for entry in entries),
+        unpriced=sum(entry.money is None for entry in entries),
+    )  # fmt: skip
+
+
+def _cells(row: Row) -> tuple[str, ...]:
+    money = f"{row.money:.4f}" if row.money or not row.unpriced else ""
+    unknown = f"{row.unpriced} unknown" * bool(row.unpriced)
+    return (
+        row.server, row.question, row.model, str(row.calls), str(row.cached), str(row.failed),
+        f"{row.seconds:.1f}", str(row.tokens_in), str(row.tokens_out), str(row.images),
+        " + ".join(filter(None, (money, unknown))),
+    )  # fmt: skip

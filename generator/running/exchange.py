@@ -1,0 +1,164 @@
+"""One attempt: a request sent, and its answer read, bounded in size and time."""
+
+from __future__ import annotations
+
+import json
+import ssl
+import time
+from dataclasses import dataclass
+from typing import Any
+
+import httpx2
+
+MOST_REDIRECTS = 3
+
+_AGAIN = frozenset({408, 425, 429, 500, 502, 503, 504, 520, 521, 522, 523, 524, 529})
+_EXCERPT = 300  # characters of an answer that a message quotes
+
+
+@dataclass(frozen=True)
+class Reply:
+    """A whole answer; ``payload`` is its JSON, None where it has none."""
+
+    status: int
+    content_type: str
+    body: bytes
+    payload: Any = None
+    wait: str | None = None
+
+    @property
+    def good(self) -> bool:
+        """Whether its status is 2xx."""
+        return 200 <= self.status < 300
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """Why there is no answer: a sentence.
+
+    ``again``: another attempt may mend it. ``charged``: it may have been paid for. ``alive``: the
+    server works. ``wait``: what its Retry-After says.
+    """
+
+    reason: str
+    again: bool
+    charged: bool = False
+    alive: bool = False
+    wait: str | None = None
+
+
+def exchange(
+    client: httpx2.Client, request: httpx2.Request, timeout: float, most_bytes: int
+) -> Reply | Trouble:
+    """Send a request once and read its answer.
+
+    Nothing is raised for what servers and networks do: errors of the library hold the request, and
+    with it the key.
+    """
+    began = time.monotonic()
+    paid = request.method not in ("GET", "HEAD")
+    try:
+        reply = _read(client, request, began + timeout, most_bytes)
+    except (httpx2.ConnectTimeout, httpx2.PoolTimeout):
+        return Trouble(f"It did not take the call within {timeout:g} s.", again=True)
+    except (httpx2.TimeoutException, _TooSlow):
+        return Trouble(f"It did not answer within {timeout:g} s.", again=True, charged=paid)
+    except (httpx2.ConnectError, httpx2.ProxyError, ssl.SSLError) as error:
+        again = "certificate" not in str(error).lower()
+        return Trouble(f"It cannot be reached ({error}).", again=again)
+    except (httpx2.TransportError, httpx2.DecodingError) as error:
+        if isinstance(error, httpx2.UnsupportedProtocol | httpx2.LocalProtocolError):
+            return Trouble(f"The request cannot be sent ({error}).", again=False)
+        told = f"Its answer broke off ({str(error) or type(error).__name__})."
+        return Trouble(told, again=True, charged=paid)
+    if isinstance(reply, Trouble):
+        return reply
+    return _judged(reply, paid)
+
+
+class _TooSlow(Exception):
+    """The whole answer took too long, though each piece came in time."""
+
+
+def _read(
+    client: httpx2.Client, request: httpx2.Request, deadline: float, most_bytes: int
+) -> Reply | Trouble:
+    for _ in range(MOST_REDIRECTS + 1):
+        response = client.send(request, stream=True)
+        try:
+            if not response.has_redirect_location:
+                return _body(response, deadline, most_bytes)
+            target = request.url.join(response.headers["location"])
+        finally:
+            response.close()
+        if _origin(target) != _origin(request.url):
+            return Trouble(
+                f"It sends on to another server, {target.scheme}://{target.netloc.decode()}, which "
+                "was not followed: the key would go there. If that is right, name that address.",
+                again=False,
+            )
+        if request.method not in ("GET", "HEAD") and response.status_code not in (307, 308):
+            return Trouble(
+                f"It sends a {request.method} on with status {response.status_code}, which would "
+                "lose the question. Check the address.",
+                again=False,
+            )
+        request = httpx2.Request(
+            request.method, target, headers=request.headers, content=request.content,
+            extensions=request.extensions,
+        )  # fmt: skip
+    return Trouble(f"It sent on more than {MOST_REDIRECTS} times.", again=False)
+
+
+def _body(response: httpx2.Response, deadline: float, most_bytes: int) -> Reply | Trouble:
+    """Read an answer piece by piece, so that no more is held than may be."""
+    pieces, size = [], 0
+    length = response.headers.get("content-length", "")
+    if not (length.isdigit() and int(length) > most_bytes):
+        for piece in response.iter_bytes():
+            size += len(piece)
+            pieces.append(piece)
+            if size > most_bytes:
+                break
+            if time.monotonic() > deadline:
+                raise _TooSlow
+        else:
+            kind = response.headers.get("content-type", "")
+            wait = response.headers.get("retry-after")
+            return Reply(response.status_code, kind, b"".join(pieces), wait=wait)
+    told = f"Its answer has more than the {most_bytes} bytes that are read."
+    return Trouble(told, again=False, charged=response.is_success, alive=True)
+
+
+def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
+    """Return the answer with its JSON, or why it is none."""
+    status, again = reply.status, reply.status in _AGAIN
+    head = reply.body[:_EXCERPT].lstrip().lower()
+    if "text/html" in reply.content_type or head.startswith((b"<!doctype html", b"<html")):
+        return Trouble(
+            f"It answered with an HTML page (status {status}), not with JSON or a file: "
+            f"{_excerpt(reply.body)}. Check the address; a proxy or a web site may answer there.",
+            again=again, alive=not again, wait=reply.wait,
+        )  # fmt: skip
+    payload = None
+    if "json" in reply.content_type and reply.body:
+        try:
+            payload = json.loads(reply.body)
+        except (ValueError, RecursionError):
+            if reply.good:
+                told = f"Its answer is not whole JSON: {_excerpt(reply.body)}."
+                return Trouble(told, again=True, charged=paid)
+    spent = status == 429 and b"insufficient_quota" in reply.body
+    if again or status >= 500 or status < 200:
+        told = f"It answered with status {status}: {_excerpt(reply.body)}."
+        return Trouble(told, again=again and not spent, alive=status == 429, wait=reply.wait)
+    return Reply(status, reply.content_type, reply.body, payload)
+
+
+def _excerpt(body: bytes) -> str:
+    text = " ".join(body[:_EXCERPT].decode("utf-8", "replace").split())
+    return repr(text) if text else "nothing"
+
+
+def _origin(url: httpx2.URL) -> tuple[str, str, int | None]:
+    return url.scheme, url.host, url.port

@@ -1,0 +1,107 @@
+"""What calls cost, by a table that the user can edit."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+import tomllib
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from ..errors import InputError, choices, require, require_number
+
+_DATED = re.compile(r"-(?:\d{4}-\d\d-\d\d|\d{6,8})$")
+_MILLION = 1e6
+_SHIPPED = Path(__file__).with_name("prices.toml")
+
+
+@dataclass(frozen=True)
+class Price:
+    """What one model costs, in the table's currency.
+
+    ``input`` and ``output`` are per million tokens, ``image`` per image answered, ``call`` per
+    call.
+
+    Raises:
+        InputError: one is no number from 0.
+    """
+
+    input: float = 0.0
+    output: float = 0.0
+    image: float = 0.0
+    call: float = 0.0
+
+    def __post_init__(self) -> None:
+        require(self, "input", "output", "image", "call", least=0)
+
+    def of(self, tokens_in: int, tokens_out: int, images: int) -> float:
+        """Return what one call costs."""
+        tokens = self.input * tokens_in + self.output * tokens_out
+        return tokens / _MILLION + self.image * images + self.call
+
+    @property
+    def by_tokens(self) -> bool:
+        """Whether tokens cost anything."""
+        return bool(self.input or self.output)
+
+
+@dataclass(frozen=True)
+class Prices:
+    """Prices of models, the day they were written down, and their currency."""
+
+    date: str = ""
+    currency: str = "USD"
+    models: Mapping[str, Price] = dataclasses.field(default_factory=dict)
+
+    @classmethod
+    def shipped(cls) -> Prices:
+        """Return the examples that come with the package."""
+        return cls.load(_SHIPPED)
+
+    @classmethod
+    def load(cls, path: str | Path) -> Prices:
+        """Read a table; ``prices.toml`` in this package is one.
+
+        Raises:
+            InputError: the file cannot be read, or says something that is not a price.
+        """
+        try:
+            table = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            raise InputError(f"The price table {path} cannot be read: {error}.") from error
+        known = [f.name for f in dataclasses.fields(cls)]
+        for name in table:
+            if name not in known:
+                raise InputError(f"{path}: no setting {name!r}." + choices(name, known))
+        models = table.get("models", {})
+        if not isinstance(models, dict):
+            raise InputError(f'{path}: models is a table of [models."name"].')
+        priced = {name: _price(f"{path}: {name}", entry) for name, entry in models.items()}
+        date, currency = str(table.get("date", "")), str(table.get("currency", "USD"))
+        return cls(date, currency, MappingProxyType(priced))
+
+    def price(self, model: str) -> Price | None:
+        """Return a model's price, or None if it is not known.
+
+        A model that is not listed as it is, is looked for without the provider before a slash
+        ("openai/gpt-5") and without the date at its end.
+        """
+        bare = model.rpartition("/")[2]
+        for name in (model, bare, _DATED.sub("", bare)):
+            if name in self.models:
+                return self.models[name]
+        return None
+
+
+def _price(where: str, entry: Any) -> Price:
+    known = [f.name for f in dataclasses.fields(Price)]
+    if not isinstance(entry, dict):
+        raise InputError(f"{where}: a price is a table of {', '.join(known)}, got {entry!r}.")
+    for name, value in entry.items():
+        if name not in known:
+            raise InputError(f"{where}: no price {name!r}." + choices(name, known))
+        require_number(f"{where} needs {name}", value, least=0)
+    return Price(**{name: float(value) for name, value in entry.items()})

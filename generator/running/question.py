@@ -1,0 +1,197 @@
+"""What a request asks, whether it was asked before, and the most that it can cost."""
+
+from __future__ import annotations
+
+import hashlib
+import ipaddress
+import json
+import math
+import re
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+import httpx2
+
+from ..errors import BackendError, choices
+from .prices import Price, Prices
+from .redaction import plain_url
+
+QUESTION, MODEL, MEMO = "x-tabletopgen-question", "x-tabletopgen-model", "x-tabletopgen-memo"
+
+Memo = Literal["yes", "no", "renew"]
+
+_MEANT = ("x-tc-action", "x-tc-version", "x-tc-region")  # headers that are part of a question
+_MEMOS: Mapping[str, Memo] = {"yes": "yes", "no": "no", "renew": "renew"}
+_LETTERS = 3  # of a text, to a token: few, so that the estimate is not too low
+_PICTURE = 3000  # tokens
+_LONGEST_WORD = 4096  # characters: a longer one is a file in base64
+_ANSWER = 16384  # tokens of an answer that the request sets no bound to
+
+
+@dataclass(frozen=True)
+class Question:
+    """One call: what it asks for of which model, the key of its content, and its price."""
+
+    server: str
+    name: str
+    model: str
+    key: str
+    memo: Memo
+    price: Price | None
+    most: float | None
+
+    def __str__(self) -> str:
+        """Return how messages name it."""
+        return f"{self.server}, {self.name}" + f" ({self.model})" * bool(self.model)
+
+    def money(self, usage: Usage) -> float | None:
+        """Return what an answer cost; None where the price is not known.
+
+        Where tokens are paid for, and the answer does not say how many, it is the most it can be.
+        """
+        if self.price is None or self.most is None:
+            return None
+        if self.price.by_tokens and not (usage.tokens_in or usage.tokens_out):
+            return self.most
+        return self.price.of(usage.tokens_in, usage.tokens_out, usage.images)
+
+
+@dataclass(frozen=True)
+class Usage:
+    """What an answer says that it took."""
+
+    tokens_in: int = 0
+    tokens_out: int = 0
+    images: int = 0
+
+
+NOTHING = Usage()
+"""What an answer took that says nothing of it."""
+
+
+def question(request: httpx2.Request, server: str, prices: Prices) -> Question:
+    """Return what a request asks; the headers that say so are taken off it.
+
+    Raises:
+        BackendError: ``x-tabletopgen-memo`` has another value than "yes", "no" and "renew".
+    """
+    name = request.headers.pop(QUESTION, "") or f"{request.method} {request.url.path}"
+    model = request.headers.pop(MODEL, "")
+    memo = request.headers.pop(MEMO, "yes")
+    if memo not in _MEMOS:
+        raise BackendError(f"{server}, {name}: {MEMO} is {memo!r}." + choices(memo, _MEMOS))
+    body = request.read()
+    key = _key(request, body, model)
+    payload = _payload(request, body)
+    model = model or str(payload.get("model", ""))
+    price, most = _price(request, payload, body, prices.price(model))
+    return Question(server, name, model, key, _MEMOS[memo], price, most)
+
+
+def usage(payload: Any) -> Usage:
+    """Return what the JSON of an answer says that it took."""
+    if not isinstance(payload, dict):
+        return NOTHING
+    told, data = payload.get("usage"), payload.get("data")
+    told = told if isinstance(told, dict) else {}
+    data = data if isinstance(data, list) else []
+    images = [d for d in data if isinstance(d, dict) and (d.get("b64_json") or d.get("url"))]
+    return Usage(
+        _count(told.get("prompt_tokens", told.get("input_tokens"))),
+        _count(told.get("completion_tokens", told.get("output_tokens"))),
+        len(images),
+    )
+
+
+def failed(payload: Any) -> bool:
+    """Return whether the JSON of an answer of status 2xx tells of an error."""
+    if not isinstance(payload, dict):
+        return False
+    inner = payload.get("Response")
+    return bool(payload.get("error") or (isinstance(inner, dict) and inner.get("Error")))
+
+
+def local(host: str) -> bool:
+    """Return whether a host is this machine."""
+    if host == "localhost" or host.endswith(".localhost"):
+        return True
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+def _key(request: httpx2.Request, body: bytes, model: str) -> str:
+    """Return the sha256 of what is asked: no key, no signature, no random boundary in it."""
+    kind = request.headers.get("content-type", "")
+    boundary = re.search(r'boundary="?([^";,]+)', kind)
+    if boundary:
+        body = body.replace(boundary[1].encode(), b"boundary")
+        kind = kind.replace(boundary[1], "boundary")
+    meant = {name: request.headers[name] for name in _MEANT if name in request.headers}
+    head = [request.method, plain_url(str(request.url)), kind, model, meant]
+    return hashlib.sha256(json.dumps(head).encode() + b"\n" + body).hexdigest()
+
+
+def _payload(request: httpx2.Request, body: bytes) -> Mapping[str, Any]:
+    """Return the fields of a request's body: of JSON, or the short ones of a form."""
+    kind = request.headers.get("content-type", "")
+    if "json" in kind:
+        try:
+            payload = json.loads(body)
+        except ValueError:
+            return {}
+        return payload if isinstance(payload, dict) else {}
+    if "multipart" in kind:
+        field = re.compile(rb'name="([\w\[\]]+)"\r\n(?:[^\r\n]+\r\n)*\r\n([^\r\n]{0,200})\r\n')
+        return {k.decode(): v.decode("utf-8", "replace") for k, v in field.findall(body)}
+    return {}
+
+
+def _price(
+    request: httpx2.Request, payload: Mapping[str, Any], body: bytes, price: Price | None
+) -> tuple[Price | None, float | None]:
+    """Return what a call costs and the most it can: nothing to look, or on this machine unlisted.
+
+    A call whose price is not known has None for both.
+    """
+    if request.method in ("GET", "HEAD") or (price is None and local(request.url.host)):
+        return Price(), 0.0
+    if price is None:
+        return None, None
+    number = max(1, _count(payload.get("n")))
+    bounds = ("max_completion_tokens", "max_output_tokens", "max_tokens")
+    bound = next((_count(payload[b]) for b in bounds if payload.get(b)), _ANSWER)
+    files = body.count(b"filename=") * _PICTURE
+    return price, price.of(_tokens(payload) + files, number * bound, number)
+
+
+def _tokens(value: Any) -> int:
+    """Return an estimate, rather too high, of the tokens of a request."""
+    return sum(
+        _PICTURE
+        if len(text) > _LONGEST_WORD and " " not in text
+        else math.ceil(len(text) / _LETTERS)
+        for text in _texts(value)
+    )
+
+
+def _texts(value: Any) -> Iterator[str]:
+    if isinstance(value, Mapping):
+        for name, inner in value.items():
+            yield str(name)
+            yield from _texts(inner)
+    elif isinstance(value, list):
+        for inner in value:
+            yield from _texts(inner)
+    else:
+        yield str(value)
+
+
+def _count(value: Any) -> int:
+    """Return a number of things as servers and forms write it; 0 for anything else."""
+    try:
+        return max(0, int(value))
+    except (TypeError, ValueError, OverflowError):
+        return 0

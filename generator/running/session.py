@@ -1,0 +1,178 @@
+"""What the calls of one generation share."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, TypeVar
+from urllib.parse import urlsplit
+
+from ..errors import BackendError, DryRunError, StoppedError, require
+from .account import Account
+from .prices import Prices
+from .store import CallStore
+from .waiting import Breakers, Patience
+
+if TYPE_CHECKING:
+    import httpx2
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+EXTRA = "pip install 'tabletopgen[cloud]'"
+_SLICE = 0.05  # seconds between two looks at whether to stop
+
+
+@dataclass(frozen=True, eq=False)
+class Session:
+    """Keeps, counts, bounds and repeats the calls of one generation; safe for threads.
+
+    ``store``: where answers are kept; None keeps nothing.
+    ``account``: the ledger they are entered in.
+    ``prices``: what they cost.
+    ``budget``: what they may cost together, in the currency of ``prices``; a call that might exceed
+    it is not sent. None for no limit.
+    ``workers``: how many things are asked for at once.
+    ``attempts``: how often a call is sent at most.
+    ``dry``: nothing is sent: the first call that the store cannot answer raises DryRunError.
+    ``stop``: once set, calls that wait or are still to be sent raise StoppedError. Those under way
+    end by themselves, and are kept.
+    ``patience``: how long to wait between attempts.
+
+    Raises:
+        InputError: a number is out of range.
+    """
+
+    store: CallStore | None = None
+    account: Account = field(default_factory=Account)
+    prices: Prices = field(default_factory=Prices.shipped)
+    budget: float | None = None
+    workers: int = 8
+    attempts: int = 5
+    dry: bool = False
+    stop: threading.Event = field(default_factory=threading.Event, repr=False)
+    patience: Patience = field(default_factory=Patience)
+    breakers: Breakers = field(default_factory=Breakers, init=False, repr=False)
+    _scope: threading.local = field(default_factory=threading.local, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        require(self, "workers", "attempts", least=1, whole=True)
+        if self.budget is not None:
+            require(self, "budget", least=0)
+
+    def client(
+        self,
+        server: str,
+        base_url: str,
+        *,
+        timeout: float = 120.0,
+        most_bytes: int = 64 * 2**20,
+        secrets: tuple[str, ...] = (),
+    ) -> httpx2.Client:
+        """Return an HTTP client whose calls this session keeps, counts, bounds and repeats.
+
+        It speaks to the origin of ``base_url`` alone. A request says what it is for by headers that
+        are not sent: ``x-tabletopgen-question`` (a protocol's method), ``x-tabletopgen-model``, and
+        ``x-tabletopgen-memo``: "no" for an answer that changes (the state of a job), "renew" where
+        the kept answer is of no use any more. Answers of status 2xx, and 4xx that no wait would
+        mend, are returned; everything else raises BackendError.
+
+        Args:
+            server: names the server in messages and in the ledger.
+            base_url: http or https, as far as all paths have it in common.
+            timeout: seconds that one attempt may take.
+            most_bytes: what an answer may have at most.
+            secrets: what no message may hold. Keys go into headers, never into a URL.
+
+        Raises:
+            BackendError: the extra is not installed, or the URL is none.
+        """
+        try:
+            import httpx2
+
+            from .transport import PaidTransport
+        except ImportError as error:
+            raise BackendError(
+                f"{server} is asked over HTTP, and {error.name} is not installed. Run: {EXTRA}"
+            ) from error
+        try:
+            parts = urlsplit(base_url)
+            fine = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
+        except ValueError:
+            fine = False
+        if not fine:
+            raise BackendError(
+                f"{server}: its address must look like https://host/path, got {base_url!r}."
+            )
+        transport = PaidTransport(self, server, base_url, timeout, most_bytes, secrets)
+        return httpx2.Client(
+            base_url=base_url, transport=transport, timeout=timeout, trust_env=False
+        )
+
+    def each(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
+        """Return ``work`` of every item, in their order, ``workers`` at a time.
+
+        The first error stops what waits or has not begun, and is raised when the rest has ended;
+        what was answered by then is in the store. In a dry run all items are tried, and one error
+        names all calls.
+        """
+        if min(self.workers, len(items)) <= 1 and not self.dry:
+            return [work(item) for item in items]
+        halted = threading.Event()
+        outer = self._halts()
+
+        def one(item: T) -> R:
+            self._scope.halts = (*outer, halted)
+            try:
+                self.check()
+                return work(item)
+            finally:
+                self._scope.halts = ()
+
+        with ThreadPoolExecutor(min(self.workers, len(items)) or 1) as pool:
+            futures = [pool.submit(one, item) for item in items]
+            try:
+                if not self.dry:
+                    wait(futures, return_when=FIRST_EXCEPTION)
+                    if any(f.done() and f.exception() for f in futures):
+                        halted.set()
+                wait(futures)
+            except BaseException:
+                halted.set()
+                raise
+        return _results(futures)
+
+    def check(self) -> None:
+        """Raise StoppedError if this session, or the work that this thread is part of, is over."""
+        if self.stop.is_set():
+            raise StoppedError("Stopped before all calls were made; what was answered is kept.")
+        if any(halt.is_set() for halt in self._halts()):
+            raise StoppedError("Given up, for a call beside this one failed.")
+
+    def pause(self, seconds: float) -> None:
+        """Wait, unless there is a reason to stop: see ``check``."""
+        left = seconds
+        while left > 0:
+            self.check()
+            self.stop.wait(min(left, _SLICE))
+            left -= _SLICE
+        self.check()
+
+    def _halts(self) -> tuple[threading.Event, ...]:
+        return getattr(self._scope, "halts", ())
+
+
+def _results(futures: Sequence[Future[R]]) -> list[R]:
+    """Return the results, or raise the error that came first of those that tell most."""
+    errors = [error for f in futures if (error := f.exception()) is not None]
+    dry = [str(error) for error in errors if isinstance(error, DryRunError)]
+    if len(dry) > 1 and len(dry) == len(errors):
+        raise DryRunError("\n".join(dict.fromkeys(dry)))
+    for error in errors:
+        if not isinstance(error, StoppedError):
+            raise error
+    if errors:
+        raise errors[0]
+    return [f.result() for f in futures]

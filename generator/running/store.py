@@ -1,0 +1,219 @@
+"""Answers that were paid for, kept on disk by the content of their question.
+
+An answer is published or absent: it is written beside and renamed, and carries a checksum of all it
+holds, its key included. Of a question nothing but its key is kept; of an answer status, content
+type and body.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import re
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from filelock import FileLock, Timeout
+
+from ..errors import StorageError, require_number
+
+MOST_BYTES = 4 * 2**30
+"""Size of a store unless its owner says otherwise."""
+
+_MAGIC = b"tabletopgen call 1"
+_KEY = re.compile(r"[0-9a-f]{64}")
+_PARTIAL = ".partial-"
+_STALE = 3600.0  # seconds: an older unfinished file was left by a process that is gone
+_POLL = 0.05  # seconds between two looks at a lock
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a server answered: all that is kept of it."""
+
+    status: int
+    content_type: str
+    body: bytes
+
+
+class CallStore:
+    """A folder of answers that several threads and processes may use at once."""
+
+    def __init__(self, folder: str | Path, most_bytes: int = MOST_BYTES) -> None:
+        """Use ``folder``, which is made, for its owner alone, when the first answer is kept.
+
+        Args:
+            folder: where the answers are.
+            most_bytes: what they may take up; those not asked for the longest go first.
+
+        Raises:
+            InputError: ``most_bytes`` is no positive whole number.
+        """
+        require_number("CallStore needs most_bytes", most_bytes, least=1, whole=True)
+        self.folder = Path(folder)
+        self.most_bytes = most_bytes
+        self._broken = False
+
+    def get(self, key: str) -> Answer | None:
+        """Return the answer to a question, or None. A damaged one is dropped."""
+        path = self._path(key)
+        try:
+            raw = path.read_bytes()
+        except OSError:
+            return None
+        answer = _decoded(key, raw)
+        with contextlib.suppress(OSError):
+            if answer is None:
+                path.unlink()
+            else:
+                os.utime(path)  # the order in which answers go
+        return answer
+
+    def put(self, key: str, answer: Answer) -> None:
+        """Keep an answer; whoever reads sees it whole or not at all.
+
+        Raises:
+            StorageError: the disk refuses. It is said once; from then on nothing is kept.
+        """
+        if self._broken:
+            return
+        raw = _encoded(key, answer)
+        try:
+            if len(raw) > self.most_bytes:
+                raise StorageError(
+                    f"An answer of {len(raw)} bytes does not fit the call store {self.folder}, "
+                    f"which holds {self.most_bytes}. Raise its most_bytes."
+                )
+            self._write(self._path(key), raw)
+            self._evict(self._path(key))
+        except OSError as error:
+            self._broken = True
+            if isinstance(error, StorageError):
+                raise
+            raise StorageError(
+                f"The call store {self.folder} cannot be written ({error.strerror or error}): "
+                "answers of this run are used, but not kept. Free space or name another folder."
+            ) from error
+
+    def forget(self, key: str) -> None:
+        """Drop an answer, if there is one."""
+        with contextlib.suppress(OSError):
+            self._path(key).unlink()
+
+    @contextlib.contextmanager
+    def holding(self, key: str, check: Callable[[], None] = lambda: None) -> Iterator[None]:
+        """Hold a question, so that nobody else, in any process, asks it meanwhile.
+
+        The system lets go of it when the process dies. ``check`` is called now and then while
+        another holds it, and may raise. Where no lock can be had, nothing is held.
+        """
+        with contextlib.ExitStack() as held:
+            lock = self._lock(key)
+            while lock is not None:
+                try:
+                    held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
+                    break
+                except Timeout:
+                    check()
+                except OSError:
+                    break
+            yield
+
+    def __len__(self) -> int:
+        """Return how many answers are kept."""
+        return len(self._kept())
+
+    def size(self) -> int:
+        """Return how many bytes the answers take up."""
+        return sum(entry.bytes for entry in self._kept())
+
+    def _path(self, key: str) -> Path:
+        if not _KEY.fullmatch(key):
+            raise StorageError(f"A key is a sha256 in 64 hexadecimal digits, got {key!r}.")
+        return self.folder / "answers" / key[:2] / key
+
+    def _lock(self, key: str) -> FileLock | None:
+        """Return the lock of a key; a few keys of 4096 share one."""
+        path = self.folder / "locks" / f"{key[:3]}.lock"
+        try:
+            _make(path.parent)
+        except OSError:
+            return None
+        return FileLock(path, mode=0o600)
+
+    def _write(self, path: Path, raw: bytes) -> None:
+        _make(path.parent)
+        number, name = tempfile.mkstemp(prefix=_PARTIAL, dir=path.parent)
+        try:
+            with os.fdopen(number, "wb") as file:
+                file.write(raw)
+                file.flush()
+                os.fsync(file.fileno())
+            Path(name).replace(path)
+        except BaseException:
+            Path(name).unlink(missing_ok=True)
+            raise
+
+    def _evict(self, newest: Path) -> None:
+        """Drop what was not asked for the longest until the rest fits, but not ``newest``."""
+        kept = sorted(self._kept(), key=lambda entry: entry.used)
+        size = sum(entry.bytes for entry in kept)
+        for entry in kept:
+            if size <= self.most_bytes:
+                break
+            if entry.path != newest:
+                entry.path.unlink(missing_ok=True)
+                size -= entry.bytes
+
+    def _kept(self) -> list[_Kept]:
+        """Return the answers that are there; what dead writers left half done is removed."""
+        kept = []
+        for path in (self.folder / "answers").glob("*/*"):
+            with contextlib.suppress(OSError):  # another process dropped it
+                status = path.stat()
+                if not path.name.startswith(_PARTIAL):
+                    kept.append(_Kept(path, status.st_size, status.st_mtime))
+                elif time.time() - status.st_mtime > _STALE:
+                    path.unlink()
+        return kept
+
+
+@dataclass(frozen=True)
+class _Kept:
+    path: Path
+    bytes: int
+    used: float
+
+
+def _make(folder: Path) -> None:
+    """Make a folder and those above that are missing, for their owner alone."""
+    if folder.is_dir():
+        return
+    if not folder.parent.is_dir():
+        _make(folder.parent)
+    folder.mkdir(mode=0o700, exist_ok=True)
+
+
+def _encoded(key: str, answer: Answer) -> bytes:
+    facts = json.dumps({"status": answer.status, "content_type": answer.content_type})
+    content = facts.encode() + b"\n" + answer.body
+    return b"%s %s\n%s" % (_MAGIC, _checksum(key, content), content)
+
+
+def _decoded(key: str, raw: bytes) -> Answer | None:
+    """Return the answer that ``raw`` holds, or None if it is not whole or another key's."""
+    first, _, content = raw.partition(b"\n")
+    if first != b"%s %s" % (_MAGIC, _checksum(key, content)):
+        return None
+    head, _, body = content.partition(b"\n")
+    facts = json.loads(head)
+    return Answer(facts["status"], facts["content_type"], body)
+
+
+def _checksum(key: str, content: bytes) -> bytes:
+    return hashlib.sha256(key.encode() + b"\n" + content).hexdigest().encode()

@@ -1,0 +1,205 @@
+"""What all paid HTTP goes through: the store, the budget, the ledger, and another attempt."""
+
+from __future__ import annotations
+
+import contextlib
+import logging
+import time
+from typing import TYPE_CHECKING
+
+import httpx2
+
+from ..errors import BackendError, DryRunError, StorageError
+from .account import Entry, Outcome
+from .exchange import Reply, Trouble, exchange
+from .question import NOTHING, Question, Usage, failed, local, question, usage
+from .redaction import REDACTED, redacted
+from .store import Answer
+from .waiting import retry_after
+
+if TYPE_CHECKING:
+    from .session import Session
+
+_KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
+_LEAST = 6  # characters: shorter ones are no keys, and would redact words
+
+
+class PaidTransport(httpx2.BaseTransport):
+    """Sends the requests of one client to one server; see ``Session.client``."""
+
+    def __init__(
+        self,
+        session: Session,
+        server: str,
+        base_url: str,
+        timeout: float,
+        most_bytes: int,
+        secrets: tuple[str, ...],
+    ) -> None:
+        """Speak to the origin of ``base_url``; the rest is as in ``Session.client``."""
+        self._session = session
+        self._server = server
+        self._base = httpx2.URL(base_url)
+        self._timeout = timeout
+        self._most_bytes = most_bytes
+        self._secrets = secrets
+        origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
+        self._breaker = session.breakers.of(server, origin, session.patience)
+        self._client = httpx2.Client(timeout=timeout, trust_env=not local(self._base.host))
+
+    def close(self) -> None:
+        """Close the connections."""
+        self._client.close()
+
+    def handle_request(self, request: httpx2.Request) -> httpx2.Response:
+        """Answer a request from the store, else from the server.
+
+        Raises:
+            BackendError: there is no answer; BudgetError, DryRunError and StoppedError are such.
+        """
+        asked = question(request, self._server, self._session.prices)
+        secrets = (*self._secrets, *_keys(request))
+        self._check_address(request, asked, secrets)
+        store = None if asked.memo == "no" else self._session.store
+        with contextlib.ExitStack() as held:
+            if store is not None:
+                held.enter_context(store.holding(asked.key, self._session.check))
+            kept = store.get(asked.key) if store is not None and asked.memo == "yes" else None
+            if kept is not None:
+                self._session.account.add(_entry(asked, "cached", 0.0, 0.0))
+                return _response(kept.status, kept.content_type, kept.body, request)
+            reply = self._ask(request, asked, secrets)
+            if store is not None and reply.good and not failed(reply.payload):
+                self._keep(asked, reply)
+        body = reply.body if reply.good else _clean(reply.body, secrets)
+        return _response(reply.status, reply.content_type, body, request)
+
+    def _check_address(
+        self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]
+    ) -> None:
+        url, base = request.url, self._base
+        if (url.scheme, url.host, url.port) != (base.scheme, base.host, base.port):
+            raise BackendError(
+                f"{asked}: this client is for {base.scheme}://{base.netloc.decode()} and does not "
+                f"call {url.scheme}://{url.netloc.decode()}. Open a client for that server."
+            )
+        if redacted(str(url), secrets).count(REDACTED) > redacted(str(url)).count(REDACTED):
+            raise BackendError(
+                f"{asked}: a key is part of the address, where logs would show it. "
+                "Send it in a header."
+            )
+
+    def _ask(self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]) -> Reply:
+        """Send a request until it is answered."""
+        session = self._session
+        if session.dry:
+            raise DryRunError(_would(asked, session.prices.currency))
+        _bound_times(request, self._timeout)
+        for k in range(session.attempts):
+            session.check()
+            self._breaker.check(str(asked))
+            told = self._attempt(request, asked)
+            if isinstance(told, Reply):
+                self._breaker.worked()
+                return told
+            reason = redacted(told.reason, secrets)
+            if told.alive:
+                self._breaker.worked()
+            else:
+                self._breaker.failed(reason)
+            if not told.again:
+                raise BackendError(f"{asked}: no answer. {reason}")
+            if k + 1 < session.attempts:
+                session.pause(self._wait(told, k, asked))
+        times = f"{session.attempts} times" if session.attempts > 1 else "once"
+        raise BackendError(
+            f"{asked}: no answer, asked {times}. {reason} What was answered before is kept; see "
+            "whether the server runs, and try again."
+        )
+
+    def _attempt(self, request: httpx2.Request, asked: Question) -> Reply | Trouble:
+        """Send a request once, within the budget, and enter it in the ledger."""
+        session = self._session
+        with session.account.reserving(asked.most, session.budget, str(asked)) as enter:
+            began = time.monotonic()
+            told = exchange(self._client, request, self._timeout, self._most_bytes)
+            seconds = time.monotonic() - began
+            if isinstance(told, Trouble):
+                money = asked.most if told.charged else 0.0
+                enter(_entry(asked, "failed", seconds, money))
+            elif not told.good or failed(told.payload):
+                enter(_entry(asked, "failed", seconds, 0.0))
+            else:
+                spent = usage(told.payload)
+                enter(_entry(asked, "answered", seconds, asked.money(spent), spent))
+        return told
+
+    def _wait(self, told: Trouble, k: int, asked: Question) -> float:
+        """Return how long to wait after the k-th failure."""
+        patience, wanted = self._session.patience, retry_after(told.wait)
+        if wanted is None:
+            return patience.drawn(k)
+        if wanted > patience.obeyed:
+            raise BackendError(
+                f"{asked}: the server asks to wait {wanted:.0f} s, more than the "
+                f"{patience.obeyed:g} s that are waited. What was answered is kept; run it again "
+                "then."
+            )
+        return wanted + patience.pause(0, 0.0) / 10  # not at the very moment that ends the wait
+
+    def _keep(self, asked: Question, reply: Reply) -> None:
+        """Keep an answer; a disk that refuses must not lose it."""
+        assert self._session.store is not None
+        try:
+            self._session.store.put(asked.key, Answer(reply.status, reply.content_type, reply.body))
+        except StorageError as error:
+            self._session.account.note(str(error))
+            logging.getLogger(__name__).warning("%s", error)
+
+
+def _entry(
+    asked: Question, outcome: Outcome, seconds: float, money: float | None, spent: Usage = NOTHING
+) -> Entry:
+    return Entry(
+        asked.server, asked.name, asked.model, outcome, seconds,
+        spent.tokens_in, spent.tokens_out, spent.images, money,
+    )  # fmt: skip
+
+
+def _response(
+    status: int, content_type: str, body: bytes, request: httpx2.Request
+) -> httpx2.Response:
+    """Return a response as a client gets it, the same from the store as from the server."""
+    headers = {"content-type": content_type} if content_type else {}
+    return httpx2.Response(status, headers=headers, content=body, request=request)
+
+
+def _keys(request: httpx2.Request) -> tuple[str, ...]:
+    """Return the keys that a request's headers hold."""
+    values = [request.headers.get(name, "") for name in _KEYS]
+    words = (word for value in values for word in value.replace(",", " ").split())
+    return tuple(word for word in words if len(word) >= _LEAST and word.lower() != "bearer")
+
+
+def _clean(body: bytes, secrets: tuple[str, ...]) -> bytes:
+    """Return the body of a refusal without the key that it may repeat."""
+    return redacted(body.decode("utf-8", "replace"), secrets).encode()
+
+
+def _would(asked: Question, currency: str) -> str:
+    """Return what a dry run says of a call."""
+    if asked.most is None:
+        return f"Would ask {asked}, at a price that is not known."
+    return f"Would ask {asked}, for at most {asked.most:.4f} {currency}."
+
+
+def _bound_times(request: httpx2.Request, timeout: float) -> None:
+    """Let no part of a request take longer than ``timeout``, whatever its maker allows."""
+    given = request.extensions.get("timeout", {})
+    request.extensions = {
+        **request.extensions,
+        "timeout": {
+            part: timeout if given.get(part) is None else min(timeout, given[part])
+            for part in ("connect", "read", "write", "pool")
+        },
+    }

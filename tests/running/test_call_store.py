@@ -1,0 +1,174 @@
+"""The store of answers: whole or absent, bounded, shared, and never in the way."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+import pytest
+
+from generator.errors import InputError, StorageError
+from generator.running.store import Answer, CallStore
+
+ANSWER = Answer(200, "application/json", b'{"a": 1}\n\x00\xff')
+
+
+def key(name: str) -> str:
+    return hashlib.sha256(name.encode()).hexdigest()
+
+
+def files(folder: Path) -> list[Path]:
+    return sorted(p for p in (folder / "answers").rglob("*") if p.is_file())
+
+
+def test_an_answer_comes_back_as_it_was(tmp_path: Path) -> None:
+    CallStore(tmp_path / "calls").put(key("q"), ANSWER)
+    store = CallStore(tmp_path / "calls")
+    assert store.get(key("q")) == ANSWER
+    assert store.get(key("other")) is None
+    assert len(store) == 1
+    store.forget(key("q"))
+    assert store.get(key("q")) is None
+    store.forget(key("q"))
+
+
+def test_looking_makes_no_folder(tmp_path: Path) -> None:
+    assert CallStore(tmp_path / "calls").get(key("q")) is None
+    assert not (tmp_path / "calls").exists()
+
+
+def test_only_the_owner_may_look(tmp_path: Path) -> None:
+    CallStore(tmp_path / "deep" / "calls").put(key("q"), ANSWER)
+    assert (tmp_path / "deep" / "calls").stat().st_mode & 0o777 == 0o700
+    (kept,) = files(tmp_path / "deep" / "calls")
+    assert kept.stat().st_mode & 0o777 == 0o600
+
+
+@pytest.mark.parametrize("place", ["checksum", "facts", "body", "end", "all"])
+def test_a_damaged_answer_is_dropped(tmp_path: Path, place: str) -> None:
+    store = CallStore(tmp_path)
+    store.put(key("q"), ANSWER)
+    (path,) = files(tmp_path)
+    raw = bytearray(path.read_bytes())
+    spot = {"checksum": 20, "facts": raw.index(b"200"), "body": len(raw) - 3}.get(place)
+    if spot is not None:
+        raw[spot] ^= 1
+    path.write_bytes({"end": raw[:-1], "all": b""}.get(place, bytes(raw)))
+    assert store.get(key("q")) is None
+    assert files(tmp_path) == []
+
+
+def test_an_answer_under_another_key_is_none(tmp_path: Path) -> None:
+    store = CallStore(tmp_path)
+    store.put(key("q"), ANSWER)
+    (path,) = files(tmp_path)
+    other = tmp_path / "answers" / key("r")[:2] / key("r")
+    other.parent.mkdir(exist_ok=True)
+    path.rename(other)
+    assert store.get(key("r")) is None
+
+
+def test_what_was_not_asked_for_the_longest_goes_first(tmp_path: Path) -> None:
+    store = CallStore(tmp_path, most_bytes=3500)
+    for age, name in ((30, "a"), (20, "b"), (10, "c")):
+        store.put(key(name), Answer(200, "", bytes(1000)))
+        path = tmp_path / "answers" / key(name)[:2] / key(name)
+        os.utime(path, (path.stat().st_mtime - age,) * 2)
+    assert store.get(key("a")) is not None  # asked for: now the newest
+    store.put(key("d"), Answer(200, "", bytes(1000)))
+    there = [n for n in "abcd" if store.get(key(n)) is not None]
+    assert there == ["a", "c", "d"]
+    assert store.size() <= 3500
+
+
+def test_an_answer_larger_than_the_store_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(StorageError, match="most_bytes"):
+        CallStore(tmp_path, most_bytes=100).put(key("q"), Answer(200, "", bytes(200)))
+    with pytest.raises(InputError, match="most_bytes"):
+        CallStore(tmp_path, most_bytes=0)
+
+
+def test_a_disk_that_refuses_is_told_once(tmp_path: Path) -> None:
+    (tmp_path / "calls").write_text("a file where the folder should be")
+    store = CallStore(tmp_path / "calls")
+    with pytest.raises(StorageError, match="cannot be written"):
+        store.put(key("q"), ANSWER)
+    store.put(key("q"), ANSWER)
+    with store.holding(key("q")):
+        assert store.get(key("q")) is None
+
+
+def test_a_full_disk_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(number: int) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("os.fsync", full)
+    with pytest.raises(StorageError, match="No space left"):
+        CallStore(tmp_path).put(key("q"), ANSWER)
+    assert files(tmp_path) == []
+
+
+def test_what_a_killed_writer_left_goes(tmp_path: Path) -> None:
+    store = CallStore(tmp_path)
+    store.put(key("q"), ANSWER)
+    (path,) = files(tmp_path)
+    left, running = path.with_name(".partial-old"), path.with_name(".partial-new")
+    left.write_bytes(b"half")
+    running.write_bytes(b"half")
+    os.utime(left, (1, 1))
+    assert len(store) == 1
+    assert not left.exists() and running.exists()
+
+
+def test_a_question_is_held_by_one_thread(tmp_path: Path) -> None:
+    store, inside, most = CallStore(tmp_path), [], []
+
+    def ask() -> None:
+        with store.holding(key("q")):
+            inside.append(1)
+            most.append(len(inside))
+            threading.Event().wait(0.01)
+            inside.pop()
+
+    threads = [threading.Thread(target=ask) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert most == [1, 1, 1, 1]
+
+
+HOLD = """
+import sys
+from generator.running.store import CallStore
+with CallStore(sys.argv[1]).holding(sys.argv[2]):
+    print("held", flush=True)
+    sys.stdin.read()
+"""
+
+
+def test_another_process_holds_it_until_it_is_killed(tmp_path: Path) -> None:
+    store = CallStore(tmp_path)
+
+    class Waited(Exception):
+        pass
+
+    def give_up() -> None:
+        raise Waited
+
+    with subprocess.Popen(
+        [sys.executable, "-c", HOLD, str(tmp_path), key("q")],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+    ) as other:  # fmt: skip
+        assert other.stdout is not None
+        assert other.stdout.readline() == "held\n"
+        with pytest.raises(Waited), store.holding(key("q"), give_up):
+            raise AssertionError
+        other.kill()
+        other.wait()
+        with store.holding(key("q"), give_up):
+            pass

@@ -1,0 +1,59 @@
+"""No key in any text, however a server wrote it back."""
+
+from __future__ import annotations
+
+import base64
+import json
+from urllib.parse import quote
+
+import pytest
+
+from generator.running.redaction import plain_url, redacted
+
+KEY = 'mark/er+"7f3a'
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        KEY,
+        quote(KEY, safe=""),
+        json.dumps(KEY),
+        base64.b64encode(KEY.encode()).decode(),
+    ],
+)
+def test_a_secret_goes_in_every_form(written: str) -> None:
+    text = redacted(f"Incorrect key provided: {written}. Look it up.", (KEY,))
+    assert written.strip('"') not in text
+    assert text.startswith("Incorrect key provided: ") and text.endswith(". Look it up.")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Authorization: Bearer abcDEF123",
+        "key sk-proj-abcdefgh12345 is wrong",
+        "https://host/file.glb?q-signature=abcdef0123",
+    ],
+)
+def test_what_is_shaped_like_a_key_goes_unasked(text: str) -> None:
+    clean = redacted(text)
+    assert "[redacted]" in clean
+    assert not {"abcDEF123", "sk-proj-abcdefgh12345", "abcdef0123"} & set(
+        clean.replace("=", " ").split()
+    )
+
+
+def test_a_longer_secret_goes_before_one_that_it_contains() -> None:
+    assert redacted("abcdef", ("abc", "abcdef")) == "[redacted]"
+
+
+def test_an_empty_secret_changes_nothing() -> None:
+    assert redacted("plain words", ("", " ")) == "plain words"
+
+
+def test_links_signed_at_other_times_are_the_same() -> None:
+    one = "https://me:pw@host:81/a/b.glb?size=2&q-sign-time=1&X-Amz-Date=3&sig=ab#part"
+    two = "https://host:81/a/b.glb?size=2&q-sign-time=9&X-Amz-Date=4&sig=cd"
+    assert plain_url(one) == plain_url(two) == "https://host:81/a/b.glb?size=2"
+    assert plain_url(two) != plain_url(two.replace("size=2", "size=3"))
