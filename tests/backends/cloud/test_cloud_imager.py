@@ -113,7 +113,7 @@ def test_options_that_a_server_does_not_know_are_left_out(
 
 
 def test_a_form_that_is_none_is_refused(server: Running, make_imager: Make) -> None:
-    with pytest.raises(BackendError, match="no form 'seadream'. Did you mean 'seedream'"):
+    with pytest.raises(BackendError, match=r"no form 'seadream'\. Did you mean 'seedream'"):
         make_imager(form="seadream")
 
 
@@ -166,7 +166,7 @@ def test_half_a_picture_and_a_tiny_one_are_refused(server: Running, make_imager:
 
 def test_a_picture_that_the_model_will_not_draw(server: Running, make_imager: Make) -> None:
     server.script.failures.append("moderation")
-    with pytest.raises(BackendError, match="draw failed: the model refuses: .*safety system"):
+    with pytest.raises(BackendError, match=r"draw failed: the model refuses: .*safety system"):
         make_imager().draw(PLAN, 0)
     assert len(server.script.requests) == 1
 
@@ -191,7 +191,7 @@ def test_a_picture_is_fetched_without_the_key(server: Running, make_imager: Make
     server.script.urls = True
     server.script.paint = lambda request: plain()
     np.testing.assert_array_equal(make_imager().draw(PLAN, 0), plain())
-    asked, fetched = server.script.requests
+    _, fetched = server.script.requests
     assert fetched.path.startswith("/files/")
     assert fetched.body == {"key": False}
     assert KEY not in str(fetched.headers)
