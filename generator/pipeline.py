@@ -183,15 +183,19 @@ def generate(
 
     step()  # Sec. 3.1: list, detect, segment, complete
     reference, instances = extract(
-        reference, b.reasoner, b.segmenter, b.imager, seed, config.extraction
-    )
+        reference, b.reasoner, b.segmenter, b.imager, seed, config.extraction,
+        complete_each=b.each("imager"),
+    )  # fmt: skip
 
     step()  # Sec. 3.3: the camera's azimuth and elevation; Fig. 22: commonsense sizes
     view = b.reasoner.estimate_view(reference, _table(instances))
     sizes = b.reasoner.estimate_sizes(reference, instances, view)
 
     step()  # Sec. 3.2: image to 3D, canonical alignment
-    models = make_models(reference, instances, sizes, view, b.modeler, b.reasoner)
+    models = make_models(
+        reference, instances, sizes, view, b.modeler, b.reasoner,
+        model_each=b.each("modeler"), review_each=b.each("reasoner"),
+    )  # fmt: skip
 
     step()  # Sec. 3.3, DRO: Eqs. 1-4; left out (Sec. 4.3), the reasoner says the yaws
     if guesser is not None and "dro" in config.without:

@@ -7,8 +7,8 @@ never stored, logged or put into an exception.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Protocol, runtime_checkable
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Protocol, TypeVar, runtime_checkable
 
 import numpy as np
 from jaxtyping import Float, UInt8
@@ -31,6 +31,22 @@ from ..scene import (
 
 if TYPE_CHECKING:
     import torch
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+
+class Each(Protocol):
+    """How one question is asked about many things."""
+
+    def __call__(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
+        """Return ``work`` of every item, in their order."""
+        ...
+
+
+def in_turn(work: Callable[[T], R], items: Sequence[T]) -> list[R]:
+    """Ask one after another: what computes here gains nothing by threads."""
+    return [work(item) for item in items]
 
 
 @runtime_checkable

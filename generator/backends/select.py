@@ -13,7 +13,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..errors import BackendError, choices
-from .protocols import Encoder, Imager, Modeler, Reasoner, Segmenter
+from ..running import Session
+from .protocols import Each, Encoder, Imager, Modeler, Reasoner, Segmenter, in_turn
 
 PROTOCOLS: Mapping[str, type] = {
     "reasoner": Reasoner,
@@ -42,14 +43,16 @@ TABLE: Mapping[str, Mapping[str, str]] = {
 """Backend name, then question set, to the class that answers; loaded when selected."""
 
 
-def _load(name: str, role: str) -> Any:
+def _load(name: str, role: str, session: Session) -> Any:
     if name not in TABLE:
         raise BackendError(f"Unknown backend {name!r}.{choices(name, TABLE)}")
     if role not in TABLE[name]:
         able = [backend for backend, roles in TABLE.items() if role in roles]
         raise BackendError(f"Backend {name!r} has no {role}.{choices(name, able)}")
     module, _, attribute = TABLE[name][role].partition(":")
-    return getattr(importlib.import_module(module), attribute)()
+    kind = getattr(importlib.import_module(module), attribute)
+    shares = "session" in getattr(kind, "__dataclass_fields__", {})
+    return kind(session=session) if shares else kind()
 
 
 def _check(role: str, backend: Any) -> Any:
@@ -74,11 +77,15 @@ class Backends:
     encoder: Encoder
 
     @classmethod
-    def select(cls, default: str = "embedded", **roles: Any) -> Backends:
+    def select(
+        cls, default: str = "embedded", *, session: Session | None = None, **roles: Any
+    ) -> Backends:
         """Return backends by name, with single roles replaced by a name or by your own object.
 
         Args:
             default: the backend that answers whatever ``roles`` leaves open.
+            session: what the backends chosen by name share that ask servers: store, ledger,
+                budget; None for a new one that keeps nothing.
             roles: ``reasoner``, ``imager``, ``segmenter``, ``modeler``, ``encoder``.
 
         Raises:
@@ -88,13 +95,22 @@ class Backends:
         for role in roles:
             if role not in PROTOCOLS:
                 raise BackendError(f"Unknown role {role!r}.{choices(role, PROTOCOLS)}")
+        shared = Session() if session is None else session
         chosen = {role: roles.get(role, default) for role in PROTOCOLS}
         return cls(
             **{
-                role: _check(role, _load(pick, role) if isinstance(pick, str) else pick)
+                role: _check(role, _load(pick, role, shared) if isinstance(pick, str) else pick)
                 for role, pick in chosen.items()
             }
         )
+
+    def each(self, role: str) -> Each:
+        """Return how to ask a role about many things: at once where it has a ``session``.
+
+        That is what waits for a server; what computes here is asked in turn.
+        """
+        session = getattr(getattr(self, role), "session", None)
+        return session.each if isinstance(session, Session) else in_turn
 
     def identity(self) -> dict[str, dict[str, Any]]:
         """Return each role's class and fields: what provenance records. Holds no secret."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+import ssl
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
@@ -110,6 +112,13 @@ class Session:
         return httpx2.Client(
             base_url=base_url, transport=transport, timeout=timeout, trust_env=False
         )
+
+    @functools.cached_property
+    def trust(self) -> ssl.SSLContext:
+        """The certificates that servers are held against: reading them takes long, so once."""
+        import httpx2
+
+        return httpx2.create_ssl_context()
 
     def each(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
         """Return ``work`` of every item, in their order, ``workers`` at a time.

@@ -45,7 +45,9 @@ class PaidTransport(httpx2.BaseTransport):
         self._secrets = secrets
         origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
         self._breaker = session.breakers.of(server, origin, session.patience)
-        self._client = httpx2.Client(timeout=timeout, trust_env=not local(self._base.host))
+        self._client = httpx2.Client(
+            timeout=timeout, trust_env=not local(self._base.host), verify=session.trust
+        )
 
     def close(self) -> None:
         """Close the connections."""

@@ -12,7 +12,7 @@ import cv2
 import numpy as np
 from jaxtyping import Bool
 
-from ..backends.protocols import Imager, Reasoner, Segmenter
+from ..backends.protocols import Each, Imager, Reasoner, Segmenter, in_turn
 from ..errors import SceneError, require
 from ..geometry import main_parts, mask_box
 from ..scene import TABLE, Detection, Instance, Reference
@@ -47,6 +47,8 @@ def extract(
     imager: Imager,
     seed: int = 0,
     config: ExtractionConfig | None = None,
+    *,
+    complete_each: Each = in_turn,
 ) -> tuple[Reference, tuple[Instance, ...]]:
     """Return the table, named "table", and then every thing on it, named ``<label>_<k>``.
 
@@ -67,7 +69,7 @@ def extract(
             again = _found(drawn, reasoner, segmenter)
             if again.tables and len(again.things) > len(found.things):
                 best, found = drawn, again
-    return best, _completed(best, found.checked(), imager)
+    return best, _completed(best, found.checked(), imager, complete_each)
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,16 +106,17 @@ def _found(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _F
 
 
 def _completed(
-    reference: Reference, found: tuple[Detection, ...], imager: Imager
+    reference: Reference, found: tuple[Detection, ...], imager: Imager, complete_each: Each
 ) -> tuple[Instance, ...]:
     """Return what was found (the table first), each cut out, whole, with a name of its own."""
-    names = [TABLE, *unique_names([d.label for d in found[1:]])]
-    instances = []
-    for name, detection in zip(names, found, strict=True):
+
+    def complete(detection: Detection) -> Instance:
         others = tuple(d for d in found if d is not detection)
-        completed = imager.complete(reference, detection, others)
-        instances.append(dataclasses.replace(completed, name=name))
-    return tuple(instances)
+        return imager.complete(reference, detection, others)
+
+    names = [TABLE, *unique_names([d.label for d in found[1:]])]
+    completed = zip(names, complete_each(complete, found), strict=True)
+    return tuple(dataclasses.replace(instance, name=name) for name, instance in completed)
 
 
 def clean(detection: Detection) -> Detection | None:

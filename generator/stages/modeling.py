@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from jaxtyping import Float, Int
 
-from ..backends.protocols import Modeler, Reasoner
+from ..backends.protocols import Each, Modeler, Reasoner, in_turn
 from ..errors import BackendError, InputError, choices
 from ..geometry import ray_view
 from ..scene import ConvexPart, Instance, Mesh, Model, Reference, SizePrior, View
@@ -30,27 +30,37 @@ def make_models(
     view: View,
     modeler: Modeler,
     reasoner: Reasoner,
+    *,
+    model_each: Each = in_turn,
+    review_each: Each = in_turn,
 ) -> dict[str, Model]:
     """Return a canonical model m_i for every instance, by name.
 
     Each instance is shown to the modeler under its own view, along the ray through the centre of
-    its box; the raw model m'_i is then turned upright as the reasoner says (Fig. 23).
+    its box; the raw models m'_i are then turned upright as the reasoner says (Fig. 23).
+    ``model_each`` and ``review_each`` say how the two are asked about all of them.
 
     Raises:
         BackendError: an instance has no size.
     """
     height, width = reference.image.shape[:2]
-    models = {}
     for instance in instances:
         if instance.name not in sizes:
             raise BackendError(
                 f"The reasoner gave no size for {instance.name!r}." + choices(instance.name, sizes)
             )
-        size = sizes[instance.name]
+
+    def model(instance: Instance) -> Model:
         own = ray_view(view, (instance.box[:2] + instance.box[2:]) / 2, width, height)
-        raw = modeler.model(instance, size, own)
-        models[instance.name] = align_canonically(raw, instance, size, reasoner)
-    return models
+        return modeler.model(instance, sizes[instance.name], own)
+
+    def review(pair: tuple[Instance, Model]) -> Model:
+        instance, raw = pair
+        return align_canonically(raw, instance, sizes[instance.name], reasoner)
+
+    raw = model_each(model, instances)
+    models = review_each(review, list(zip(instances, raw, strict=True)))
+    return {instance.name: made for instance, made in zip(instances, models, strict=True)}
 
 
 def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner: Reasoner) -> Model:

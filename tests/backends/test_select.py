@@ -1,11 +1,13 @@
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import pytest
 
-from generator.backends import Backends
+from generator.backends import Backends, select
+from generator.backends.protocols import in_turn
 from generator.errors import BackendError
+from generator.running import Session
 
 
 @dataclass(frozen=True)
@@ -37,3 +39,25 @@ def test_names_and_roles_are_checked() -> None:
 def test_an_object_without_the_methods_is_refused() -> None:
     with pytest.raises(BackendError, match="lacks draw, complete, top_view"):
         Backends.select("embedded", imager=MyModeler())
+
+
+@dataclass(frozen=True)
+class Remote(MyModeler):
+    session: Session = field(default_factory=Session, repr=False, compare=False)
+
+
+def test_what_asks_servers_shares_the_session(monkeypatch: pytest.MonkeyPatch) -> None:
+    entry = {"remote": {"modeler": f"{__name__}:Remote"}}
+    monkeypatch.setattr(select, "TABLE", {**select.TABLE, **entry})
+    session = Session(workers=2)
+    backends = Backends.select("embedded", modeler="remote", session=session)
+    assert isinstance(backends.modeler, Remote) and backends.modeler.session is session
+    assert backends.each("modeler") == session.each
+    assert "session" not in backends.identity()["modeler"]
+    own = Backends.select("embedded", modeler=Remote(), session=session)
+    assert isinstance(own.modeler, Remote) and own.modeler.session is not session
+
+
+def test_what_computes_here_is_asked_in_turn() -> None:
+    backends = Backends.select("embedded", session=Session())
+    assert [backends.each(role) for role in backends.identity()] == [in_turn] * 5

@@ -6,7 +6,7 @@ import threading
 import time
 
 import pytest
-from paid_server import Says, ask, serving, session
+from paid_server import Asked, Says, ask, serving, session
 
 from generator.errors import BackendError, DryRunError, InputError, StoppedError
 from generator.running.store import CallStore
@@ -98,9 +98,12 @@ def test_calls_answered_beside_a_failed_one_are_kept(tmp_path) -> None:
 
 def test_stop_ends_waits_and_calls_to_come() -> None:
     shared = session(patience=PATIENT)
-    timer = threading.Timer(0.2, shared.stop.set)
-    with serving([Says(status=503)]) as server:
-        timer.start()
+
+    def busy(asked: Asked, k: int) -> Says:
+        threading.Timer(0.2, shared.stop.set).start()  # while the caller waits to ask again
+        return Says(status=503)
+
+    with serving(busy) as server:
         began = time.monotonic()
         with pytest.raises(StoppedError, match="kept"):
             ask(shared, server.url)

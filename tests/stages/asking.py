@@ -1,0 +1,80 @@
+"""Backends that ask a slow local server, for stages that ask about many things at once."""
+
+from __future__ import annotations
+
+import json
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from typing import Any
+
+import numpy as np
+
+from generator.running import Session
+from generator.scene import Detection, Instance, Mesh, Model, Reference, SizePrior, View
+
+
+@contextmanager
+def slow_server(delay: float) -> Iterator[str]:
+    """Serve every POST with what it was sent, after ``delay`` seconds; yield the address."""
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_POST(self) -> None:
+            body = self.rfile.read(int(self.headers["content-length"]))
+            time.sleep(delay)
+            self.send_response(200)
+            self.send_header("content-type", "application/json")
+            self.send_header("content-length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def log_message(self, *args: Any) -> None:
+            pass
+
+    server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+    thread = threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True)
+    thread.start()
+    try:
+        yield f"http://127.0.0.1:{server.server_address[1]}"
+    finally:
+        server.shutdown()
+        server.server_close()
+        thread.join()
+
+
+@dataclass(frozen=True)
+class Asking:
+    """An imager and a modeler that ask a server before they answer."""
+
+    url: str
+    session: Session = field(default_factory=Session, repr=False, compare=False)
+
+    def _ask(self, question: str, about: list[int]) -> None:
+        with self.session.client("slow", self.url) as client:
+            told = {"x-tabletopgen-question": question}
+            assert client.post("/", json=about, headers=told).json() == json.loads(str(about))
+
+    def draw(self, plan: Any, seed: int) -> Any:
+        raise AssertionError
+
+    def top_view(self, *known: Any) -> Any:
+        raise AssertionError
+
+    def complete(
+        self, reference: Reference, detection: Detection, others: tuple[Detection, ...]
+    ) -> Instance:
+        self._ask("complete", detection.box.tolist())
+        crop = np.full((8, 8, 4), len(others), np.uint8)
+        return Instance(
+            detection.label, detection.label, detection.box, detection.mask, crop, detection.box
+        )
+
+    def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
+        self._ask("model", instance.box.tolist())
+        vertices = np.array([[-0.5, -0.5, -0.5], [0.5, -0.5, -0.5], [0, 0.5, -0.5], [0, 0, 0.5]])
+        faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+        mesh = Mesh(vertices, faces, np.zeros((4, 2)), np.zeros((2, 2, 3)))
+        return Model(instance.name, instance.label, mesh, np.asarray(size.extent))
