@@ -61,8 +61,8 @@ def _told(desk: Desk, request: Request) -> str:
     sides = {k: dict(zip(("length", "width", "height"), v, strict=True)) for k, v in cm.items()}
     things = range(1, len(NAMES))
     mug = dict.fromkeys(("color", "material", "size_word", "state", "size_cm"))
-    table = {"outline": "rectangle", "material": "oak", "color": None, "length_cm": 120,
-             "width_cm": 70, "height_cm": 74}  # fmt: skip
+    table = {"outline": "rectangle", "material": "oak", "color": None, "legs": "straight",
+             "length_cm": 120, "width_cm": 70, "height_cm": 74}  # fmt: skip
     words = {"placement": "standing", "length_is": "l", "width_is": "w", "height_is": "h"}
     answers: dict[str, Any] = {
         "plan_scene": {"table": table, "style": "plain",

@@ -48,6 +48,7 @@ class TableAnswer(Answer):
     outline: OutlineKind
     material: Word
     color: Word | None
+    legs: Literal["straight", "tapered", "splayed", "trestle", "pedestal", "hairpin", "metal"]
     length_cm: Annotated[float, Field(ge=30, le=400)]
     width_cm: Annotated[float, Field(ge=30, le=400)]
     height_cm: Annotated[float, Field(ge=20, le=130)]

@@ -25,6 +25,7 @@ _FINE = np.linspace(0.97, 1.03, 7)  # around the best of these, at twice the pix
 _MOVED = 0.05  # what a change of size costs, so that none is made for nothing
 _COVERED = 0.6  # least share of what was seen that the redrawing covers
 _BEYOND = 0.6  # most that it covers beside, as a share of that
+_EDGE = 2.5  # reference pixels beside what was seen that are no hidden part yet
 _HIDDEN = 0.02  # share of what was seen from which a thing counts as hidden in part
 
 _GROUNDS = {"white": (255, 255, 255), "grey": (128, 128, 128), "pure green": (0, 220, 60),
@@ -120,7 +121,8 @@ def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:
         return cutout.box[:2] + (side / 2 + (point - side / 2) * scale + shift * side) * pixel
 
     found = cutout.detection
-    hidden = (_placed(mask, scale, shift, SIDE) & cutout.unknown).sum()
+    deep = cutout.unknown & ~_grown(cutout.seen, _EDGE / pixel * SIDE / side)
+    hidden = (_placed(mask, scale, shift, SIDE) & deep).sum()
     return Instance(
         found.label,
         found.label,
@@ -131,6 +133,11 @@ def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:
         bool(hidden > _HIDDEN * cutout.seen.sum()),
         found.score,
     )
+
+
+def _grown(mask: Mask, by: float) -> Mask:
+    width = 2 * max(1, round(by)) + 1
+    return cv2.dilate(mask.astype(np.uint8), np.ones((width, width), np.uint8)) > 0
 
 
 def _squared(picture: RGBA) -> RGBA:

@@ -12,6 +12,7 @@ from typing import Protocol, TypeVar
 
 import numpy as np
 from jaxtyping import Float, UInt8
+from PIL import Image, ImageDraw, ImageFont
 
 from ...render.sheet import draw_boxes
 from ...scene import TABLE, Instance
@@ -60,13 +61,22 @@ class Labelled:
         return {i.name: number for number, i in self.by_number.items()}
 
     def picture(self) -> UInt8[np.ndarray, "h w 3"]:
-        """Return the picture with boxes and numbers drawn on it, none cut off above."""
-        line = max(12, self.image.shape[1] // 70) + 2
-        boxes = {}
-        for number, instance in self.by_number.items():
-            x0, y0, x1, y1 = instance.box
-            boxes[str(number)] = np.array([x0, min(max(y0, line), y1 - 1), x1, y1])
-        return draw_boxes(self.image, boxes)
+        """Return the picture with a box around each thing, and its number on a tag at the box.
+
+        Tags are above their boxes where there is room, so that they cover nothing that is meant.
+        """
+        boxes = {str(k): np.asarray(i.box, float) for k, i in self.by_number.items()}
+        picture = Image.fromarray(draw_boxes(self.image, boxes))
+        draw, size = ImageDraw.Draw(picture), max(14, self.image.shape[1] // 50)
+        font = ImageFont.load_default(size)
+        for number, (x0, y0, _, _) in boxes.items():
+            left, top, right, bottom = draw.textbbox((0, 0), number, font)
+            width, height = right - left + 6, bottom - top + 6
+            x = min(max(x0, 0), picture.width - width)
+            y = y0 - height if y0 >= height else max(y0, 0)
+            draw.rectangle((x, y, x + width, y + height), fill=(0, 0, 0))
+            draw.text((x + 3 - left, y + 3 - top), number, (255, 255, 255), font)
+        return np.asarray(picture, np.uint8)
 
     def listing(self, facts: Callable[[Instance], str] | None = None) -> str:
         """Return a line for each thing: number, label, ``facts`` if any, box on the grid."""

@@ -45,10 +45,12 @@ def planned(prompt: str, answer: PlanAnswer) -> ScenePlan:
     names = _names(answer)
     objects = tuple(_thing(thing, names) for thing in answer.things)
     table = answer.table
+    if table.legs == "trestle" and table.outline in ("triangle", "oval", "round"):
+        raise Wrong(f"a {table.outline} table has no trestle legs; choose others.")
     size = (table.length_cm / 100, table.width_cm / 100, table.height_cm / 100)
     return ScenePlan(
         prompt,
-        PlannedTable(table.outline, table.material.lower(), size=size, color=table.color),
+        PlannedTable(table.outline, table.material.lower(), table.legs, size, table.color),
         objects,
         answer.style,
     )
@@ -120,7 +122,7 @@ def in_words(plan: ScenePlan) -> tuple[str, str]:
     color = f"{table.color} " if table.color else ""
     top = (
         f"a {table.outline} {color}{table.material} table, {length} cm long, {width} cm deep and "
-        f"{height} cm high"
+        f"{height} cm high, with {table.legs} legs"
     )
     called = _called(plan)
     lines = []

@@ -10,6 +10,7 @@ import pytest
 from desk import reference
 from openai_server import KEY, Request, Running
 
+from generator.backends.cloud import calling
 from generator.backends.cloud.asking import REASKS
 from generator.backends.cloud.reasoner import Reasoner
 from generator.errors import BackendError, DryRunError
@@ -145,6 +146,17 @@ def test_a_dead_server_is_named(server: Running, reasoner: Reasoner) -> None:
     server.stop()
     with pytest.raises(BackendError, match=r"cloud/127.0.0.1:\d+, list_objects"):
         reasoner.list_objects(reference())
+
+
+def test_a_server_that_hangs_is_not_waited_for_for_ever(
+    server: Running, reasoner: Reasoner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(calling._TIMEOUT, "chat", 0.3)
+    server.script.hang = 1.0
+    server.script.failures.extend(["hang"] * 9)
+    once = replace(reasoner, session=Session(attempts=1))
+    with pytest.raises(BackendError, match=r"list_objects.*did not answer within 0.3 s"):
+        once.list_objects(reference())
 
 
 def test_an_unknown_model_is_named(server: Running, session: Session) -> None:

@@ -63,7 +63,7 @@ def test_openai_s_form_draws(server: Running, make_imager: Make) -> None:
     assert request.body["size"] == "1536x1024"
     assert "response_format" not in request.body
     for words in (
-        "round walnut table, 100 cm long, 90 cm deep and 74 cm high",
+        "round walnut table, 100 cm long, 90 cm deep and 74 cm high, with straight legs",
         "exactly 3 things",
         "1. the red mug (number 1 of 2): on the book",
         "2. the book, 20 by 15 by 3 cm",
@@ -317,6 +317,13 @@ def test_hidden_parts_are_drawn_and_told(server: Running, make_imager: Make) -> 
         book.mask.sum() * ((made.crop.shape[1] / np.ptp(made.crop_box[[0, 2]])) ** 2)
     )
     np.testing.assert_allclose(in_reference(made, tight_box(made)), [60, 90, 140, 150], atol=2.5)
+
+
+def test_what_touches_others_is_not_hidden_by_them(server: Running, make_imager: Make) -> None:
+    server.script.paint = lambda r: redrawn(r.body["images"][0], clear=True, scale=0.95)
+    found = detections()
+    mug = found.pop("mug_1")
+    assert not make_imager().complete(reference(), mug, tuple(found.values())).occluded
 
 
 def test_another_thing_is_drawn_again_with_what_was_wrong(

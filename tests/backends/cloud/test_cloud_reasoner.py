@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from typing import Any
 
@@ -39,8 +40,8 @@ def thing(id: int, noun: str, *relations: tuple[str, int], **more: Any) -> dict[
 
 
 def plan(*things: dict[str, Any]) -> dict[str, Any]:
-    table = {"outline": "round", "material": "Walnut", "color": None, "length_cm": 100,
-             "width_cm": 100, "height_cm": 74}  # fmt: skip
+    table = {"outline": "round", "material": "Walnut", "color": None, "legs": "hairpin",
+             "length_cm": 100, "width_cm": 100, "height_cm": 74}  # fmt: skip
     return {"table": table, "style": "cosy", "things": list(things)}
 
 
@@ -58,7 +59,7 @@ def test_a_plan_has_names_categories_metres_and_relations(
     ))  # fmt: skip
     made = reasoner.plan_scene("two mugs and a wibblet", 0)
     assert made.prompt == "two mugs and a wibblet"
-    assert made.table == PlannedTable("round", "walnut", size=(1.0, 1.0, 0.74))
+    assert made.table == PlannedTable("round", "walnut", "hairpin", (1.0, 1.0, 0.74))
     names = [(o.name, o.noun, o.category) for o in made.objects]
     assert names == [
         ("coffee_mug_1", "coffee mug", "mug"),
@@ -107,6 +108,13 @@ def test_another_seed_is_another_question(server: Running, reasoner: Reasoner) -
     first, second = (r.text for r in server.script.requests)
     assert first != second
     assert "a mug" in first
+
+
+def test_legs_that_do_not_fit_the_top_are_refused(server: Running, reasoner: Reasoner) -> None:
+    told = plan(thing(1, "mug"))
+    always(server, {**told, "table": {**told["table"], "legs": "trestle"}})
+    with pytest.raises(BackendError, match="a round table has no trestle legs"):
+        reasoner.plan_scene("a mug", 0)
 
 
 @pytest.mark.parametrize("text", ["", "  \n", "123 ?!", "a mug " * 1000, None])
@@ -250,10 +258,8 @@ def test_turns_bring_up_upward_and_along_to_x(
 def test_a_model_is_shown_from_six_sides_with_its_proportions(
     server: Running, reasoner: Reasoner
 ) -> None:
-    from dataclasses import replace
-
     always(server, {"up": "+z", "along": "+x"})
-    flat = replace(cube_mesh(), vertices=cube_mesh().vertices * [0.2, 0.1, 0.02])
+    flat = dataclasses.replace(cube_mesh(), vertices=cube_mesh().vertices * [0.2, 0.1, 0.02])
     reasoner.review_orientation(flat, instances()[1], SIZES["book_1"])
     text = server.script.requests[0].text
     assert "1.00 by 0.50 by 0.10" in text
@@ -375,15 +381,20 @@ def test_places_are_metres_from_the_middle(server: Running, reasoner: Reasoner) 
         reasoner.guess_layout(reference(), instances(), bare, VIEW)
 
 
-def test_numbers_on_the_picture_are_not_cut_off_above() -> None:
+@pytest.mark.parametrize(
+    ("box", "tag"),
+    [([60, 90, 140, 150], (60, 72)), ([5, 0, 100, 80], (5, 0)), ([310, 50, 320, 80], (300, 32))],
+)
+def test_numbers_are_on_the_picture_whole(box: list[int], tag: tuple[int, int]) -> None:
     from generator.backends.cloud.labelled import Labelled
 
     image = np.full((240, 320, 3), 255, np.uint8)
-    top = instances()[1]
-    high = type(top)(top.name, top.label, [5, 0, 100, 80], top.mask, top.crop, top.crop_box)
-    drawn = Labelled.of(image, (high,)).picture()
-    number = drawn[:13, 5:20]
-    assert (number.min(axis=2) < 128).any()
+    thing = dataclasses.replace(instances()[1], box=box)
+    drawn = Labelled.of(image, (thing,)).picture()
+    x, y = tag
+    around = drawn[y : y + 24, x : x + 20]
+    assert ((around == 0).all(2)).sum() > 80  # black
+    assert ((around[1:-1] > 200).all(2)).sum() > 8  # the number on it
 
 
 def test_a_size_prior_is_the_stage_s_own(server: Running, reasoner: Reasoner) -> None:
