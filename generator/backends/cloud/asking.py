@@ -22,7 +22,7 @@ from pydantic import ValidationError
 
 from ...errors import InputError
 from .answers import Answer, strict_schema
-from .calling import Rejected, Server, shortened
+from .calling import Rejected, Server
 from .prompts import prompt
 from .reading import Wrong, is_refusal, read_object
 
@@ -103,15 +103,17 @@ class Chat:
             except (Wrong, InputError) as error:
                 problem = str(error)
             if is_refusal(said):
-                raise self.server.failure(question, f"the model refuses: {shortened(said)!r}.")
+                raise self.server.failure(
+                    question, f"the model refuses: {self.server.quoted(said)}."
+                )
             messages += [
                 {"role": "assistant", "content": said or "(nothing)"},
                 {"role": "user", "content": prompt("again", problem=problem)},
             ]
         raise self.server.failure(
             question,
-            f"{1 + REASKS} answers could not be used, the last because {shortened(problem)} "
-            "Try another model.",
+            f"{1 + REASKS} answers could not be used. What was wrong with the last: {problem} "
+            "Try another model or seed.",
         )
 
     def _said(self, question: str, messages: list[dict[str, Any]], schema: dict[str, Any]) -> str:
@@ -120,7 +122,8 @@ class Chat:
             try:
                 data = self._sent(question, messages, schema, form, seed)
             except Rejected as error:
-                gentler = self.manners.gentler(form, seed, str(error))
+                said = str(error).replace(self.server.model, "")  # whose name may hold "seed"
+                gentler = self.manners.gentler(form, seed, said)
                 if gentler is None:
                     raise
                 form, seed = gentler
@@ -167,11 +170,12 @@ class Chat:
             refusal, end = message.get("refusal"), choice.get("finish_reason")
         except (KeyError, IndexError, TypeError, AttributeError):
             raise self.server.failure(
-                question, f"the answer is no chat completion: {shortened(json.dumps(data), 120)}."
+                question,
+                f"the answer is no chat completion: {self.server.quoted(json.dumps(data), 120)}.",
             ) from None
         if refusal or end == "content_filter":
-            told = shortened(str(refusal or content or "no reason given"))
-            raise self.server.failure(question, f"the model refuses: {told!r}.")
+            told = self.server.quoted(str(refusal or content or "no reason given"))
+            raise self.server.failure(question, f"the model refuses: {told}.")
         if end == "length":
             raise self.server.failure(
                 question,

@@ -85,10 +85,16 @@ class Server:
         """Return the error that says who could not answer which question, and why."""
         return BackendError(self._told(question, "failed", what))
 
+    def quoted(self, text: str, most: int = _SHOWN) -> str:
+        """Return what a server said, in quotes: one line of ``most`` characters, no key in it."""
+        text = re.sub(r"\s+", " ", self._redacted(text)).strip()
+        return repr(text if len(text) <= most else text[: most - 3] + "...")
+
+    def _redacted(self, text: str) -> str:
+        return redacted(text, configuration.keys(self.base_url, self.purpose))
+
     def _told(self, question: str, how: str, what: str) -> str:
-        """Return an error's message, no key in it."""
-        told = f"cloud ({self.model} at {self.name}): {question} {how}: {what}"
-        return redacted(told, configuration.keys(self.base_url, self.purpose))
+        return self._redacted(f"cloud ({self.model} at {self.name}): {question} {how}: {what}")
 
     def _json(self, question: str, text: str) -> dict[str, Any]:
         try:
@@ -97,18 +103,18 @@ class Server:
             kind = "HTML" if text.lstrip()[:1] == "<" else "no JSON"
             raise self.failure(
                 question,
-                f"the answer is {kind} ({shortened(text, 80)!r}). Is {self.base_url} the address "
+                f"the answer is {kind} ({self.quoted(text, 80)}). Is {self.base_url} the address "
                 "of the API (it often ends in /v1)?",
             ) from None
         if not isinstance(found, dict):
-            raise self.failure(question, f"the answer is no JSON object: {shortened(text, 80)!r}.")
+            raise self.failure(question, f"the answer is no JSON object: {self.quoted(text, 80)}.")
         if found.get("error"):
-            raise self.failure(question, f"the server says {shortened(_said(found))!r}.")
+            raise self.failure(question, f"the server says {self.quoted(_said(found))}.")
         return found
 
     def _refused(self, question: str, error: openai.APIStatusError) -> BackendError:
-        said = shortened(_said(error.body) or error.message)
-        told = f"status {error.status_code}, {said!r}."
+        said = self.quoted(_said(error.body) or error.message)
+        told = f"status {error.status_code}, {said}."
         if error.status_code in (400, 413, 422):
             return Rejected(self._told(question, "was rejected", told))
         todo = ""
@@ -132,14 +138,8 @@ class Server:
             cause = cause.__cause__
         told = f"{type(causes[0]).__name__}: {causes[0]}" if causes else str(error)
         return self.failure(
-            question, f"no answer from {self.base_url} ({shortened(told)}). Is the server there?"
+            question, f"no answer from {self.base_url} ({self.quoted(told)}). Is the server there?"
         )
-
-
-def shortened(text: str, most: int = _SHOWN) -> str:
-    """Return a text in one line of at most ``most`` characters."""
-    text = re.sub(r"\s+", " ", text).strip()
-    return text if len(text) <= most else text[: most - 3] + "..."
 
 
 def _said(body: object) -> str:

@@ -36,9 +36,7 @@ def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> t
         found += [f"There was a {word} that does not belong there." for word in answer.extra]
         return tuple(found)
 
-    text = prompt("check_top_view", listing="\n".join(
-        f"{number}: {i.label}" for number, i in things.by_number.items() if number
-    ))  # fmt: skip
+    text = prompt("check_top_view", listing=things.names())
     return chat.ask("top_view", text, (things.picture(), drawn), TopViewAnswer, told)
 
 

@@ -20,7 +20,7 @@ from jaxtyping import UInt8
 
 from . import configuration
 from .asking import data_uri, png
-from .calling import Rejected, Server, shortened
+from .calling import Rejected, Server
 from .pictures import RGBA, NotAPicture, decoded
 
 Form = Literal["openai", "seedream"]
@@ -154,7 +154,7 @@ class Painter:
             try:
                 data = self.server.call(question, lambda c, h, sent=sent: request(c, h, sent), memo)
             except Rejected as error:
-                said = str(error).lower()
+                said = str(error).replace(self.server.model, "").lower()
                 if any(word in said for word in _BLOCKED):
                     raise self.server.failure(question, f"the model refuses: {error}") from None
                 named = [k for k in left if k in said]
@@ -184,7 +184,7 @@ class Painter:
         if isinstance(address, str) and address.startswith("data:"):
             coded = coded or address.partition(",")[2]
         if not coded and not address:
-            told = shortened(str(first.get("error") or "neither b64_json nor url is there"))
+            told = self.server.quoted(str(first.get("error") or "neither b64_json nor url"))
             raise _Unusable(f"the answer holds no picture: {told}.")
         try:
             whole = base64.b64decode(coded, validate=True) if coded else None

@@ -114,7 +114,7 @@ class Imager:
         place = Labelled.of(
             reference.image, [_as_instance(detection)], table=detection.label == TABLE
         ).picture()
-        where, _ = padded(place, *RATIOS[self.painter.form])
+        where = padded(place, *RATIOS[self.painter.form])
         bare = " Nothing stands on it: draw its top bare." if detection.label == TABLE else ""
         complaint = ""
         for take in range(1 + REDRAWS):
@@ -151,10 +151,8 @@ class Imager:
         """
         things = Labelled.of(reference.image, instances)
         pictures = [
-            padded(p, *RATIOS[self.painter.form])[0] for p in (reference.image, things.picture())
+            padded(p, *RATIOS[self.painter.form]) for p in (reference.image, things.picture())
         ]
-        told = {n: i for n, i in things.by_number.items() if n}
-        listed = "\n".join(f"{n}: {i.label}" for n, i in told.items())
         extent = _table_size(reference, models)
         ratio = extent[0] / extent[1] if extent else _WIDE
         size = (
@@ -165,8 +163,8 @@ class Imager:
         complaint = ""
         for take in range(1 + REDRAWS):
             text = prompt(
-                "top_view", size=size, count=str(len(told)), things=listed, complaint=complaint,
-                take=self._take(0, take),
+                "top_view", size=size, count=str(things.count), things=things.names(),
+                complaint=complaint, take=self._take(0, take),
             )  # fmt: skip
             drawn = self.painter.paint("top_view", text, ratio, pictures)
             image = shrunk(on_white(drawn), _WORK)

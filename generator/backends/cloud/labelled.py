@@ -88,8 +88,13 @@ class Labelled:
         return "\n".join(lines)
 
     def names(self) -> str:
-        """Return a line for each thing: number and label."""
-        return "\n".join(f"{n}: {i.label}" for n, i in self.by_number.items())
+        """Return a line for each thing but the table: number and label."""
+        return "\n".join(f"{n}: {i.label}" for n, i in self.by_number.items() if n)
+
+    @property
+    def count(self) -> int:
+        """How many things there are, the table not counted."""
+        return sum(number > 0 for number in self.by_number)
 
     def on_grid(self, box: Float[np.ndarray, "4"]) -> tuple[int, ...]:
         """Return a pixel box on the grid."""

@@ -7,7 +7,7 @@ import warnings
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float, UInt8
+from jaxtyping import Bool, UInt8
 
 from ...geometry import main_parts
 from .reading import Wrong
@@ -79,28 +79,15 @@ def shrunk(picture: UInt8[np.ndarray, "h w c"], most: int) -> UInt8[np.ndarray, 
 
 def padded(
     picture: UInt8[np.ndarray, "h w 3"], least: float, most: float
-) -> tuple[UInt8[np.ndarray, "a b 3"], Float[np.ndarray, "4"]]:
-    """Return a picture with white at its sides, so that width over height is within limits.
-
-    Also returns the box of the picture itself, as shares of the padded one.
-    """
+) -> UInt8[np.ndarray, "a b 3"]:
+    """Return a picture with white at its sides, so that width over height is within limits."""
     height, width = picture.shape[:2]
     across = max(width, int(np.ceil(height * least)))
     down = max(height, int(np.ceil(width / most)))
     x, y = (across - width) // 2, (down - height) // 2
     canvas = np.full((down, across, 3), 255, np.uint8)
     canvas[y : y + height, x : x + width] = picture
-    box = np.array([x, y, x + width, y + height]) / [across, down, across, down]
-    return canvas, box
-
-
-def cropped(
-    picture: UInt8[np.ndarray, "h w c"], shares: Float[np.ndarray, "4"]
-) -> UInt8[np.ndarray, "a b c"]:
-    """Return the part of a picture that a box of shares names, as ``padded`` tells it."""
-    height, width = picture.shape[:2]
-    x0, y0, x1, y1 = np.round(shares * [width, height, width, height]).astype(int)
-    return picture[y0:y1, x0:x1]
+    return canvas
 
 
 def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:

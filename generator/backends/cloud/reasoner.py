@@ -24,7 +24,8 @@ from . import configuration, estimating, judging, orientation, planning
 from .answers import OrientationAnswer, PlanAnswer
 from .asking import Chat, Manners
 from .calling import Server
-from .prompts import prompt
+from .pictures import on_white
+from .prompts import prompt as worded
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ class Reasoner:
         text = planning.checked_text(prompt)
         return self.chat.ask(
             "plan_scene",
-            _worded("plan_scene", text=text, seed=str(seed)),
+            worded("plan_scene", text=text, seed=str(seed)),
             (),
             PlanAnswer,
             lambda answer: planning.planned(prompt, answer),
@@ -94,13 +95,13 @@ class Reasoner:
         """Return the quarter turns that make the model stand as the instance's picture shows it."""
         length, width, height = (f"{100 * v:.3g}" for v in size.extent)
         x, y, z = (f"{v:.2f}" for v in mesh.extent / mesh.extent.max())
-        text = _worded(
+        text = worded(
             "review_orientation",
             label=instance.label, placement=size.placement,
             length_axis=size.axes[0], width_axis=size.axes[1], height_axis=size.axes[2],
             length=length, width=width, height=height, x=x, y=y, z=z,
         )  # fmt: skip
-        pictures = (_on_white(instance.crop), orientation.six_sides(mesh))
+        pictures = (on_white(instance.crop), orientation.six_sides(mesh))
         return self.chat.ask(
             "review_orientation", text, pictures, OrientationAnswer, orientation.turns
         )
@@ -153,11 +154,3 @@ class Reasoner:
         if TABLE not in sizes:
             raise self.chat.server.failure("guess_layout", "the size of the table is not given.")
         return estimating.guess_layout(self.chat, reference, instances, sizes, view)
-
-
-_worded = prompt
-
-
-def _on_white(crop: UInt8[np.ndarray, "h w 4"]) -> UInt8[np.ndarray, "h w 3"]:
-    alpha = crop[..., 3:].astype(np.float32) / 255
-    return np.round(crop[..., :3] * alpha + 255 * (1 - alpha)).astype(np.uint8)

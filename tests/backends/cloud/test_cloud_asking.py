@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from desk import reference
-from openai_server import KEY, Request, Running
+from openai_server import KEY, Request, Running, from_uri, pixels
 
 from generator.backends.cloud import calling
 from generator.backends.cloud.asking import REASKS
@@ -187,6 +187,14 @@ def test_the_key_is_in_no_message_and_no_file(
     assert not found
 
 
+def test_a_key_that_a_message_cuts_off_is_in_no_part_of_it(
+    server: Running, reasoner: Reasoner
+) -> None:
+    for room in range(250, 330, 4):
+        told = reasoner.chat.server.quoted("x" * room + f" {KEY} " + "y" * 300)
+        assert KEY[:6] not in told
+
+
 def test_an_answer_that_is_kept_is_not_asked_for_again(
     server: Running, reasoner: Reasoner, tmp_path
 ) -> None:
@@ -204,8 +212,6 @@ def test_a_dry_run_sends_nothing(server: Running, reasoner: Reasoner) -> None:
 
 
 def test_pictures_are_shown_as_they_are(server: Running, reasoner: Reasoner) -> None:
-    from openai_server import from_uri, pixels
-
     server.script.chat = lambda request: KINDS
     reasoner.list_objects(reference())
     content = server.script.requests[0].body["messages"][0]["content"]

@@ -17,7 +17,9 @@ from openai_server import KEY, Request, Running
 from PIL import Image
 from toy import cube_mesh
 
+from generator.backends.cloud.asking import data_uri
 from generator.backends.cloud.imager import REDRAWS, Imager
+from generator.backends.cloud.pictures import padded
 from generator.errors import BackendError
 from generator.geometry import mask_box
 from generator.render.crop import in_reference, tight_box
@@ -217,8 +219,6 @@ def test_an_address_at_another_host_is_not_fetched(
 
 
 def test_a_picture_in_a_data_address_is_taken(server: Running, make_imager: Make) -> None:
-    from generator.backends.cloud.asking import data_uri
-
     found = make_imager().painter._picture("draw", {"data": [{"url": data_uri(plain())}]})
     np.testing.assert_array_equal(found[..., :3], plain())
 
@@ -363,6 +363,15 @@ def test_a_thing_that_is_never_drawn_is_an_error(
 
 
 # --------------------------------------------------------------------------------------- top view
+
+
+def test_pictures_have_a_shape_that_the_model_takes() -> None:
+    wide, high = np.zeros((50, 400, 3), np.uint8), np.zeros((300, 100, 3), np.uint8)
+    assert padded(wide, 0.4, 2.5).shape == (160, 400, 3)
+    assert padded(high, 0.5, 2.0).shape == (300, 150, 3)
+    assert (padded(wide, 0.4, 2.5)[[0, -1]] == 255).all()
+    np.testing.assert_array_equal(padded(wide, 0.4, 2.5)[55:105], wide)
+    np.testing.assert_array_equal(padded(wide, 0.1, 10), wide)
 
 
 def models() -> dict[str, Model]:

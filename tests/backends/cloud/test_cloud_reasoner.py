@@ -12,11 +12,16 @@ from desk import SIZES, THINGS, VIEW, instances, listed, reference
 from openai_server import Request, Running
 from toy import cube_mesh
 
+from generator.backends.cloud.answers import OrientationAnswer
+from generator.backends.cloud.labelled import Labelled
+from generator.backends.cloud.orientation import six_sides, turns
+from generator.backends.cloud.reading import Wrong
 from generator.backends.cloud.reasoner import Reasoner
 from generator.errors import BackendError, InputError
 from generator.scene import (
     TABLE,
     Intrinsics,
+    Mesh,
     PlannedObject,
     PlannedTable,
     Reference,
@@ -241,18 +246,24 @@ AXES = {
 
 @pytest.mark.parametrize("up", AXES)
 @pytest.mark.parametrize("along", AXES)
-def test_turns_bring_up_upward_and_along_to_x(
-    server: Running, reasoner: Reasoner, up: str, along: str
-) -> None:
-    always(server, {"up": up, "along": along})
+def test_turns_bring_up_upward_and_along_to_x(up: str, along: str) -> None:
+    answer = OrientationAnswer.model_validate({"up": up, "along": along})
     if up[1] == along[1]:
-        with pytest.raises(BackendError, match=r"review_orientation.*must be two axes"):
-            reasoner.review_orientation(cube_mesh(), instances()[1], SIZES["book_1"])
+        with pytest.raises(Wrong, match="must be two axes"):
+            turns(answer)
         return
-    steps = reasoner.review_orientation(cube_mesh(), instances()[1], SIZES["book_1"])
-    turn = quarter_turn(steps)
+    turn = quarter_turn(turns(answer))
     np.testing.assert_array_equal(turn @ AXES[up], [0, 0, 1])
     np.testing.assert_array_equal(np.abs(turn @ AXES[along]), [1, 0, 0])
+
+
+def test_a_review_ends_in_quarter_turns(server: Running, reasoner: Reasoner) -> None:
+    always(server, {"up": "-y", "along": "+z"})
+    steps = reasoner.review_orientation(cube_mesh(), instances()[1], SIZES["book_1"])
+    assert steps == (("x", -90), ("z", 90))
+    always(server, {"up": "up", "along": "+z"})
+    with pytest.raises(BackendError, match=r"review_orientation failed.*up: Input should be"):
+        reasoner.review_orientation(cube_mesh(), instances()[2], SIZES["book_1"])
 
 
 def test_a_model_is_shown_from_six_sides_with_its_proportions(
@@ -268,9 +279,6 @@ def test_a_model_is_shown_from_six_sides_with_its_proportions(
 
 def test_six_sides_show_what_they_say() -> None:
     """A cube whose +x face is white: seen in "+x" alone, and at the right of "+z" by its edge."""
-    from generator.backends.cloud.orientation import six_sides
-    from generator.scene import Mesh
-
     corners, faces, uv = [], [], []
     for axis in range(3):
         for sign in (-0.5, 0.5):
@@ -386,8 +394,6 @@ def test_places_are_metres_from_the_middle(server: Running, reasoner: Reasoner) 
     [([60, 90, 140, 150], (60, 72)), ([5, 0, 100, 80], (5, 0)), ([310, 50, 320, 80], (300, 32))],
 )
 def test_numbers_are_on_the_picture_whole(box: list[int], tag: tuple[int, int]) -> None:
-    from generator.backends.cloud.labelled import Labelled
-
     image = np.full((240, 320, 3), 255, np.uint8)
     thing = dataclasses.replace(instances()[1], box=box)
     drawn = Labelled.of(image, (thing,)).picture()
