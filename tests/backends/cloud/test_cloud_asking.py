@@ -181,6 +181,11 @@ def test_the_key_is_in_no_message_and_no_file(
     with pytest.raises(BackendError) as caught:
         replace(reasoner, session=kept).list_objects(reference())
     assert KEY not in str(caught.value) + repr(caught.value.__context__) + repr(reasoner)
+    twice = {"kinds": [{"noun": KEY, "count": 1}] * 2}
+    server.script.chat = lambda request: json.dumps(twice)
+    with pytest.raises(BackendError, match="listed twice") as caught:
+        reasoner.list_objects(reference())
+    assert KEY not in str(caught.value)
     server.script.chat = lambda request: KINDS
     replace(reasoner, session=kept, seed=1).list_objects(reference())
     found = [p for p in tmp_path.rglob("*") if p.is_file() and b"Bearer" in p.read_bytes()]
