@@ -50,6 +50,18 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.running",
         ),
     ),
+    (
+        "generator.backends.cloud",
+        (
+            *VALUES,
+            "generator.backends.protocols",
+            "generator.backends.cloud",
+            "generator.backends.embedded.topview",
+            "generator.catalogue",
+            "generator.render",
+            "generator.running",
+        ),
+    ),
     ("generator.backends", ("generator.backends.select",)),
     ("generator.catalogue.sheet", (*VALUES, "generator.catalogue", "generator.render")),
     ("generator.catalogue", (*VALUES, "generator.catalogue")),

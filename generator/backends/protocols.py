@@ -74,7 +74,10 @@ class Reasoner(Protocol):
     def review_orientation(
         self, mesh: Mesh, instance: Instance, size: SizePrior
     ) -> tuple[tuple[str, int], ...]:
-        """Say how to turn a mesh upright: ("x"|"y"|"z", multiple of 90 degrees) steps (Fig. 23)."""
+        """Say how to turn a mesh upright: ("x"|"y"|"z", multiple of 90 degrees) steps (Fig. 23).
+
+        ``mesh`` is in metres, as its modeler sized it, about the middle of its box.
+        """
         ...
 
     def stacking_order(

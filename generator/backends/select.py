@@ -26,6 +26,7 @@ PROTOCOLS: Mapping[str, type] = {
 
 _EMBEDDED = "generator.backends.embedded"
 _MODELERS = "generator.backends.modelers"
+_CLOUD = "generator.backends.cloud"
 
 TABLE: Mapping[str, Mapping[str, str]] = {
     "embedded": {
@@ -41,6 +42,10 @@ TABLE: Mapping[str, Mapping[str, str]] = {
     "trellis": {"modeler": f"{_MODELERS}.trellis:Trellis"},
     "triposr": {"modeler": f"{_MODELERS}.triposr:TripoSR"},
     "sam3d": {"modeler": f"{_MODELERS}.sam3d:Sam3D"},
+    "cloud": {
+        "reasoner": f"{_CLOUD}.reasoner:Reasoner",
+        "imager": f"{_CLOUD}.imager:Imager",
+    },
 }
 """Backend name, then question set, to the class that answers; loaded when selected."""
 

@@ -147,6 +147,7 @@ class TopView:
     Orthographic: +u is world +x, +v (down) is world -y. ``table_box`` and ``boxes`` (by instance
     name) are pixel boxes in it. ``repaired`` names the instances whose box came from geometry
     instead of the drawn picture. ``metres_per_pixel`` is there if the scale was measured.
+    ``warnings`` say what went wrong while it was made.
     """
 
     image: UInt8[np.ndarray, "h w 3"]
@@ -154,6 +155,7 @@ class TopView:
     boxes: Mapping[str, Float[np.ndarray, "4"]]
     repaired: tuple[str, ...] = ()
     metres_per_pixel: float | None = None
+    warnings: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         boxes = {

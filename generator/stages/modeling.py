@@ -64,8 +64,13 @@ def make_models(
 
 
 def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner: Reasoner) -> Model:
-    """Turn a model so that +z is up and x, y are the size's length and width (Sec. 3.2)."""
-    model = turned(raw, reasoner.review_orientation(raw.mesh, instance, size))
+    """Turn a model so that +z is up and x, y are the size's length and width (Sec. 3.2).
+
+    The reasoner is shown the mesh in the model's own proportions: the canonical one fills a cube.
+    """
+    extent = np.asarray(raw.size, np.float32)
+    shown = dataclasses.replace(raw.mesh, vertices=raw.mesh.vertices * extent)
+    model = turned(raw, reasoner.review_orientation(shown, instance, size))
     model = turned(model, size_axes_turn(model.size, size.extent))
     if size.measured:
         model = dataclasses.replace(model, size=measured_size(model, size.extent))

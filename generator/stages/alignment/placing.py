@@ -110,7 +110,7 @@ def align(
         top_view, instances, models, rotations, stacking, view, (width, height),
         only_missing=not config.check,
     )  # fmt: skip
-    told = (*told, *repairs)
+    told = (*shown.warnings, *told, *repairs)
     names = [i.name for i in instances if i.name != TABLE]
     yaws = {n: rotations[n].yaw if n in rotations else 0.0 for n in names}
     physical = {n: np.asarray(models[n].size) for n in names}

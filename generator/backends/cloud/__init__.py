@@ -1,0 +1,14 @@
+"""Reasoner and imager over any OpenAI-compatible server: the paper's closed models, or your own.
+
+``configuration`` says which environment variables choose server, models and keys.
+"""
+
+from importlib.util import find_spec
+
+from ...errors import BackendError
+
+_MISSING = [name for name in ("openai", "pydantic") if find_spec(name) is None]
+if _MISSING:
+    raise BackendError(
+        f"The cloud backend needs {' and '.join(_MISSING)}: pip install 'tabletopgen[cloud]'."
+    )

@@ -1,0 +1,225 @@
+"""The image model of the paper: draws, completes, and shows the table from above."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from jaxtyping import UInt8
+
+from ...errors import BackendError, choices
+from ...running.session import Session
+from ...scene import (
+    TABLE,
+    Detection,
+    Instance,
+    Model,
+    Reference,
+    Rotation,
+    ScenePlan,
+    TopView,
+    View,
+)
+from . import configuration, cutting, planning
+from .asking import Chat, Manners
+from .calling import Server
+from .checking import faults
+from .drawing import RATIOS, Form, Painter, Tolerated
+from .labelled import Labelled
+from .pictures import on_white, padded, shrunk
+from .prompts import prompt
+from .reading import Wrong
+
+REDRAWS = 2
+"""How often at most a picture is drawn again that does not show what it should."""
+
+_WORK = 1280  # longest side of pictures, pixels
+_WIDE = 1.5  # width over height of reference images
+_EARLIER = "\n\nAn earlier drawing was wrong: "
+
+
+@dataclass(frozen=True)
+class Imager:
+    """Answers the three picture questions by an image model, and a chat model that checks it.
+
+    Attributes:
+        base_url: the image server; see ``drawing`` for the forms it may have.
+        model: the image model's id there.
+        form: the form; "" tells it by the model's and the server's names.
+        chat_base_url: the chat server.
+        chat_model: the chat model, which checks top views.
+        seed: another seed draws otherwise.
+        session: what the calls of one generation share; no identity.
+    """
+
+    base_url: str = field(default_factory=configuration.image_base_url)
+    model: str = field(default_factory=configuration.image_model)
+    form: Form | str = ""
+    chat_base_url: str = field(default_factory=configuration.chat_base_url)
+    chat_model: str = field(default_factory=configuration.chat_model)
+    seed: int = 0
+    session: Session = field(default_factory=Session, repr=False, compare=False)
+    manners: Manners = field(default_factory=Manners, repr=False, compare=False)
+    tolerated: Tolerated = field(default_factory=Tolerated, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        for name in ("base_url", "chat_base_url"):
+            object.__setattr__(self, name, configuration.checked_url(getattr(self, name)))
+        if not self.form:
+            object.__setattr__(self, "form", _form(self.model, self.base_url))
+        if self.form not in RATIOS:
+            raise BackendError(f"Imager has no form {self.form!r}." + choices(self.form, RATIOS))
+
+    @property
+    def server(self) -> str:
+        """The image server's name: its provider's, or host and port."""
+        return configuration.server_name(self.base_url)
+
+    @property
+    def painter(self) -> Painter:
+        """The image model, ready to be asked."""
+        form: Form = "seedream" if self.form == "seedream" else "openai"
+        server = Server(self.base_url, self.model, "image", self.session)
+        return Painter(server, form, self.tolerated)
+
+    @property
+    def chat(self) -> Chat:
+        """The chat model, ready to be asked."""
+        server = Server(self.chat_base_url, self.chat_model, "chat", self.session)
+        return Chat(server, self.manners, self.seed)
+
+    def draw(self, plan: ScenePlan, seed: int) -> UInt8[np.ndarray, "h w 3"]:
+        """Draw the plan's reference image, at most 1280 pixels long.
+
+        Raises:
+            BackendError: the server gave no picture, as for every question.
+        """
+        table, things = planning.in_words(plan)
+        text = prompt(
+            "draw", style=plan.style, table=table, things=things, count=str(len(plan.objects)),
+            take=self._take(seed, 0),
+        )  # fmt: skip
+        return shrunk(on_white(self.painter.paint("draw", text, _WIDE)), _WORK)
+
+    def complete(
+        self, reference: Reference, detection: Detection, others: tuple[Detection, ...]
+    ) -> Instance:
+        """Redraw one object clean and whole, put where it was in the reference.
+
+        Raises:
+            BackendError: ``REDRAWS`` more drawings do not show it either, or see ``draw``.
+        """
+        cutout = cutting.cut(reference, detection, others)
+        place = Labelled.of(
+            reference.image, [_as_instance(detection)], table=detection.label == TABLE
+        ).picture()
+        where = padded(place, *RATIOS[self.painter.form])
+        bare = " Nothing stands on it: draw its top bare." if detection.label == TABLE else ""
+        complaint = ""
+        for take in range(1 + REDRAWS):
+            text = prompt(
+                "complete", label=detection.label, ground=cutout.ground, bare=bare,
+                complaint=complaint, take=self._take(0, take),
+            )  # fmt: skip
+            try:
+                drawn = self.painter.paint(
+                    "complete", text, 1.0, (cutout.picture, where), cutout.keep, clear=True
+                )
+                return cutting.put_back(drawn, cutout)
+            except Wrong as fault:
+                complaint = f"{_EARLIER}{fault}"
+        raise self.painter.server.failure(
+            "complete",
+            f"{1 + REDRAWS} drawings of {detection.label!r} could not be used: "
+            f"{_last(complaint)} Try another image model or seed, or imager='embedded'.",
+        )
+
+    def top_view(
+        self,
+        reference: Reference,
+        instances: tuple[Instance, ...],
+        models: Mapping[str, Model],
+        rotations: Mapping[str, Rotation],
+        view: View,
+    ) -> TopView:
+        """Draw the table from above; its boxes are left to the segmenter.
+
+        The chat model checks that each thing is there once and nothing else is. After ``REDRAWS``
+        more drawings that fail, the view is made by geometry, as the embedded backend does, and
+        ``warnings`` of the top view says so.
+        """
+        things = Labelled.of(reference.image, instances)
+        pictures = [
+            padded(p, *RATIOS[self.painter.form]) for p in (reference.image, things.picture())
+        ]
+        extent = _table_size(reference, models)
+        ratio = extent[0] / extent[1] if extent else _WIDE
+        size = (
+            ", {:.0f} cm from left to right by {:.0f} cm".format(*(100 * v for v in extent))
+            if extent
+            else ""
+        )
+        complaint = ""
+        for take in range(1 + REDRAWS):
+            text = prompt(
+                "top_view", size=size, count=str(things.count), things=things.names(),
+                complaint=complaint, take=self._take(0, take),
+            )  # fmt: skip
+            drawn = self.painter.paint("top_view", text, ratio, pictures)
+            image = shrunk(on_white(drawn), _WORK)
+            found = faults(self.chat, things, image)
+            if not found:
+                height, across = image.shape[:2]
+                return TopView(image, np.array([0, 0, across, height], float), {})
+            complaint = f"{_EARLIER}{' '.join(found)}"
+        return self._geometric(reference, instances, models, rotations, view, complaint)
+
+    def _geometric(
+        self,
+        reference: Reference,
+        instances: tuple[Instance, ...],
+        models: Mapping[str, Model],
+        rotations: Mapping[str, Rotation],
+        view: View,
+        complaint: str,
+    ) -> TopView:
+        from ..embedded.topview import top_view
+
+        made = top_view(reference, instances, models, rotations, view)
+        warning = (
+            f"{1 + REDRAWS} top views drawn by {self.model} were wrong; geometry made it instead. "
+            f"The last: {_last(complaint)}"
+        )
+        return replace(made, repaired=tuple(made.boxes), warnings=(*made.warnings, warning))
+
+    def _take(self, seed: int, take: int) -> str:
+        """Return words that make requests for other drawings other requests."""
+        number = 1 + take + (1 + REDRAWS) * (self.seed + seed)
+        return f"Version {number}. Do not write this number."
+
+
+def _form(model: str, base_url: str) -> Form:
+    """Return the form in which a server is asked, by the model's and the server's names."""
+    known = any(word in model.lower() for word in ("seedream", "seededit"))
+    return "seedream" if known or configuration.server_name(base_url) == "ark" else "openai"
+
+
+def _last(complaint: str) -> str:
+    return complaint.removeprefix(_EARLIER)
+
+
+def _as_instance(detection: Detection) -> Instance:
+    """Return a detection as an instance that is not cut out yet."""
+    nothing = np.zeros((1, 1, 4), np.uint8)
+    label, box = detection.label, detection.box
+    return Instance(label, label, box, detection.mask, nothing, box)
+
+
+def _table_size(reference: Reference, models: Mapping[str, Model]) -> tuple[float, float] | None:
+    """Return the table's length and width in metres, as far as they are known."""
+    if reference.plan is not None:
+        return reference.plan.table.size[:2]
+    if TABLE in models:
+        return float(models[TABLE].size[0]), float(models[TABLE].size[1])
+    return None

@@ -1,0 +1,49 @@
+"""A server of the protocol, keys and sessions for the cloud backend's tests."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+from openai_server import CHAT, IMAGES, KEY, Running, start
+
+from generator.backends.cloud.imager import Imager
+from generator.backends.cloud.reasoner import Reasoner
+from generator.running.session import Session
+from generator.running.waiting import Patience
+
+QUICK = Patience(first=0.01, longest=0.02, rest=0.05)
+
+
+@pytest.fixture
+def server(monkeypatch: pytest.MonkeyPatch) -> Iterator[Running]:
+    for name in list(os.environ):
+        if name.startswith("TABLETOPGEN_CLOUD") or name.endswith("_API_KEY"):
+            monkeypatch.delenv(name)
+    monkeypatch.setenv("TABLETOPGEN_CLOUD_KEY", KEY)
+    running = start()
+    monkeypatch.setenv("TABLETOPGEN_CLOUD_BASE_URL", running.url)
+    monkeypatch.setenv("TABLETOPGEN_CLOUD_CHAT_MODEL", CHAT)
+    monkeypatch.setenv("TABLETOPGEN_CLOUD_IMAGE_MODEL", IMAGES)
+    yield running
+    running.stop()
+
+
+@pytest.fixture
+def session() -> Session:
+    return Session(patience=QUICK, attempts=3)
+
+
+@pytest.fixture
+def reasoner(server: Running, session: Session) -> Reasoner:
+    return Reasoner(session=session)
+
+
+@pytest.fixture
+def make_imager(server: Running, session: Session) -> Callable[..., Imager]:
+    def make(**fields: Any) -> Imager:
+        return Imager(**{"session": session, **fields})
+
+    return make

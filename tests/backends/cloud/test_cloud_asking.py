@@ -1,0 +1,224 @@
+"""One question over HTTP: the ladder of forms, asking again, refusals, and servers that fail."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from desk import reference
+from openai_server import KEY, Request, Running, from_uri, pixels
+
+from generator.backends.cloud import calling
+from generator.backends.cloud.asking import REASKS
+from generator.backends.cloud.reasoner import Reasoner
+from generator.errors import BackendError, DryRunError
+from generator.running.session import Session
+from generator.running.store import CallStore
+
+KINDS = json.dumps({"kinds": [{"noun": "Mug", "count": 2}, {"noun": "table", "count": 1}]})
+NOUNS = ("table", "mug", "mug")
+
+
+def forms(server: Running) -> list[str | None]:
+    bodies = [r.body for r in server.script.asked("completions")]
+    return [b["response_format"]["type"] if "response_format" in b else None for b in bodies]
+
+
+def test_a_strict_schema_is_asked_for_first(server: Running, reasoner: Reasoner) -> None:
+    server.script.chat = lambda request: KINDS
+    assert reasoner.list_objects(reference()) == NOUNS
+    (request,) = server.script.asked("completions")
+    assert request.body["response_format"]["json_schema"]["strict"] is True
+    assert request.body["model"] == reasoner.model
+    assert not any(name.lower().startswith("x-tabletopgen") for name in request.headers)
+
+
+def test_the_forms_a_server_knows_are_learned_once(server: Running, reasoner: Reasoner) -> None:
+    server.script.chat = lambda request: f"Sure!\n```json\n{KINDS}\n```"
+    server.script.forms = ()
+    assert reasoner.list_objects(reference()) == NOUNS
+    assert forms(server) == ["json_schema", "json_object", None]
+    assert reasoner.list_objects(replace(reference(), prompt="again")) == NOUNS
+    assert forms(server)[3:] == [None]
+
+
+def test_json_objects_are_enough(server: Running, reasoner: Reasoner) -> None:
+    server.script.chat = lambda request: KINDS
+    server.script.forms = ("json_object",)
+    assert reasoner.list_objects(reference()) == NOUNS
+    assert forms(server) == ["json_schema", "json_object"]
+
+
+def test_a_server_that_takes_no_seed_gets_none(server: Running, reasoner: Reasoner) -> None:
+    server.script.chat = lambda request: KINDS
+    server.script.knows_seed = False
+    assert reasoner.list_objects(reference()) == NOUNS
+    assert forms(server) == ["json_schema", "json_schema"]
+    assert ["seed" in r.body for r in server.script.requests] == [True, False]
+
+
+def test_a_wrong_answer_is_asked_again_with_what_is_wrong(
+    server: Running, reasoner: Reasoner
+) -> None:
+    said = ['{"kinds": [{"noun": "mug", "count": 0}]}', "Two mugs.", KINDS]
+
+    def chat(request: Request) -> str:
+        return said[len(server.script.requests) - 1]
+
+    server.script.chat = chat
+    assert reasoner.list_objects(reference()) == NOUNS
+    last = server.script.requests[-1].body["messages"]
+    assert [m["role"] for m in last] == ["user", "assistant", "user", "assistant", "user"]
+    assert last[1]["content"] == said[0]
+    assert "kinds.0.count" in last[2]["content"]
+    assert "greater than or equal to 1" in last[2]["content"]
+    assert "no JSON object" in last[4]["content"]
+
+
+def test_it_is_given_up_after_so_many_answers(server: Running, reasoner: Reasoner) -> None:
+    server.script.chat = lambda request: '{"kinds": []}'
+    with pytest.raises(BackendError, match=r"list_objects failed: 4 answers could not be used"):
+        reasoner.list_objects(reference())
+    assert len(server.script.requests) == 1 + REASKS
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        {"message": {"content": None, "refusal": "I will not."}, "finish_reason": "stop"},
+        {"message": {"content": "I will not."}, "finish_reason": "content_filter"},
+        "I'm sorry, I can't assist. I will not.",
+    ],
+)
+def test_a_refusal_is_said_at_once(server: Running, reasoner: Reasoner, said: object) -> None:
+    server.script.chat = lambda request: said
+    with pytest.raises(BackendError, match=r"list_objects failed: the model refuses: .*I will not"):
+        reasoner.list_objects(reference())
+    assert len(server.script.requests) == 1
+
+
+def test_a_cut_off_answer_says_so(server: Running, reasoner: Reasoner) -> None:
+    cut = {"message": {"content": KINDS[:9]}, "finish_reason": "length"}
+    server.script.chat = lambda request: cut
+    with pytest.raises(BackendError, match="limit of tokens"):
+        reasoner.list_objects(reference())
+
+
+def test_content_in_parts_is_joined(server: Running, reasoner: Reasoner) -> None:
+    parts = [{"type": "text", "text": KINDS[:9]}, {"type": "text", "text": KINDS[9:]}]
+    server.script.chat = lambda r: {"message": {"content": parts}, "finish_reason": "stop"}
+    assert reasoner.list_objects(reference()) == NOUNS
+
+
+@pytest.mark.parametrize("failures", [["429"], ["500", "429"], ["truncated"], ["wrong json"]])
+def test_what_passes_is_waited_for(
+    server: Running, reasoner: Reasoner, failures: list[str]
+) -> None:
+    server.script.chat = lambda request: KINDS
+    server.script.failures.extend(failures)
+    assert reasoner.list_objects(reference()) == NOUNS
+    assert len(server.script.requests) == 1 + len(failures)
+
+
+@pytest.mark.parametrize(
+    ("failures", "message"),
+    [
+        (["500"] * 9, "status 500"),
+        (["429"] * 9, "status 429"),
+        (["html"] * 9, "HTML"),
+        (["empty"] * 9, "no chat completion"),
+        (["error in 200"] * 9, "upstream is busy"),
+    ],
+)
+def test_a_server_that_fails_is_named(
+    server: Running, reasoner: Reasoner, failures: list[str], message: str
+) -> None:
+    server.script.failures.extend(failures)
+    with pytest.raises(BackendError, match=message) as caught:
+        reasoner.list_objects(reference())
+    assert "cloud" in str(caught.value)
+    assert "list_objects" in str(caught.value)
+
+
+def test_a_dead_server_is_named(server: Running, reasoner: Reasoner) -> None:
+    server.stop()
+    with pytest.raises(BackendError, match=r"cloud/127.0.0.1:\d+, list_objects"):
+        reasoner.list_objects(reference())
+
+
+def test_a_server_that_hangs_is_not_waited_for_for_ever(
+    server: Running, reasoner: Reasoner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(calling._TIMEOUT, "chat", 0.3)
+    server.script.hang = 1.0
+    server.script.failures.extend(["hang"] * 9)
+    once = replace(reasoner, session=Session(attempts=1))
+    with pytest.raises(BackendError, match=r"list_objects.*did not answer within 0.3 s"):
+        once.list_objects(reference())
+
+
+def test_an_unknown_model_is_named(server: Running, session: Session) -> None:
+    with pytest.raises(BackendError, match=r"have the model 'nosuch'\? Set TABLETOPGEN_CLOUD_CHAT"):
+        Reasoner(model="nosuch", session=session).list_objects(reference())
+
+
+def test_a_wrong_key_is_not_repeated(
+    server: Running, reasoner: Reasoner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TABLETOPGEN_CLOUD_KEY", "wrong-key-987654321")
+    with pytest.raises(BackendError, match="Check the key in TABLETOPGEN_CLOUD_KEY") as caught:
+        reasoner.list_objects(reference())
+    assert "wrong-key-987654321" not in str(caught.value)
+
+
+def test_the_key_is_in_no_message_and_no_file(
+    server: Running, reasoner: Reasoner, tmp_path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    server.script.chat = lambda request: f"I cannot; your key is {KEY}"
+    kept = Session(store=CallStore(tmp_path))
+    with pytest.raises(BackendError) as caught:
+        replace(reasoner, session=kept).list_objects(reference())
+    assert KEY not in str(caught.value) + repr(caught.value.__context__) + repr(reasoner)
+    twice = {"kinds": [{"noun": KEY, "count": 1}] * 2}
+    server.script.chat = lambda request: json.dumps(twice)
+    with pytest.raises(BackendError, match="listed twice") as caught:
+        reasoner.list_objects(reference())
+    assert KEY not in str(caught.value)
+    server.script.chat = lambda request: KINDS
+    replace(reasoner, session=kept, seed=1).list_objects(reference())
+    found = [p for p in tmp_path.rglob("*") if p.is_file() and b"Bearer" in p.read_bytes()]
+    assert not found
+
+
+def test_a_key_that_a_message_cuts_off_is_in_no_part_of_it(
+    server: Running, reasoner: Reasoner
+) -> None:
+    for room in range(250, 330, 4):
+        told = reasoner.chat.server.quoted("x" * room + f" {KEY} " + "y" * 300)
+        assert KEY[:6] not in told
+
+
+def test_an_answer_that_is_kept_is_not_asked_for_again(
+    server: Running, reasoner: Reasoner, tmp_path
+) -> None:
+    server.script.chat = lambda request: KINDS
+    for _ in range(2):
+        kept = Session(store=CallStore(tmp_path))
+        assert replace(reasoner, session=kept).list_objects(reference()) == NOUNS
+    assert len(server.script.requests) == 1
+
+
+def test_a_dry_run_sends_nothing(server: Running, reasoner: Reasoner) -> None:
+    with pytest.raises(DryRunError, match="list_objects"):
+        replace(reasoner, session=Session(dry=True)).list_objects(reference())
+    assert not server.script.requests
+
+
+def test_pictures_are_shown_as_they_are(server: Running, reasoner: Reasoner) -> None:
+    server.script.chat = lambda request: KINDS
+    reasoner.list_objects(reference())
+    content = server.script.requests[0].body["messages"][0]["content"]
+    (url,) = [p["image_url"]["url"] for p in content if p["type"] == "image_url"]
+    np.testing.assert_array_equal(pixels(from_uri(url)), reference().image)

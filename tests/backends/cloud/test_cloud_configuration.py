@@ -1,0 +1,136 @@
+"""Where the cloud backend's server, models and keys come from, and where keys go."""
+
+from __future__ import annotations
+
+import pytest
+from openai_server import CHAT, IMAGES, Running
+
+from generator.backends import Backends
+from generator.backends.cloud import configuration
+from generator.backends.cloud.imager import Imager
+from generator.backends.cloud.reasoner import Reasoner
+from generator.errors import BackendError
+
+OPENAI = "https://api.openai.com/v1"
+ARK = "https://ark.cn-beijing.volces.com/api/v3"
+BASE, IMAGE_BASE = "TABLETOPGEN_CLOUD_BASE_URL", "TABLETOPGEN_CLOUD_IMAGE_BASE_URL"
+CLOUD_KEY, IMAGE_KEY = "TABLETOPGEN_CLOUD_KEY", "TABLETOPGEN_CLOUD_IMAGE_KEY"
+
+
+@pytest.fixture
+def setting(server: Running, monkeypatch: pytest.MonkeyPatch):
+    """Set a variable; nothing else of the cloud's is set."""
+    for name in (BASE, CLOUD_KEY, "TABLETOPGEN_CLOUD_CHAT_MODEL", "TABLETOPGEN_CLOUD_IMAGE_MODEL"):
+        monkeypatch.delenv(name)
+    return monkeypatch.setenv
+
+
+def test_openai_is_asked_if_nothing_is_said(setting) -> None:
+    reasoner, imager = Reasoner(), Imager()
+    assert (reasoner.base_url, reasoner.model, reasoner.server) == (OPENAI, "gpt-4o", "openai")
+    assert (imager.base_url, imager.model, imager.form) == (OPENAI, "gpt-image-1", "openai")
+
+
+def test_pictures_may_come_from_another_server(setting) -> None:
+    setting(IMAGE_BASE, ARK)
+    setting("TABLETOPGEN_CLOUD_IMAGE_MODEL", "ep-1")
+    imager = Imager()
+    assert (imager.base_url, imager.form, imager.server) == (ARK, "seedream", "ark")
+    assert (imager.chat_base_url, imager.chat_model) == (OPENAI, "gpt-4o")
+
+
+def test_the_environment_chooses(server: Running) -> None:
+    backends = Backends.select("embedded", reasoner="cloud", imager="cloud")
+    identity = backends.identity()
+    assert identity["reasoner"]["base_url"] == server.url
+    assert identity["reasoner"]["model"] == CHAT
+    assert identity["imager"]["model"] == IMAGES
+    assert identity["imager"]["chat_model"] == CHAT
+    assert "session" not in identity["reasoner"]
+    assert not any("sk-test" in str(value) for value in identity.values())
+
+
+def test_a_model_must_be_named_elsewhere(setting) -> None:
+    setting(BASE, "http://127.0.0.1:11434/v1")
+    with pytest.raises(BackendError, match="Set TABLETOPGEN_CLOUD_CHAT_MODEL"):
+        Reasoner()
+    with pytest.raises(BackendError, match="Set TABLETOPGEN_CLOUD_IMAGE_MODEL"):
+        Imager()
+
+
+@pytest.mark.parametrize(
+    "url",
+    ["api.openai.com/v1", "ftp://x/v1", "", "https://me:pass@host/v1", "https://host/v1?key=x"],
+)
+def test_an_address_of_no_use_is_refused(server: Running, url: str) -> None:
+    with pytest.raises(BackendError, match="cloud: the base URL") as caught:
+        Reasoner(base_url=url)
+    assert "pass@" not in str(caught.value)
+
+
+def test_a_slash_at_the_end_makes_no_other_backend(server: Running) -> None:
+    assert Reasoner(base_url=server.url + "/") == Reasoner(base_url=server.url)
+
+
+@pytest.mark.parametrize(
+    ("url", "names"),
+    [
+        (OPENAI, "TABLETOPGEN_CLOUD_KEY or OPENAI_API_KEY"),
+        (ARK, "TABLETOPGEN_CLOUD_KEY or ARK_API_KEY"),
+        ("https://openrouter.ai/api/v1", "TABLETOPGEN_CLOUD_KEY or OPENROUTER_API_KEY"),
+        ("https://gpu.example:8000/v1", "TABLETOPGEN_CLOUD_KEY;"),
+    ],
+)
+def test_a_missing_key_names_its_variables(setting, url: str, names: str) -> None:
+    with pytest.raises(BackendError, match=f"Set {names}"):
+        configuration.key(url, "chat")
+
+
+def test_no_key_is_needed_here(setting) -> None:
+    assert configuration.key("http://localhost:11434/v1", "chat") == "none-needed"
+
+
+def test_keys_go_to_their_own_hosts_alone(setting) -> None:
+    setting("OPENAI_API_KEY", "key-of-openai")
+    setting("ARK_API_KEY", "key-of-ark")
+    assert configuration.key(OPENAI, "chat") == "key-of-openai"
+    assert configuration.key(ARK, "image") == "key-of-ark"
+    with pytest.raises(BackendError):
+        configuration.key("https://gpu.example/v1", "chat")
+    setting(CLOUD_KEY, "key-of-chat")
+    assert configuration.key(OPENAI, "chat") == "key-of-chat"
+    assert configuration.key(OPENAI, "image") == "key-of-chat"  # the same host
+    assert configuration.key(ARK, "image") == "key-of-ark"
+    with pytest.raises(BackendError, match="Set TABLETOPGEN_CLOUD_IMAGE_KEY;"):
+        configuration.key("https://gpu.example/v1", "image")
+    setting(IMAGE_KEY, "key-of-pictures")
+    assert configuration.key("https://gpu.example/v1", "image") == "key-of-pictures"
+    assert configuration.key("https://gpu.example/v1", "chat") == "key-of-chat"
+
+
+@pytest.mark.parametrize(
+    ("address", "base", "may"),
+    [
+        ("https://api.openai.com/x.png", OPENAI, True),
+        ("https://abc.blob.core.windows.net/x.png?sig=1", OPENAI, True),
+        ("https://ark-project.tos-cn-beijing.volces.com/x.png", ARK, True),
+        ("https://volces.com.evil.example/x.png", ARK, False),
+        ("https://evilvolces.com/x.png", ARK, False),
+        ("http://ark-project.tos-cn-beijing.volces.com/x.png", ARK, False),
+        ("https://me:pass@api.openai.com/x.png", OPENAI, False),
+        ("https://169.254.169.254/latest", OPENAI, False),
+        ("file:///etc/passwd", OPENAI, False),
+        ("", OPENAI, False),
+        ("http://127.0.0.1:8000/x.png", "http://127.0.0.1:8000/v1", True),
+        ("http://127.0.0.1:9000/x.png", "http://127.0.0.1:8000/v1", False),
+    ],
+)
+def test_where_pictures_may_be_fetched(setting, address: str, base: str, may: bool) -> None:
+    assert configuration.may_fetch(address, base) is may
+
+
+def test_more_hosts_can_be_named(setting) -> None:
+    setting("TABLETOPGEN_CLOUD_IMAGE_HOSTS", "cdn.example, .store.example")
+    assert configuration.may_fetch("https://cdn.example/x", OPENAI)
+    assert configuration.may_fetch("https://a.store.example/x", OPENAI)
+    assert not configuration.may_fetch("https://a.cdn.example/x", OPENAI)

@@ -1,0 +1,250 @@
+"""What the protocols promise, held against every backend that answers them.
+
+The cloud's models are played by a local server that answers from the truth of the painted table:
+what is checked is what the backend makes of right answers.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import openai_server
+import pytest
+from openai_server import CHAT, IMAGES, KEY, Request
+from painted import paint
+
+from generator.backends.cloud.imager import Imager as CloudImager
+from generator.backends.cloud.reasoner import Reasoner as CloudReasoner
+from generator.backends.embedded.imager import Imager as EmbeddedImager
+from generator.backends.embedded.reasoner import Reasoner as EmbeddedReasoner
+from generator.backends.protocols import Imager, PoseGuesser, Reasoner
+from generator.catalogue import build, build_table
+from generator.errors import InputError
+from generator.geometry import mask_box
+from generator.render.crop import in_reference, tight_box
+from generator.scene import TABLE, Detection, Instance, Model, Reference, SizePrior
+from generator.stages.modeling import quarter_turn
+
+ELEVATION = 52.0
+PLACES = [("mug", -0.3, -0.1, 0.0), ("book", 0.1, 0.0, 0.0), ("apple", 0.35, -0.15, 0.0)]
+NAMES = (TABLE, "mug_1", "book_1", "apple_1")
+
+
+@dataclass(frozen=True, eq=False)
+class Desk:
+    """A painted table with three things, and all that is known of it."""
+
+    reference: Reference
+    detections: dict[str, Detection]
+    models: dict[str, Model]
+
+
+@pytest.fixture(scope="module")
+def desk() -> Desk:
+    picture = paint("rectangle", "oak", PLACES, elevation=ELEVATION)
+    found = {
+        name: Detection(name.removesuffix("_1"), mask_box(picture.ids == k), picture.ids == k)
+        for k, name in enumerate(NAMES)
+    }
+    made = {TABLE: build_table(picture.plan, 0)}
+    made |= {f"{key}_1": build(key, 1) for key, *_ in PLACES}
+    return Desk(Reference(picture.image), found, made)
+
+
+def _told(desk: Desk, request: Request) -> str:
+    """The right answer to a question of the cloud's reasoner."""
+    cm = {k: [round(100 * float(v), 1) for v in desk.models[n].size] for k, n in enumerate(NAMES)}
+    sides = {k: dict(zip(("length", "width", "height"), v, strict=True)) for k, v in cm.items()}
+    things = range(1, len(NAMES))
+    mug = dict.fromkeys(("color", "material", "size_word", "state", "size_cm"))
+    table = {"outline": "rectangle", "material": "oak", "color": None, "legs": "straight",
+             "length_cm": 120, "width_cm": 70, "height_cm": 74}  # fmt: skip
+    words = {"placement": "standing", "length_is": "l", "width_is": "w", "height_is": "h"}
+    answers: dict[str, Any] = {
+        "plan_scene": {"table": table, "style": "plain",
+                       "things": [{"id": 1, "noun": "mug", "relations": [], **mug}]},
+        "list_objects": {"kinds": [{"noun": key, "count": 1} for key, *_ in PLACES]},
+        "estimate_view": {"elevation": ELEVATION, "azimuth": 0, "vertical_fov": 36},
+        "estimate_sizes": {"sizes": [{"id": k, **words, **sides[k]} for k in cm]},
+        "review_orientation": {"up": "+z", "along": "+x"},
+        "stacking_order": {"things": [
+            {"id": k, "how": "on", "support": 0, "leans_at": None} for k in things]},
+        "guess_rotations": {"turns": [{"id": k, "yaw": 0} for k in things]},
+        "guess_layout": {"places": [
+            {"id": k, "x": 100 * x, "y": 100 * y, **sides[k]}
+            for k, (_, x, y, _) in enumerate(PLACES, start=1)]},
+        "top_view": {"from_above": True, "extra": [], "things": [
+            {"id": k, "boxes": [[200 * k, 0, 200 * k + 99, 99]], "covered": False}
+            for k in things]},
+    }  # fmt: skip
+    return json.dumps(answers[request.body["response_format"]["json_schema"]["name"]])
+
+
+def _painted(request: Request) -> np.ndarray:
+    images = request.body.get("images", [])
+    return images[0] if len(images) == 2 and "cut-out" in request.text else (
+        np.full((200, 300, 3), 240, np.uint8)
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module", params=["embedded", "cloud"])
+def backend(request: pytest.FixtureRequest, desk: Desk) -> Iterator[tuple[Any, Any]]:
+    """A reasoner and an imager."""
+    if request.param == "embedded":
+        yield EmbeddedReasoner(), EmbeddedImager()
+        return
+    server = openai_server.start()
+    server.script.chat = lambda asked: _told(desk, asked)
+    server.script.paint = _painted
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("TABLETOPGEN_CLOUD_KEY", KEY)
+        patch.setenv("TABLETOPGEN_CLOUD_BASE_URL", server.url)
+        yield (
+            CloudReasoner(server.url, CHAT),
+            CloudImager(server.url, IMAGES, "openai", server.url, CHAT),
+        )
+    server.stop()
+
+
+@pytest.fixture(scope="module")
+def reasoner(backend: tuple[Any, Any]) -> Any:
+    return backend[0]
+
+
+@pytest.fixture(scope="module")
+def imager(backend: tuple[Any, Any]) -> Any:
+    return backend[1]
+
+
+@pytest.fixture(scope="module")
+def instances(desk: Desk, imager: Any) -> tuple[Instance, ...]:
+    """Each thing completed by the imager itself, with the name that a stage gives it."""
+    from dataclasses import replace
+
+    made = []
+    for name, detection in desk.detections.items():
+        others = tuple(d for n, d in desk.detections.items() if n != name)
+        made.append(replace(imager.complete(desk.reference, detection, others), name=name))
+    return tuple(made)
+
+
+@pytest.fixture(scope="module")
+def sizes(desk: Desk) -> dict[str, SizePrior]:
+    return {name: SizePrior(name, model.size) for name, model in desk.models.items()}
+
+
+@pytest.fixture(scope="module")
+def view(desk: Desk, reasoner: Any, instances: tuple[Instance, ...]) -> Any:
+    return reasoner.estimate_view(desk.reference, instances[0])
+
+
+def test_the_protocols_are_there(reasoner: Any, imager: Any) -> None:
+    assert isinstance(reasoner, Reasoner)
+    assert isinstance(reasoner, PoseGuesser)
+    assert isinstance(imager, Imager)
+
+
+# --------------------------------------------------------------------------------------- reasoner
+
+
+def test_plan_scene(reasoner: Any) -> None:
+    plan = reasoner.plan_scene("a desk with a mug", 0)
+    assert plan.prompt == "a desk with a mug"
+    assert "mug" in [thing.noun for thing in plan.objects]
+    assert plan == reasoner.plan_scene("a desk with a mug", 0)
+
+
+@pytest.mark.parametrize("text", ["", " \n ", "?!", "word " * 5000])
+def test_plan_scene_refuses_a_text_of_no_use(reasoner: Any, text: str) -> None:
+    with pytest.raises(InputError):
+        reasoner.plan_scene(text, 0)
+
+
+def test_list_objects(reasoner: Any, desk: Desk) -> None:
+    labels = reasoner.list_objects(desk.reference)
+    assert isinstance(labels, tuple)
+    assert labels.count(TABLE) == 1
+    assert len(labels) > 1
+    assert all(label == label.lower().strip() and label for label in labels)
+
+
+def test_estimate_view(view: Any) -> None:
+    assert np.rad2deg(view.elevation) == pytest.approx(ELEVATION, abs=8)
+    assert np.rad2deg(view.azimuth) == pytest.approx(0, abs=8)
+    assert 10 < np.rad2deg(view.fov) < 90
+
+
+def test_estimate_sizes(reasoner: Any, desk: Desk, instances: Any, view: Any) -> None:
+    sizes = reasoner.estimate_sizes(desk.reference, instances, view)
+    assert set(sizes) == set(NAMES)
+    for name, size in sizes.items():
+        assert size.name == name
+        near = np.sort(size.extent) / np.sort(desk.models[name].size)
+        assert ((near > 0.4) & (near < 2.5)).all(), (name, size.extent)
+
+
+def test_review_orientation(reasoner: Any, desk: Desk, instances: Any, sizes: Any) -> None:
+    book = next(i for i in instances if i.name == "book_1")
+    mesh = desk.models["book_1"].mesh
+    steps = reasoner.review_orientation(mesh, book, sizes["book_1"])
+    np.testing.assert_array_equal(quarter_turn(steps) @ [0, 0, 1], [0, 0, 1])
+
+
+def test_stacking_order(reasoner: Any, desk: Desk, instances: Any, view: Any) -> None:
+    stacking = reasoner.stacking_order(desk.reference, instances, view)
+    assert set(stacking) == set(NAMES)
+    assert stacking[TABLE].order == 1
+    for name in NAMES[1:]:
+        assert stacking[name].on in stacking
+        assert stacking[name].order > stacking[stacking[name].on].order
+    assert {stacking[name].on for name in NAMES[1:]} == {TABLE}
+
+
+def test_guesses(reasoner: Any, desk: Desk, instances: Any, sizes: Any, view: Any) -> None:
+    yaws = reasoner.guess_rotations(desk.reference, instances, sizes, view)
+    boxes = reasoner.guess_layout(desk.reference, instances, sizes, view)
+    assert set(yaws) == set(boxes) == set(NAMES[1:])
+    assert all(-np.pi <= yaw <= np.pi for yaw in yaws.values())
+    half = sizes[TABLE].extent[:2] / 2
+    assert all((np.abs(box.center) <= half).all() for box in boxes.values())
+    across = [boxes[name].center[0] for name in NAMES[1:]]
+    assert across == sorted(across)
+
+
+# ----------------------------------------------------------------------------------------- imager
+
+
+def test_draw(reasoner: Any, imager: Any) -> None:
+    drawn = imager.draw(reasoner.plan_scene("a desk with a mug", 0), 0)
+    assert drawn.dtype == np.uint8
+    assert drawn.ndim == 3
+    assert drawn.shape[2] == 3
+    assert 64 <= min(drawn.shape[:2]) <= max(drawn.shape[:2]) <= 1280
+
+
+@pytest.mark.parametrize("k", range(len(NAMES)), ids=NAMES)
+def test_complete(desk: Desk, instances: Any, k: int) -> None:
+    made, found = instances[k], desk.detections[NAMES[k]]
+    assert made.label == found.label
+    np.testing.assert_array_equal(made.mask, found.mask)
+    np.testing.assert_array_equal(made.box, found.box)
+    assert made.crop.shape[2] == 4
+    assert {0, 255} <= set(np.unique(made.crop[..., 3]).tolist())
+    there = in_reference(made, tight_box(made))
+    span = float((found.box[2:] - found.box[:2]).max())
+    np.testing.assert_allclose(there, found.box, atol=max(4.0, 0.05 * span))
+
+
+def test_top_view(imager: Any, desk: Desk, instances: Any, view: Any) -> None:
+    top = imager.top_view(desk.reference, instances, desk.models, {}, view)
+    assert top.image.dtype == np.uint8
+    height, width = top.image.shape[:2]
+    x0, y0, x1, y1 = top.table_box
+    assert 0 <= x0 < x1 <= width
+    assert 0 <= y0 < y1 <= height
+    assert set(top.boxes) in (set(), set(NAMES[1:]))
+    assert top.warnings == ()
