@@ -36,7 +36,7 @@ MOST_BYTES = 256 * 2**20
 
 MOST_FILES = 4096
 
-BESIDE = frozenset({"certificate.json"})
+BESIDE = frozenset({"certificate.json", "ledger.json"})
 """Files that may lie in a bundle's folder without being listed."""
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")

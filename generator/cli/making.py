@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Literal
 
 from tyro.conf import Positional
 
-from ..errors import InputError
+from ..errors import DryRunError, InputError
 from ..scene import Intrinsics
+from .paying import answering, open_session, paid, told
 from .printing import print_scene, progress
 from .store import store
 
@@ -29,6 +30,10 @@ def generate(
     figures: Path | None = None,
     without: Literal["dro", "tsa", "both"] | None = None,
     timings: bool = False,
+    budget: float | None = None,
+    dry_run: bool = False,
+    calls: Path | None = None,
+    prices: Path | None = None,
     allow_failed: bool = False,
     json: bool = False,
 ) -> int:
@@ -48,6 +53,11 @@ def generate(
             picture what dro (rotations), tsa (places and sizes) or both would have found. Nothing
             is refined then.
         timings: Also print the seconds of every stage.
+        budget: With a backend that asks servers: stop before the calls cost more than this.
+        dry_run: Send nothing to servers; print the first calls that would be made.
+        calls: Folder where answers of servers are kept, so that nothing is paid for twice;
+            TABLETOPGEN_CALLS, else the user cache, if left out.
+        prices: Table of what calls cost (TOML); the one that comes with the package if left out.
         allow_failed: Publish even if the scene fails its physical gate.
         json: Print one JSON object instead of text.
     """
@@ -59,16 +69,23 @@ def generate(
     if name is not None:
         check_name(name)
     camera = None if intrinsics is None else _intrinsics(intrinsics)
-    with progress(quiet=json) as shown:
-        generation = run(
-            source, Backends.select(backend), Config(without=_left_out(without)), seed, name=name,
-            progress=shown, depth=depth, intrinsics=camera,
-        )  # fmt: skip
-        if figures is not None:
-            generation.save_figures(figures)
-        path = generation.save(store(out), allow_failed=allow_failed)
+    session = open_session(calls, prices, budget, dry_run)
+    chosen = Backends.select(backend, session=session)
+    try:
+        with answering(session), progress(quiet=json) as shown:
+            generation = run(
+                source, chosen, Config(without=_left_out(without)), seed, name=name,
+                progress=shown, depth=depth, intrinsics=camera,
+            )  # fmt: skip
+            if figures is not None:
+                generation.save_figures(figures)
+            path = generation.save(store(out), allow_failed=allow_failed)
+    except DryRunError as error:
+        return told(error, json)
+    if paid(session):
+        session.account.save(path, session.prices)
     seconds = generation.seconds if timings else None
-    return print_scene(path, generation.scene, json, seconds)
+    return print_scene(path, generation.scene, json, seconds, session)
 
 
 def compose(

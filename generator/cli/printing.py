@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ..ledger import Seconds
+    from ..running import Session
     from ..scene import Scene
 
 
@@ -58,10 +59,19 @@ def describe(path: Path, scene: Scene) -> dict[str, Any]:
 
 
 def print_scene(
-    path: Path, scene: Scene, as_json: bool, seconds: Mapping[str, Seconds] | None = None
+    path: Path,
+    scene: Scene,
+    as_json: bool,
+    seconds: Mapping[str, Seconds] | None = None,
+    session: Session | None = None,
 ) -> int:
-    """Print what a bundle holds, and how long its stages took; return the exit code of success."""
+    """Print what a bundle holds, how long its stages took, and the calls that servers answered.
+
+    Returns the exit code of success.
+    """
     facts = describe(path, scene)
+    if session is not None and session.account.entries:
+        facts["ledger"] = session.account.facts(session.prices)
     if seconds is not None:
         facts["seconds"] = {
             stage: {"wall": round(s.wall, 3), "cpu": round(s.cpu, 3)}
@@ -82,7 +92,8 @@ def print_scene(
             else ("passed" if report.passed else "FAILED: " + "; ".join(report.failures))
         )
         notes = [f"  note: {w}" for w in facts["warnings"]]
-        return [str(path), *rows, f"  gate: {gate}", *notes, *_timings(seconds or {})]
+        spent = [*_timings(seconds or {}), *_ledger(session)]
+        return [str(path), *rows, f"  gate: {gate}", *notes, *spent]
 
     emit(facts, as_json, lines)
     return 0
@@ -95,6 +106,12 @@ def _timings(seconds: Mapping[str, Seconds]) -> list[str]:
     rows = [(stage, s.wall, s.cpu) for stage, s in seconds.items()]
     rows.append(("total", sum(r[1] for r in rows), sum(r[2] for r in rows)))
     return ["  seconds:", *(f"    {n:<16}{wall:8.1f}  (CPU {cpu:.1f})" for n, wall, cpu in rows)]
+
+
+def _ledger(session: Session | None) -> list[str]:
+    """Return the ledger's lines, none if nothing was asked of a server."""
+    text = "" if session is None else session.account.text(session.prices.currency)
+    return ["  calls:", *(f"    {line}" for line in text.splitlines())] if text else []
 
 
 def emit(value: Any, as_json: bool, lines: Callable[[], list[str]]) -> None:

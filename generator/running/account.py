@@ -21,6 +21,8 @@ __all__ = ["Account", "Entry", "Outcome", "Price", "Prices", "Row"]
 LEDGER = "ledger.json"
 """The file that lies beside what a bundle lists."""
 
+_POLL = 0.1  # seconds between two looks at whether to stop
+
 Outcome = Literal["answered", "cached", "failed"]
 
 
@@ -69,9 +71,10 @@ class Account:
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
+        self._ended = threading.Condition(self._lock)
         self._entries: list[Entry] = []
         self._notes: list[str] = []
-        self._reserved = 0.0
+        self._reserved: list[float] = []
 
     def add(self, entry: Entry) -> None:
         """Enter a call."""
@@ -108,46 +111,63 @@ class Account:
 
     @contextlib.contextmanager
     def reserving(
-        self, most: float | None, budget: float | None, what: str
+        self,
+        most: float | None,
+        budget: float | None,
+        what: str,
+        check: Callable[[], None] = lambda: None,
     ) -> Iterator[Callable[[Entry], None]]:
         """Set aside what a call may cost while it runs; yields what enters the call instead.
+
+        Where the budget would do but for calls under way, they are waited for: most cost less
+        than they might.
 
         Args:
             most: the most it can cost; None where that is not known.
             budget: what all calls may cost; None for no limit.
             what: names the call in the message.
+            check: called now and then while it waits; may raise.
 
         Raises:
             BudgetError: it might exceed the budget, or nobody knows.
         """
-        with self._lock:
-            spent = sum(entry.money or 0.0 for entry in self._entries)
-            if budget is not None and most is None:
-                raise BudgetError(
-                    f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. "
-                    "Add the model to the price table, or give no budget."
-                )
-            asked = most or 0.0
-            if budget is not None and spent + self._reserved + asked > budget:
-                running = f", {self._reserved:.4f} may go to calls under way" * bool(self._reserved)
-                raise BudgetError(
-                    f"{what}: not sent, for it may cost {asked:.4f}. Of the budget of {budget:g}, "
-                    f"{spent:.4f} is spent{running}. What was answered is kept; raise the budget "
-                    "to go on."
-                )
-            self._reserved += asked
+        if budget is not None and most is None:
+            raise BudgetError(
+                f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. "
+                "Add the model to the price table, or give no budget."
+            )
+        asked = most or 0.0
+        with self._ended:
+            while not self._fits(asked, budget, what):
+                check()
+                self._ended.wait(_POLL)
+            self._reserved.append(asked)
         left = [asked]
 
         def enter(entry: Entry | None) -> None:
-            with self._lock:
-                self._reserved -= left.pop() if left else 0.0
+            with self._ended:
+                if left:
+                    self._reserved.remove(left.pop())
                 if entry is not None:
                     self._entries.append(entry)
+                self._ended.notify_all()
 
         try:
             yield enter
         finally:
             enter(None)
+
+    def _fits(self, asked: float, budget: float | None, what: str) -> bool:
+        """Return whether a call may be sent now, or only when others have ended."""
+        spent = sum(entry.money or 0.0 for entry in self._entries)
+        if budget is None or spent + sum(self._reserved) + asked <= budget:
+            return True
+        if spent + asked > budget:
+            raise BudgetError(
+                f"{what}: not sent, for it may cost {asked:.4f}. Of the budget of {budget:g}, "
+                f"{spent:.4f} is spent. What was answered is kept; raise the budget to go on."
+            )
+        return False
 
     def summary(self) -> tuple[Row, ...]:
         """Return a row for each question, server and model, in the order first asked."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import json
 import re
 from collections.abc import Iterable
 from urllib.parse import parse_qsl, quote, urlencode, urlsplit, urlunsplit
@@ -16,10 +17,11 @@ _SHAPES = (
     re.compile(r"\bAKID[A-Za-z0-9]{12,}"),
     re.compile(r"(?i)(?<=signature=)[^\s&\"',;]+"),
 )
-_SECRET = re.compile(
-    r"(?i)^(?:.*[-_])?(?:key|apikey|token|secret|signature|sig|credential|password|expires)$"
-    r"|^q-|^x-amz-|^x-goog-|^x-tos-|^ossaccesskeyid$|^awsaccesskeyid$"
+_SIGNED = re.compile(
+    r"(?i)^(?:x-(?:amz|goog|tos|oss|cos)-|q-(?:ak|sign|key|header|url)|(?:signature|sig|expires)$"
+    r"|(?:oss|aws)accesskeyid$|googleaccessid$)"
 )
+"""Parameters of signed links: how they are signed, not what they lead to."""
 
 
 def redacted(text: str, secrets: Iterable[str] = ()) -> str:
@@ -27,22 +29,32 @@ def redacted(text: str, secrets: Iterable[str] = ()) -> str:
 
     A secret is found as it is, quoted for a URL, escaped in JSON, or in base64 by itself.
     """
-    for secret in sorted({s for s in secrets if s.strip()}, key=len, reverse=True):
-        encoded = base64.b64encode(secret.encode()).decode()
-        escaped = secret.replace("\\", "\\\\").replace('"', '\\"')
-        for form in (secret, quote(secret, safe=""), escaped, encoded):
+    for secret in sorted(set(secrets), key=len, reverse=True):
+        for form in _forms(secret):
             text = text.replace(form, REDACTED)
     for shape in _SHAPES:
         text = shape.sub(REDACTED, text)
     return text
 
 
+def holds(text: str, secrets: Iterable[str]) -> bool:
+    """Return whether a text holds one of the secrets, in any of the forms that are redacted."""
+    return any(form in text for secret in secrets for form in _forms(secret))
+
+
 def plain_url(url: str) -> str:
-    """Return ``url`` without user, fragment, and parameters that are signatures, keys or dates.
+    """Return ``url`` without user, fragment, and the parameters that sign it.
 
     Links to one file that were signed at different times become the same.
     """
     parts = urlsplit(url)
-    asked = [(k, v) for k, v in parse_qsl(parts.query, keep_blank_values=True)]
-    kept = urlencode([(k, v) for k, v in asked if not _SECRET.search(k)])
+    asked = parse_qsl(parts.query, keep_blank_values=True)
+    kept = urlencode([(name, value) for name, value in asked if not _SIGNED.search(name)])
     return urlunsplit((parts.scheme, parts.netloc.rpartition("@")[2], parts.path, kept, ""))
+
+
+def _forms(secret: str) -> tuple[str, ...]:
+    if not secret.strip():
+        return ()
+    encoded = base64.b64encode(secret.encode()).decode()
+    return secret, quote(secret, safe=""), json.dumps(secret)[1:-1], encoded

@@ -13,7 +13,7 @@ from ..errors import BackendError, DryRunError, StorageError
 from .account import Entry, Outcome
 from .exchange import Reply, Trouble, exchange
 from .question import NOTHING, Question, Usage, failed, local, question, usage
-from .redaction import REDACTED, redacted
+from .redaction import holds, redacted
 from .store import Answer
 from .waiting import retry_after
 
@@ -85,7 +85,7 @@ class PaidTransport(httpx2.BaseTransport):
                 f"{asked}: this client is for {base.scheme}://{base.netloc.decode()} and does not "
                 f"call {url.scheme}://{url.netloc.decode()}. Open a client for that server."
             )
-        if redacted(str(url), secrets).count(REDACTED) > redacted(str(url)).count(REDACTED):
+        if holds(url.query.decode("ascii", "replace"), secrets):
             raise BackendError(
                 f"{asked}: a key is part of the address, where logs would show it. "
                 "Send it in a header."
@@ -122,7 +122,9 @@ class PaidTransport(httpx2.BaseTransport):
     def _attempt(self, request: httpx2.Request, asked: Question) -> Reply | Trouble:
         """Send a request once, within the budget, and enter it in the ledger."""
         session = self._session
-        with session.account.reserving(asked.most, session.budget, str(asked)) as enter:
+        with session.account.reserving(
+            asked.most, session.budget, str(asked), session.check
+        ) as enter:
             began = time.monotonic()
             told = exchange(self._client, request, self._timeout, self._most_bytes)
             seconds = time.monotonic() - began

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from generator.errors import BudgetError, InputError, StorageError
+from generator.errors import BudgetError, InputError, StoppedError, StorageError
 from generator.running.account import Account, Entry
 from generator.running.prices import Price, Prices
 
@@ -84,12 +84,31 @@ def test_a_budget_is_kept_by_threads_together() -> None:
     assert "budget of 1" in refused[0] and "a call" in refused[0]
 
 
-def test_what_was_set_aside_comes_back() -> None:
+def test_calls_under_way_are_waited_for() -> None:
+    account, looks = Account(), []
+
+    def end_the_other() -> None:
+        looks.append(1)
+        if len(looks) == 2:
+            threading.Thread(target=first.close).start()
+
+    with contextlib.ExitStack() as first:
+        enter = first.enter_context(account.reserving(0.9, 1.0, "one"))
+        first.callback(enter, Entry("s", "q", money=0.1))
+        with account.reserving(0.9, 1.0, "two", end_the_other):
+            assert len(looks) >= 2
+    assert account.money == 0.1
+
+
+def test_waiting_for_calls_under_way_can_be_stopped() -> None:
+    def stop() -> None:
+        raise StoppedError("stopped")
+
     account = Account()
-    with contextlib.ExitStack() as stack:
-        stack.enter_context(account.reserving(0.9, 1.0, "a call"))
-        with pytest.raises(BudgetError, match="under way"):
-            stack.enter_context(account.reserving(0.2, 1.0, "two"))
+    with account.reserving(0.9, 1.0, "one"):
+        waiting = account.reserving(0.2, 1.0, "two", stop)
+        with pytest.raises(StoppedError):
+            waiting.__enter__()
     with account.reserving(1.0, 1.0, "three"):
         pass
 

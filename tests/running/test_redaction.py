@@ -8,7 +8,7 @@ from urllib.parse import quote
 
 import pytest
 
-from generator.running.redaction import plain_url, redacted
+from generator.running.redaction import holds, plain_url, redacted
 
 KEY = 'mark/er+"7f3a'
 
@@ -25,6 +25,7 @@ KEY = 'mark/er+"7f3a'
 def test_a_secret_goes_in_every_form(written: str) -> None:
     text = redacted(f"Incorrect key provided: {written}. Look it up.", (KEY,))
     assert written.strip('"') not in text
+    assert holds(written, (KEY,)) and not holds(text, (KEY,))
     assert text.startswith("Incorrect key provided: ") and text.endswith(". Look it up.")
 
 
@@ -57,3 +58,8 @@ def test_links_signed_at_other_times_are_the_same() -> None:
     two = "https://host:81/a/b.glb?size=2&q-sign-time=9&X-Amz-Date=4&sig=cd"
     assert plain_url(one) == plain_url(two) == "https://host:81/a/b.glb?size=2"
     assert plain_url(two) != plain_url(two.replace("size=2", "size=3"))
+
+
+@pytest.mark.parametrize("name", ["key", "token", "id", "versionId", "q"])
+def test_what_leads_elsewhere_is_another_link(name: str) -> None:
+    assert plain_url(f"https://host/a?{name}=1") != plain_url(f"https://host/a?{name}=2")

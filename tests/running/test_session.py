@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
 
@@ -156,3 +157,9 @@ def test_settings_are_checked() -> None:
     ):
         with pytest.raises(InputError, match=word):
             session(**settings)
+
+
+def test_a_missing_extra_names_the_pip_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "httpx2", None)
+    with pytest.raises(BackendError, match=r"cloud .*httpx2.* pip install 'tabletopgen\[cloud\]'"):
+        session().client("cloud", "https://host")

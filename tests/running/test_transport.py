@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import email.utils
 import gzip
+import os
+import subprocess
+import sys
 import time
 from pathlib import Path
 from typing import Any
@@ -345,11 +348,35 @@ def test_addresses_are_checked() -> None:
             session().client("cloud", wrong)
 
 
-def test_a_key_in_an_address_is_refused() -> None:
+@pytest.mark.parametrize("key", [KEY, "sk-shaped-like-a-key-1"])
+def test_a_key_in_an_address_is_refused(key: str) -> None:
     with (
         serving([Says()]) as server,
-        session().client("cloud", server.url, secrets=(KEY,)) as client,
+        session().client("cloud", server.url, secrets=(key,)) as client,
         pytest.raises(BackendError, match="Send it in a header") as caught,
     ):
-        client.get(f"/models?k={KEY}")
-    assert KEY not in str(caught.value) and server.asked == []
+        client.get(f"/models?k={key}")
+    assert key not in str(caught.value) and server.asked == []
+
+
+CHILD = """
+import sys
+from paid_server import ask, session
+from generator.running.store import CallStore
+for text in "abc":
+    ask(session(store=CallStore(sys.argv[1])), sys.argv[2], text)
+"""
+
+
+def test_what_a_killed_process_paid_for_is_not_paid_for_again(tmp_path: Path) -> None:
+    with serving(lambda asked, k: Says({"k": k}, delay=30.0 if k == 2 else 0.0)) as server:
+        path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
+        command = [sys.executable, "-c", CHILD, str(tmp_path), server.url]
+        with subprocess.Popen(command, env={**os.environ, "PYTHONPATH": path}) as child:
+            while len(server.asked) < 3 and child.poll() is None:
+                time.sleep(0.02)
+            child.kill()
+        shared = session(store=CallStore(tmp_path))
+        again = [ask(shared, server.url, text).json()["k"] for text in "abc"]
+    assert again == [0, 1, 3]
+    assert len(server.asked) == 4

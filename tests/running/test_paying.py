@@ -1,0 +1,156 @@
+"""Commands that ask servers: the ledger, the budget, the dry run, the folder of answers."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from command import command
+from paid_server import KEY, Says, Served, ask, serving
+from toy import toy_scene
+
+from generator import bundle
+from generator.backends import select
+from generator.physics.gate import judge
+from generator.running import Session
+from generator.scene import Scene
+
+TEXT = "a desk with a mug"
+PRICES = """
+date = "2026-01-01"
+currency = "EUR"
+[models.m]
+output = 10.0
+"""
+
+
+@dataclass(frozen=True)
+class Remote:
+    """Answers no question; its session is what the command opened."""
+
+    session: Session = field(default_factory=Session, repr=False, compare=False)
+
+    def plan_scene(self, *known: Any) -> Any:
+        raise AssertionError
+
+    list_objects = estimate_view = estimate_sizes = review_orientation = plan_scene
+    stacking_order = draw = complete = top_view = segment = model = features = plan_scene
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    made = toy_scene()
+    return made.replace(report=judge(made))
+
+
+@pytest.fixture
+def server(scene: Scene, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Served]:
+    """A server, a backend "remote" that asks it once a scene, and a price table."""
+    roles = dict.fromkeys(select.PROTOCOLS, f"{__name__}:Remote")
+    monkeypatch.setattr(select, "TABLE", {**select.TABLE, "remote": roles})
+    monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "scenes"))
+    monkeypatch.setenv("TABLETOPGEN_CALLS", str(tmp_path / "usual"))
+    (tmp_path / "prices.toml").write_text(PRICES)
+
+    with serving([Says()]) as served:
+
+        def generate(source: str, backends: Any, *rest: Any, **others: Any) -> Any:
+            assert backends.imager.session is backends.modeler.session
+            ask(backends.modeler.session, served.url, source)
+            return SimpleNamespace(
+                scene=scene,
+                seconds={},
+                save=lambda folder, allow_failed: bundle.save(scene, folder),
+            )
+
+        monkeypatch.setattr("generator.pipeline.generate", generate)
+        yield served
+
+
+@pytest.fixture
+def generate(tmp_path: Path) -> Callable[..., int]:
+    """The command, asking the backend "remote" at the prices of the tests."""
+    table = str(tmp_path / "prices.toml")
+    return lambda *more: command("generate", TEXT, "--backend", "remote", "--prices", table, *more)
+
+
+def test_what_was_paid_is_printed_and_lies_beside_the_bundle(
+    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert generate() == 0
+    first, *_, head, row, total = capsys.readouterr().out.splitlines()
+    assert head.split()[-1] == "EUR"
+    assert row.split()[:3] == ["cloud", "plan_scene", "m"]
+    assert total.split()[0] == "total" and total.split()[-1] == "0.0200"
+    ledger = Path(first) / "ledger.json"
+    assert json.loads(ledger.read_text())["money"] == 0.02
+    assert KEY not in ledger.read_text()
+    assert bundle.verify(first) == []
+
+
+def test_the_second_time_is_free_and_says_so(
+    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert generate("--json") == 0
+    path = Path(json.loads(capsys.readouterr().out)["bundle"])
+    assert generate("--json", "--budget", "0") == 0
+    told = json.loads(capsys.readouterr().out)["ledger"]
+    assert [call["outcome"] for call in told["calls"]] == ["cached"]
+    assert len(server.asked) == 1
+    kept = json.loads((path / "ledger.json").read_text())
+    assert [call["outcome"] for call in kept["calls"]] == ["answered"]  # what the bundle cost
+
+
+def test_answers_are_kept_where_asked(
+    server: Served, generate: Callable[..., int], tmp_path: Path
+) -> None:
+    assert generate("--calls", str(tmp_path / "mine")) == 0
+    assert (tmp_path / "mine").is_dir() and not (tmp_path / "usual").exists()
+    assert generate() == 0
+    assert (tmp_path / "usual").is_dir() and len(server.asked) == 2
+
+
+def test_a_budget_ends_the_command_before_the_call(
+    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert generate("--budget", "0.01") == 3
+    assert "budget of 0.01" in capsys.readouterr().err
+    assert server.asked == []
+
+
+def test_a_dry_run_prints_the_calls_and_sends_none(
+    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert generate("--dry-run") == 0
+    call, rest = capsys.readouterr().out.splitlines()
+    assert call.startswith("Would ask cloud, plan_scene (m), for at most 0.0400 EUR")
+    assert "Nothing was sent" in rest
+    assert generate("--dry-run", "--json") == 0
+    assert json.loads(capsys.readouterr().out) == {"dry_run": [call]}
+    assert server.asked == [] and not (tmp_path / "scenes").exists()
+
+
+def test_a_failure_after_a_paid_call_says_what_it_cost(
+    server: Served,
+    generate: Callable[..., int],
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "file").write_text("")
+    assert generate("--out", str(tmp_path / "file")) == 5
+    told = capsys.readouterr().err
+    assert "plan_scene" in told and "0.0200" in told and "kept" in told
+    assert told.splitlines()[-1].startswith("error: ")
+
+
+def test_a_wrong_price_table_is_bad_input(
+    server: Served, generate: Callable[..., int], tmp_path: Path
+) -> None:
+    (tmp_path / "prices.toml").write_text("modles = 1")
+    assert generate() == 2
+    assert server.asked == []
