@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import ipaddress
 import json
-import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -23,7 +22,7 @@ Memo = Literal["yes", "no", "renew"]
 
 _MEANT = ("x-tc-action", "x-tc-version", "x-tc-region")  # headers that are part of a question
 _MEMOS: Mapping[str, Memo] = {"yes": "yes", "no": "no", "renew": "renew"}
-_LETTERS = 3  # of a text, to a token: few, so that the estimate is not too low
+_BYTES = 3  # of a text, to a token: few, so that the estimate is not too low
 _PICTURE = 3000  # tokens
 _LONGEST_WORD = 4096  # characters: a longer one is a file in base64
 _ANSWER = 16384  # tokens of an answer that the request sets no bound to
@@ -169,12 +168,11 @@ def _price(
 
 def _tokens(value: Any) -> int:
     """Return an estimate, rather too high, of the tokens of a request."""
-    return sum(
-        _PICTURE
-        if len(text) > _LONGEST_WORD and " " not in text
-        else math.ceil(len(text) / _LETTERS)
-        for text in _texts(value)
-    )
+    return sum(_PICTURE if _is_file(t) else len(t.encode()) // _BYTES + 1 for t in _texts(value))
+
+
+def _is_file(text: str) -> bool:
+    return len(text) > _LONGEST_WORD and text.isascii() and " " not in text
 
 
 def _texts(value: Any) -> Iterator[str]:

@@ -35,7 +35,7 @@ class Session:
     ``account``: the ledger they are entered in.
     ``prices``: what they cost.
     ``budget``: what they may cost together, in the currency of ``prices``; a call that might exceed
-    it is not sent. None for no limit.
+    it is not sent; what that may be is estimated on the high side. None for no limit.
     ``workers``: how many things are asked for at once.
     ``attempts``: how often a call is sent at most.
     ``dry``: nothing is sent: the first call that the store cannot answer raises DryRunError.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -272,6 +273,12 @@ def test_what_a_top_view_drops_is_placed_and_told(check):
 def test_settings_out_of_range_are_refused(wrong):
     with pytest.raises(InputError, match="AlignmentConfig needs"):
         AlignmentConfig(**wrong)
+
+
+def test_what_a_top_view_warns_of_is_told():
+    top = replace(TOP, warnings=("it was drawn badly",))
+    told = run(Answers(top, ON), SIZES).warnings
+    assert "it was drawn badly" in told
 
 
 def test_a_top_view_without_boxes_is_searched():

@@ -50,12 +50,14 @@ class Recorder:
     def __init__(self, steps: tuple[tuple[str, int], ...] = ()) -> None:
         self.steps = steps
         self.views: list[View] = []
+        self.reviewed: list[Mesh] = []
 
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         self.views.append(view)
         return wedge()
 
     def review_orientation(self, mesh, instance, size):
+        self.reviewed.append(mesh)
         return self.steps
 
 
@@ -139,6 +141,9 @@ def test_each_instance_is_seen_along_its_own_ray_and_aligned():
     sizes = {t.name: SizePrior(t.name, np.array([0.1, 0.3, 0.2])) for t in things}
     backend = Recorder((("x", 90),))
     models = make_models(reference, things, sizes, VIEW, backend, backend)
+    for mesh in backend.reviewed:  # in metres, where the canonical mesh fills a cube
+        np.testing.assert_allclose(mesh.extent, wedge().size, rtol=1e-6)
+    assert len(backend.reviewed) == len(things)
     assert list(models) == ["a_1", "b_1"]
     for thing, seen in zip(things, backend.views, strict=True):
         middle = (thing.box[:2] + thing.box[2:]) / 2

@@ -1,0 +1,76 @@
+"""What a request asks and may cost, read off the request alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import httpx2
+import pytest
+
+from generator.running.prices import Price, Prices
+from generator.running.question import failed, local, question, usage
+
+PRICES = Prices(models={"m": Price(input=1e6, output=1e6), "i": Price(image=1.0)})
+
+
+def most(model: str = "m", **payload: Any) -> float:
+    request = httpx2.Request("POST", "https://host/v1", json={"model": model, **payload})
+    found = question(request, "cloud", PRICES).most
+    assert found is not None
+    return found
+
+
+def test_longer_texts_and_answers_may_cost_more() -> None:
+    short = most(max_tokens=10, prompt="a cup")
+    assert most(max_tokens=20, prompt="a cup") == short + 10
+    assert most(max_tokens=10, prompt="a cup " * 100) > short + 150
+    assert most(max_tokens=10, prompt="杯" * 6000) > short + 5900  # a token a character
+    assert most(prompt="a cup") > short + 1000  # an answer without a bound
+
+
+def test_a_picture_is_no_text() -> None:
+    url = "data:image/png;base64," + "A" * 900_000
+    told = most(max_tokens=10, messages=[{"content": [{"image_url": {"url": url}}]}])
+    assert 3000 < told < 4000
+
+
+def test_each_picture_asked_for_may_cost() -> None:
+    assert most("i", n=3) == 3.0
+    assert most("i") == 1.0
+    assert most("i", n="no number") == 1.0
+
+
+def test_what_has_no_price_has_no_most() -> None:
+    request = httpx2.Request("POST", "https://host/v1", json={"model": "other"})
+    found = question(request, "cloud", PRICES)
+    assert (found.price, found.most, found.money(usage({}))) == (None, None, None)
+
+
+@pytest.mark.parametrize(
+    ("host", "here"),
+    [("localhost", True), ("127.0.0.9", True), ("::1", True), ("10.0.0.1", False),
+     ("localhost.example.com", False)],
+)  # fmt: skip
+def test_this_machine_is_known(host: str, here: bool) -> None:
+    assert local(host) is here
+
+
+@pytest.mark.parametrize(
+    ("told", "sums"),
+    [
+        ({"usage": {"input_tokens": 3, "output_tokens": 4}}, (3, 4, 0)),
+        ({"usage": {"prompt_tokens": "3", "completion_tokens": None}}, (3, 0, 0)),
+        ({"usage": [1], "data": {"url": "x"}}, (0, 0, 0)),
+        ({"data": [{"embedding": [1.0]}, "x", {"url": "y"}]}, (0, 0, 1)),
+        ([1, 2], (0, 0, 0)),
+    ],
+)
+def test_what_an_answer_took_is_read_where_it_is_told(told: Any, sums: tuple) -> None:
+    read = usage(told)
+    assert (read.tokens_in, read.tokens_out, read.images) == sums
+
+
+def test_errors_in_answers_are_known() -> None:
+    assert failed({"error": {"code": 1}}) and failed({"Response": {"Error": {"Code": "x"}}})
+    assert not failed({"error": None}) and not failed({"Response": {"JobId": "1"}})
+    assert not failed([{"error": 1}])
