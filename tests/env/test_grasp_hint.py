@@ -71,6 +71,27 @@ def test_the_hint_moves_with_the_object_and_is_planned_anew_where_it_comes_to_re
     assert np.allclose(anew.grasp.point, there.grasp.point, atol=1e-3)
 
 
+def test_plans_of_the_start_are_kept_where_the_base_stands_as_given(monkeypatch) -> None:
+    env = lift()
+    env.reset(seed=0, options=CUBE)
+    kept = env.world.first_plan("cube_1")
+    with monkeypatch.context() as idle:
+        idle.setattr("tabletopgen_env.expert.choosing.choose", lambda *_: 1 / 0)
+        env.reset(seed=1, options=CUBE)
+        assert env.world.first_plan("cube_1") is kept
+
+
+@pytest.mark.parametrize(
+    "randomization", [Randomization(table_height=0.03), Randomization(distractors=(0, 3))]
+)
+def test_resets_with_other_heights_and_distractors_pile_up_no_plans(randomization) -> None:
+    env = lift(randomization=randomization)
+    shown = {tuple(env.reset(seed=k, options=CUBE)[0][279:]) for k in range(4)}
+    assert len(env.world._plans) <= 1
+    if randomization.table_height:
+        assert len(shown) == 4, "each is planned for its own height"
+
+
 def test_without_a_target_the_hint_is_empty() -> None:
     env = make_env(toy_scene(), task="Reach", grasp_hint=True)
     assert not env.reset(seed=0)[0][279:].any()
