@@ -11,7 +11,7 @@ from generator.geometry import wrap
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.choosing import choose
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.grasp_hint import HINT_BOUNDS
+from tabletopgen_env.grasp_hint import HINT_BOUNDS, GraspHint
 from tabletopgen_env.randomization import Randomization
 
 CUBE = {"target": "cube_1"}
@@ -69,6 +69,13 @@ def test_the_hint_moves_with_the_object_and_is_planned_anew_where_it_comes_to_re
     anew = hint.plan(world, "cube_1")
     assert there is not None and anew is not None
     assert np.allclose(anew.grasp.point, there.grasp.point, atol=1e-3)
+
+
+def test_a_hint_has_all_its_attributes_from_the_start() -> None:
+    env = lift()
+    fresh = set(vars(GraspHint()))
+    env.reset(seed=0, options=CUBE)
+    assert set(vars(env.hint)) == fresh
 
 
 def test_plans_of_the_start_are_kept_where_the_base_stands_as_given(monkeypatch) -> None:
