@@ -60,17 +60,19 @@ def certify(
     if len(waiting) < len(found):
         print(f"{len(found) - len(waiting)} of {len(found)} bundles are certified already.")
     failed: list[tuple[Path, TabletopError]] = []
-    for path, certificate in certify_all(waiting, terms, workers):
-        if isinstance(certificate, TabletopError):
-            failed.append((path, certificate))
-            continue
-        for seen in certificate.instances:
-            asked = {"preset": seen.preset} if seen.preset else seen.options
-            told = ", ".join(f"{name} {value}" for name, value in asked.items())
-            print(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
-                  f"{seen.successes} of {seen.episodes}", flush=True)  # fmt: skip
-    for path, error in failed:
-        print(f"error: {path.name} is not certified: {error}", file=sys.stderr)
+    try:
+        for path, certificate in certify_all(waiting, terms, workers):
+            if isinstance(certificate, TabletopError):
+                failed.append((path, certificate))
+                continue
+            for seen in certificate.instances:
+                asked = {"preset": seen.preset} if seen.preset else seen.options
+                told = ", ".join(f"{name} {value}" for name, value in asked.items())
+                print(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
+                      f"{seen.successes} of {seen.episodes}", flush=True)  # fmt: skip
+    finally:  # also when it is interrupted
+        for path, error in failed:
+            print(f"error: {path.name} is not certified: {error}", file=sys.stderr)
     return _exit_code(failed[0][1]) if failed else 0
 
 

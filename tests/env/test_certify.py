@@ -199,6 +199,19 @@ def test_a_bad_bundle_does_not_end_the_others(
         certify(paths[1], TERMS)
 
 
+def test_bad_bundles_are_named_also_when_the_rest_is_interrupted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: Any) -> Any:
+        yield tmp_path / "bad", BundleError("it is damaged")
+        raise KeyboardInterrupt
+
+    path = save(scene(), tmp_path)
+    monkeypatch.setattr("tabletopgen_env.__main__.certify_all", interrupted)
+    assert run(["certify", str(path)]) == 130
+    assert "error: bad is not certified: it is damaged" in capsys.readouterr().err
+
+
 def test_a_certificate_that_cannot_be_written_does_not_end_the_others(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
