@@ -37,11 +37,11 @@ def certify(
     seed: int = DEFAULT.seed,
     workers: int = 1,
     again: bool = False,
-) -> None:
+) -> int:
     """Let the scripted expert play what bundles offer, and write a certificate beside each.
 
     A bundle whose certificate was made on the same terms is passed over, so that the same command
-    goes on where it was interrupted.
+    goes on where it was interrupted. Those that cannot be certified are named at the end.
 
     Args:
         bundles: Names, digests, globs or paths of bundles, or folders of them.
@@ -59,12 +59,21 @@ def certify(
     waiting = [path for path in found if again or not is_certified(path, terms)]
     if len(waiting) < len(found):
         print(f"{len(found) - len(waiting)} of {len(found)} bundles are certified already.")
-    for path, certificate in certify_all(waiting, terms, workers):
-        for seen in certificate.instances:
-            asked = {"preset": seen.preset} if seen.preset else seen.options
-            told = ", ".join(f"{name} {value}" for name, value in asked.items())
-            print(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
-                  f"{seen.successes} of {seen.episodes}", flush=True)  # fmt: skip
+    failed: list[tuple[Path, TabletopError]] = []
+    try:
+        for path, certificate in certify_all(waiting, terms, workers):
+            if isinstance(certificate, TabletopError):
+                failed.append((path, certificate))
+                continue
+            for seen in certificate.instances:
+                asked = {"preset": seen.preset} if seen.preset else seen.options
+                told = ", ".join(f"{name} {value}" for name, value in asked.items())
+                print(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
+                      f"{seen.successes} of {seen.episodes}", flush=True)  # fmt: skip
+    finally:  # also when it is interrupted
+        for path, error in failed:
+            print(f"error: {path.name} is not certified: {error}", file=sys.stderr)
+    return _exit_code(failed[0][1]) if failed else 0
 
 
 def record(
@@ -102,11 +111,15 @@ def run(arguments: list[str]) -> int:
         )
     except TabletopError as error:
         print(f"error: {error}", file=sys.stderr)
-        return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
+        return _exit_code(error)
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return 130
     return code or 0
+
+
+def _exit_code(error: TabletopError) -> int:
+    return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
 
 
 if __name__ == "__main__":

@@ -25,7 +25,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from generator.errors import BundleError, SceneError, require_number
+from generator.errors import BundleError, SceneError, TabletopError, require_number
 from generator.geometry import inside_margin, quaternion_matrix, yaw_quaternion
 
 from .certificate import (
@@ -79,25 +79,49 @@ def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certi
         SceneError: a process has ended abruptly.
     """
     [(_, made)] = certify_all([Path(path)], terms, workers)
+    if isinstance(made, TabletopError):
+        raise made
     return made
 
 
 def certify_all(
     paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1
-) -> Iterator[tuple[Path, Certificate]]:
+) -> Iterator[tuple[Path, Certificate | TabletopError]]:
     """Certify bundles, and yield each with its certificate once that is written.
 
-    Arguments and errors are those of ``certify``. What is written stays when it is interrupted.
+    One that cannot be certified comes with the error that says why, and the others follow. What
+    is written stays when it is interrupted.
+
+    Args:
+        paths: the bundles.
+        terms: see ``certify``.
+        workers: see ``certify``.
+
+    Raises:
+        InputError: ``workers`` is out of range.
+        SceneError: a process has ended abruptly.
     """
     require_number("certify needs workers", workers, least=1, most=1024, whole=True)
     jobs = [(path, task, terms) for path in paths for task in terms.tasks]
     listed = iter(_in_turn(jobs, workers))
     for path in paths:
-        instances = tuple(instance for _ in terms.tasks for instance in next(listed))
-        versions = {name: metadata.version(name) for name in _VERSIONS}
-        certificate = Certificate(scene_digest(path), terms, versions, instances)
-        write_certificate(path, certificate)
-        yield path, certificate
+        yield path, _written(path, terms, [next(listed) for _ in terms.tasks])
+
+
+def _written(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate | TabletopError:
+    """Write what the jobs of a bundle gave as its certificate; return it, or why there is none."""
+    instances: list[Instance] = []
+    for found in listed:
+        if isinstance(found, TabletopError):
+            return found
+        instances += found
+    versions = {name: metadata.version(name) for name in _VERSIONS}
+    try:
+        made = Certificate(scene_digest(path), terms, versions, tuple(instances))
+        write_certificate(path, made)
+    except TabletopError as error:
+        return error
+    return made
 
 
 def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
@@ -113,16 +137,17 @@ def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
 
 
 _Job = tuple[Path, str, Terms]
+_Listed = tuple[Instance, ...] | TabletopError
 
 
-def _in_turn(jobs: Sequence[_Job], workers: int) -> Iterator[tuple[Instance, ...]]:
+def _in_turn(jobs: Sequence[_Job], workers: int) -> Iterator[_Listed]:
     """Yield what each job gives, in their order."""
     if workers == 1 or len(jobs) < 2:
         yield from map(_played, jobs)
         return
     pool = ProcessPoolExecutor(min(workers, len(jobs)), get_context("spawn"))
     try:
-        begun: list[Future[tuple[Instance, ...]]] = [pool.submit(_played, job) for job in jobs]
+        begun: list[Future[_Listed]] = [pool.submit(_played, job) for job in jobs]
         for future in begun:
             yield future.result()
     except BrokenProcessPool as error:
@@ -186,9 +211,16 @@ def instance_of(task: Task, episode: Episode) -> Instance:
 # --------------------------------------------------------------------------------------- playing
 
 
-def _played(job: _Job) -> tuple[Instance, ...]:
+def _played(job: _Job) -> _Listed:
+    """Return what ``_instances`` does, or the bundle's error."""
+    try:
+        return _instances(*job)
+    except TabletopError as error:
+        return error
+
+
+def _instances(folder: Path, task: str, terms: Terms) -> tuple[Instance, ...]:
     """Return the instances of a task at a table, with how often the expert solved them."""
-    folder, task, terms = job
     masters = Masters(Panda(), 1)
     world = masters.twin(bundle_ref(folder))
     found: list[Instance] = []

@@ -166,34 +166,26 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     ) -> tuple[Any, dict[str, Any]]:
         """Draw a scene, a target and a goal, and start an episode.
 
+        After a reset that fails there is no episode: ``step`` asks for another reset.
+
         Raises:
             InputError: an unknown option, or one that names nothing in the scene.
             SceneError: none of the scenes drawn offers anything to do.
             BundleError: a scene or its certificate is damaged.
         """
-        super().reset(seed=seed)
-        options = dict(options or {})
-        known = {"scene", "target", "goal"}
-        for key in options:
-            if key not in known:
-                raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
-        self._tell_source()
-        self._world, self._episode, self._certified = self._draw(options)
-        self._instruction = self.task.instruction(self._world, self._episode.goals)
-        self._from_source = "scene" not in options
-        self._active = -1
-        self.controller.reset(self._world)
-        achieved, desired, terms = self._look()
-        if self.render_mode == "human":
-            self.render()
-        info = {**self._info(terms), "randomization": self._randomizer.drawn}
-        return self._observe(achieved, desired), info
+        try:
+            super().reset(seed=seed)
+            return self._begin(dict(options or {}))
+        except BaseException:
+            self._world = self._episode = None
+            raise
 
     def step(self, action: ArrayLike) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Act for 50 ms, or what ``control_hz`` makes of it.
 
         Raises:
-            InputError: an action of wrong shape or with NaN, or no ``reset`` before.
+            InputError: an action of wrong shape or with NaN; no ``reset`` before, or one that
+                failed.
         """
         world = self.world
         wanted = checked(action, self.controller.space)
@@ -256,6 +248,24 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     def goal(self) -> Goal:
         """The goal that the state shows: the first of the episode's that is not met."""
         return self.episode.goals[self._active]
+
+    def _begin(self, options: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
+        """Start an episode; return what ``reset`` does."""
+        known = {"scene", "target", "goal"}
+        for key in options:
+            if key not in known:
+                raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
+        self._tell_source()
+        self._world, self._episode, self._certified = self._draw(options)
+        self._instruction = self.task.instruction(self._world, self._episode.goals)
+        self._from_source = "scene" not in options
+        self._active = -1
+        self.controller.reset(self._world)
+        achieved, desired, terms = self._look()
+        if self.render_mode == "human":
+            self.render()
+        info = {**self._info(terms), "randomization": self._randomizer.drawn}
+        return self._observe(achieved, desired), info
 
     def _look(self) -> tuple[np.ndarray, np.ndarray, dict[str, float]]:
         """Return the goal vectors, achieved and desired, and the reward's terms as things are.

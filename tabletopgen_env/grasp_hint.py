@@ -97,6 +97,11 @@ class GraspHint:
         self.drop: Drop | None = None
         self._target: str | None = None
         self._lost: tuple[Plan, ...] = ()
+        self._raised = False
+        # How the target lay when ``_take`` was last called, and the height of its grasp.
+        self._rotation: Float[np.ndarray, "3 3"] = np.eye(3)
+        self._seen: Float[np.ndarray, "3"] = np.zeros(3)
+        self._low = 0.0
 
     def begin(self, world: World, goal: Goal) -> None:
         """Plan for a goal that has just become active."""

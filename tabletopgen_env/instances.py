@@ -12,6 +12,7 @@ from generator.errors import BundleError, InputError, SceneError
 from .certificate import FILE, LEAST
 
 if TYPE_CHECKING:
+    from .tasks import TaskName
     from .tasks.task import Episode, Task
     from .world import World
 
@@ -31,8 +32,8 @@ def sampled(
     sampled freely.
 
     Raises:
-        SceneError: the scene offers nothing to do, or nothing of which the expert solved a share
-            of at least ``LEAST``.
+        SceneError: the scene offers nothing to do, for reasons that are told, or nothing of which
+            the expert solved a share of at least ``LEAST``.
         InputError: what the options ask for does not exist.
         BundleError: the certificate is damaged.
     """
@@ -43,14 +44,11 @@ def sampled(
     if certificate is None or name is None or name.task not in certificate.terms.tasks:
         return task.sample(world, rng, target, goal), False
     listed = [instance for instance in certificate.instances if instance.name == name]
+    if not listed:
+        task.sample(world, np.random.default_rng(0))  # says why, without a draw of the episode's
     solved = [instance for instance in listed if instance.share >= LEAST]
     if not solved:
-        preset = f" with the preset {name.preset!r}" if name.preset else ""
-        raise SceneError(
-            f"Scene {world.scene.name!r} offers nothing certified: of {len(listed)} instances of "
-            f"{name.task}{preset} the expert solved none in {LEAST:.0%} of its tries. Use other "
-            "scenes, or make the environment with certified=False."
-        )
+        raise _nothing_certified(world, name, len(listed))
     instance = solved[int(rng.integers(len(solved)))]
     try:
         return task.sample(world, rng, instance.target, instance.goal), True
@@ -59,3 +57,17 @@ def sampled(
             f"{world.bundle}: {FILE} lists what cannot be done there: {error} Remove it, or "
             "certify the bundle again."
         ) from error
+
+
+def _nothing_certified(world: World, name: TaskName, listed: int) -> SceneError:
+    """Return the error of a scene with something to do, but not for the expert."""
+    asked = name.task + (f" with the preset {name.preset!r}" if name.preset else "")
+    why = (
+        f"of {listed} instances of {asked} the expert solved none in {LEAST:.0%} of its tries"
+        if listed
+        else f"its certificate lists nothing of {asked}"
+    )
+    return SceneError(
+        f"Scene {world.scene.name!r} offers nothing certified: {why}. Use other scenes, or make "
+        "the environment with certified=False."
+    )

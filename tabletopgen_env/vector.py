@@ -114,6 +114,8 @@ class TabletopVectorEnv(SyncVectorEnv):
     ) -> tuple[Any, dict[str, Any]]:
         """Reset all slots, or those of the option "reset_mask".
 
+        If one of them fails, none of them has an episode: ``step`` asks for another reset.
+
         Raises:
             InputError: as ``TabletopEnv.reset``, or a wrong number of seeds, or a wrong mask.
         """
@@ -122,7 +124,7 @@ class TabletopVectorEnv(SyncVectorEnv):
         seeds = _seeds(seed, self.num_envs)
 
         def start(k: int) -> _Turn:
-            return _Turn(*self.envs[k].reset(seed=seeds[k], options=options or None))
+            return _Turn(*self._restarted(k, seed=seeds[k], options=options or None))
 
         slots = np.flatnonzero(mask).tolist()
         turns = self._each(start, slots)
@@ -145,11 +147,14 @@ class TabletopVectorEnv(SyncVectorEnv):
         """Step every slot, or reset it, as ``metadata["autoreset_mode"]`` says.
 
         Raises:
-            InputError: an action of wrong shape or with NaN; no ``reset`` before; a slot whose
-                episode is over, if autoreset is disabled.
+            InputError: an action of wrong shape or with NaN; no ``reset`` before, or one that
+                failed; a slot whose episode is over, if autoreset is disabled.
         """
         if len(actions) != self.num_envs:
             raise InputError(f"{self.num_envs} slots need as many actions, got {len(actions)}.")
+        idle = [k for k, seen in enumerate(self._seen) if seen is None]
+        if idle and not self.closed:
+            raise InputError(f"Call reset() before stepping: the slots {idle} have no episode.")
         over = np.flatnonzero(self._over).tolist()
         if over and self.autoreset_mode == AutoresetMode.DISABLED and not self.closed:
             raise InputError(
@@ -207,14 +212,19 @@ class TabletopVectorEnv(SyncVectorEnv):
         """Step slot ``k``, or reset it if its episode is over."""
         env = self.envs[k]
         if self._over[k]:
-            return _Turn(*env.reset())
+            return _Turn(*self._restarted(k))
         observation, reward, terminated, truncated, info = env.step(action)
         ended = bool(terminated or truncated)
         if not (ended and self.autoreset_mode == AutoresetMode.SAME_STEP):
             return _Turn(observation, info, float(reward), bool(terminated), bool(truncated))
-        fresh, began = env.reset()
+        fresh, began = self._restarted(k)
         last = (observation, info)
         return _Turn(fresh, began, float(reward), bool(terminated), bool(truncated), last)
+
+    def _restarted(self, k: int, **given: Any) -> tuple[Any, dict[str, Any]]:
+        """Reset slot ``k``, which has nothing to show until that is done."""
+        self._seen[k] = None
+        return self.envs[k].reset(**given)
 
     def _each(self, work: Callable[[int], T], slots: Iterable[int]) -> list[T]:
         """Do the work of each slot in the slot's thread; return the results in order.

@@ -89,7 +89,8 @@ class World:
 
         self.bundle = bundle
         self.scene = self._given = scene
-        self.seat(mount or Mount.beside(scene))
+        self._own_mount = mount or Mount.beside(scene)
+        self.seat(self._own_mount)
         self.absent: frozenset[str] = frozenset()
         self.model = compiled(compose(scene, robot, self.mount), scene.name)
         self.data = mujoco.MjData(self.model)
@@ -122,7 +123,7 @@ class World:
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
         self._graspable: dict[str, bool] = {}
-        self._plans: dict[tuple[str, frozenset[str], bytes], Plan | None] = {}
+        self._plans: dict[str, Plan | None] = {}
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
 
     def twin(self) -> World:
@@ -260,13 +261,17 @@ class World:
         return self._graspable[name]
 
     def first_plan(self, name: str) -> Plan | None:
-        """Return the expert's grasp of an object at the start of an episode; remembered."""
-        key = (name, self.absent, np.append(self.base_position, self.mount.yaw).tobytes())
-        if key not in self._plans:
-            from .expert.choosing import choose
+        """Return the expert's grasp of an object at the start of an episode.
 
-            self._plans[key] = choose(self, name)
-        return self._plans[key]
+        Remembered where the base stands as given and nothing is absent, which hardly recur else.
+        """
+        from .expert.choosing import choose
+
+        if self.absent or self.mount is not self._own_mount:
+            return choose(self, name)
+        if name not in self._plans:
+            self._plans[name] = choose(self, name)
+        return self._plans[name]
 
     @cached_property
     def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:

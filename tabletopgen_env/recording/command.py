@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import ExitStack
 from pathlib import Path
 
 from .config import Format, RecordConfig
@@ -16,11 +17,14 @@ def record(config: RecordConfig, out: Path | None, format: Format, workers: int)
     columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
                TimeElapsedColumn(), TextColumn("{task.fields[note]}"))  # fmt: skip
     played = 0
-    with Progress(*columns, console=Console(stderr=True)) as progress:
-        shown = progress.add_task(config.name, total=config.episodes, note="")
+    progress = Progress(*columns, console=Console(stderr=True))
+    shown = progress.add_task(config.name, total=config.episodes, note="")
+    with ExitStack() as running:
 
         def told(kept: int, tried: int) -> None:
             nonlocal played
+            if not tried:  # what is wrong is told before, without a bar
+                running.enter_context(progress)
             played = tried
             note = f"of {tried} played" if tried > kept else ""
             progress.update(shown, completed=kept, note=note)

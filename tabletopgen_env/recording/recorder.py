@@ -45,7 +45,8 @@ def record(
         format: "minari", "hdf5" or "npz".
         workers: processes that play. They do not change what is recorded, unless the scenes are
             renewed by the clock ("refreshing").
-        told: called after each episode with how many are kept and how many were played.
+        told: called with how many episodes are kept and how many were played, first before any
+            is, once nothing is found wrong, and then after each.
 
     Raises:
         InputError: a setting is wrong, a package is missing, or ``out`` is there already.
@@ -81,6 +82,8 @@ def _write(
 ) -> None:
     """Write as many episodes as are asked for."""
     kept = missed = 0
+    if told:
+        told(0, 0)
     for number, episode in enumerate(episodes, 1):
         if isinstance(episode, SceneError):
             missed += 1

@@ -143,7 +143,7 @@ def ik_step(
     ``dq = p + J^T (J J^T + lambda^2 I)^-1 (e - J p)``, ``p = pull (posture - q)``, with lambda
     shrinking with the error: of the pull remains what lies in J's null space. Joints that would
     leave their range go to its end and the others make up for it. The elbow stays short of
-    straight.
+    straight. No joint moves by more than 0.2 rad, also where it comes back from out of its range.
 
     Returns:
         The new joints, and the errors (m, rad) *before* the step.
@@ -155,12 +155,15 @@ def ik_step(
     full = _jacobian(frames)
     damping = (1e-5 + 1e-2 * min(1.0, float(error @ error))) * _EYE
     free, jac, rest = np.ones(7, bool), full, pull * (posture - joints)
+    # What is out of its range, such as a straight elbow, comes back by no more than a step.
+    lowest = np.minimum(_LOWEST, joints + _MAX_STEP)
+    highest = np.maximum(_HIGHEST, joints - _MAX_STEP)
     left = error
     for _ in range(3):
         step = rest + jac.T @ np.linalg.solve(jac @ jac.T + damping, left - jac @ rest)
         step *= min(1.0, _MAX_STEP / max(float(np.abs(step).max()), 1e-9))
         new = joints + step
-        inside = np.minimum(np.maximum(new, _LOWEST), _HIGHEST)
+        inside = np.minimum(np.maximum(new, lowest), highest)
         out = free & ((new - inside) * step > 0)
         if not np.count_nonzero(out):
             break

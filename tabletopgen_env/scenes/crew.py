@@ -21,12 +21,11 @@ import weakref
 from collections import deque
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from generator.errors import StorageError
 
+from . import answer
 from .recipe import Recipe
-from .worker import ANSWER
 
 PATIENCE = 1800.0
 """Seconds after which a scene that is not done is given up."""
@@ -209,7 +208,7 @@ def _start(folder: Path, log: Path) -> subprocess.Popen[bytes]:
 def _answered(recipe: Recipe, folder: Path) -> Made | Failed | None:
     """Read the answer to a job, None if there is none yet."""
     try:
-        said: Any = json.loads((folder / ANSWER).read_bytes())
+        said = answer.given(folder)
     except FileNotFoundError:
         return None
     except (OSError, ValueError) as error:

@@ -172,8 +172,9 @@ class Pool:
         if not self._warned:
             self._warned = True
             warnings.warn(
-                f"The pool of scenes is not renewed: {reason} It stays as it is, and new scenes "
-                "are tried again; further failures are only counted (RefreshingScenes.failures).",
+                f"The pool of scenes is not renewed: {reason.rstrip('.')}. It stays as it is, and "
+                "new scenes are tried again; further failures are only counted "
+                "(RefreshingScenes.failures).",
                 RuntimeWarning, stacklevel=4,
             )  # fmt: skip
 

@@ -1,8 +1,8 @@
 """A process that makes scenes: ``python -m tabletopgen_env.scenes.worker FOLDER``.
 
 It reads jobs from its standard input, one JSON object a line: a ``recipe`` and the ``folder`` to
-work in, a name inside FOLDER. A scene is left there as a bundle, and last of all ``ANSWER``, which
-names the bundle and the scene's difficulty, or says what went wrong. When the input ends the
+work in, a name inside FOLDER. A scene is left there as a bundle, and last of all an ``answer``,
+which names the bundle and the scene's difficulty, or says what went wrong. When the input ends the
 process that gave the jobs is gone: then FOLDER is removed, whatever was going on.
 """
 
@@ -19,8 +19,7 @@ import threading
 from pathlib import Path
 from typing import Any, BinaryIO
 
-ANSWER = "answer.json"
-"""Name of the file that says how a job ended; it is published by one rename."""
+from . import answer
 
 NICENESS = 10
 """How far the process steps back for others."""
@@ -36,7 +35,7 @@ def main() -> None:
     while True:
         job = json.loads(jobs.get())
         folder = root / job["folder"]
-        answer(folder, _work(job["recipe"], folder))
+        answer.give(folder, _work(job["recipe"], folder))
 
 
 def _read(given: BinaryIO, jobs: queue.SimpleQueue[bytes], root: Path) -> None:
@@ -63,14 +62,6 @@ def _work(recipe: dict[str, Any], folder: Path) -> dict[str, Any]:
         return {"bundle": path.name, "difficulty": difficulty(scene)}
     except Exception as error:  # one scene must not end the process
         return {"error": f"{type(error).__name__}: {error}"}
-
-
-def answer(folder: Path, said: dict[str, Any]) -> None:
-    """Publish the answer to a job."""
-    folder.mkdir(parents=True, exist_ok=True)
-    part = folder / f"{ANSWER}.part"
-    part.write_text(json.dumps(said))
-    part.replace(folder / ANSWER)
 
 
 if __name__ == "__main__":

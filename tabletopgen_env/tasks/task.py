@@ -208,7 +208,7 @@ class Task(ABC):
         if shared["success"]:
             return dict.fromkeys((*_HAND, *shared), 1.0)
         count = len(episode.goals)
-        met = np.count_nonzero(agreement.met[:count])
+        met = int(np.count_nonzero(agreement.met[:count]))
         hand = self._hand(world, episode, agreement)
         return {name: (met + value) / count for name, value in hand.items()} | shared
 

@@ -182,6 +182,46 @@ def test_the_command_goes_on_where_it_was_interrupted(
     assert (done / FILE).read_bytes() == (certified / FILE).read_bytes()
 
 
+def test_a_bad_bundle_does_not_end_the_others(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    paths = [save(scene().replace(name=name), tmp_path) for name in ("one", "two", "three")]
+    bad = paths[1] / "scene.json"
+    bad.write_text(bad.read_text().replace("cube_1", "cube_2"))
+    assert run(["certify", *map(str, paths), "--tasks", "Lift", "--episodes", "1"]) == 4
+    told = capsys.readouterr()
+    assert all(f"{path.name}: Lift" in told.out for path in (paths[0], paths[2]))
+    assert all(is_certified(path, Terms(("Lift",), 1)) for path in (paths[0], paths[2]))
+    (line,) = told.err.splitlines()
+    assert line.startswith(f"error: {paths[1].name} is not certified: ") and "scene.json" in line
+    assert not (paths[1] / FILE).exists()
+    with pytest.raises(BundleError, match=r"scene\.json"):
+        certify(paths[1], TERMS)
+
+
+def test_bad_bundles_are_named_also_when_the_rest_is_interrupted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: Any) -> Any:
+        yield tmp_path / "bad", BundleError("it is damaged")
+        raise KeyboardInterrupt
+
+    path = save(scene(), tmp_path)
+    monkeypatch.setattr("tabletopgen_env.__main__.certify_all", interrupted)
+    assert run(["certify", str(path)]) == 130
+    assert "error: bad is not certified: it is damaged" in capsys.readouterr().err
+
+
+def test_a_certificate_that_cannot_be_written_does_not_end_the_others(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    paths = [save(scene().replace(name=name), tmp_path) for name in ("one", "two")]
+    (paths[0] / FILE).mkdir()
+    assert run(["certify", *map(str, paths), "--tasks", "Reach", "--episodes", "1"]) == 5
+    assert is_certified(paths[1], Terms(("Reach",), 1))
+    assert f"error: {paths[0].name} is not certified: " in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("failures", "successes", "episodes"),
     [((), 5, 5), ((4,), 4, 5), ((0, 1), 0, 2), ((1, 4), 3, 5)],

@@ -152,6 +152,31 @@ def test_stepping_before_reset_and_closing_twice() -> None:
     env.close()
 
 
+@pytest.mark.parametrize(
+    "options", [{"target": "nope_1"}, {"scene": toy_scene(())}, {"colour": "red"}]
+)
+def test_a_reset_that_fails_leaves_no_episode(options) -> None:
+    env = make_env(toy_scene())
+    env.reset(seed=0)
+    with pytest.raises((InputError, SceneError)):
+        env.reset(options=options)
+    for ask in (lambda: env.step(np.zeros(5)), lambda: env.world, lambda: env.episode):
+        with pytest.raises(InputError, match=r"Call reset\(\)"):
+            ask()
+    env.reset(seed=0)
+    env.step(np.zeros(5))
+
+
+def test_a_reset_that_fails_when_all_is_drawn_leaves_no_episode(monkeypatch) -> None:
+    env = make_env(toy_scene(), task="Lift")
+    env.reset(seed=0)
+    with monkeypatch.context() as broken, pytest.raises(ZeroDivisionError):
+        broken.setattr(type(env.task), "desired", lambda *_: 1 / 0)
+        env.reset()
+    with pytest.raises(InputError, match=r"Call reset\(\)"):
+        env.step(np.zeros(5))
+
+
 def test_sparse_rewards_are_zero_or_minus_one() -> None:
     env = make_env(toy_scene(), reward="sparse")
     env.reset(seed=0)

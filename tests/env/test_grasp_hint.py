@@ -11,7 +11,7 @@ from generator.geometry import wrap
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.choosing import choose
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.grasp_hint import HINT_BOUNDS
+from tabletopgen_env.grasp_hint import HINT_BOUNDS, GraspHint
 from tabletopgen_env.randomization import Randomization
 
 CUBE = {"target": "cube_1"}
@@ -69,6 +69,34 @@ def test_the_hint_moves_with_the_object_and_is_planned_anew_where_it_comes_to_re
     anew = hint.plan(world, "cube_1")
     assert there is not None and anew is not None
     assert np.allclose(anew.grasp.point, there.grasp.point, atol=1e-3)
+
+
+def test_a_hint_has_all_its_attributes_from_the_start() -> None:
+    env = lift()
+    fresh = set(vars(GraspHint()))
+    env.reset(seed=0, options=CUBE)
+    assert set(vars(env.hint)) == fresh
+
+
+def test_plans_of_the_start_are_kept_where_the_base_stands_as_given(monkeypatch) -> None:
+    env = lift()
+    env.reset(seed=0, options=CUBE)
+    kept = env.world.first_plan("cube_1")
+    with monkeypatch.context() as idle:
+        idle.setattr("tabletopgen_env.expert.choosing.choose", lambda *_: 1 / 0)
+        env.reset(seed=1, options=CUBE)
+        assert env.world.first_plan("cube_1") is kept
+
+
+@pytest.mark.parametrize(
+    "randomization", [Randomization(table_height=0.03), Randomization(distractors=(0, 3))]
+)
+def test_resets_with_other_heights_and_distractors_pile_up_no_plans(randomization) -> None:
+    env = lift(randomization=randomization)
+    shown = {tuple(env.reset(seed=k, options=CUBE)[0][279:]) for k in range(4)}
+    assert len(env.world._plans) <= 1
+    if randomization.table_height:
+        assert len(shown) == 4, "each is planned for its own height"
 
 
 def test_without_a_target_the_hint_is_empty() -> None:

@@ -12,7 +12,7 @@ import pytest
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 from toy import toy_objects, toy_scene
 
-from generator.errors import InputError
+from generator.errors import InputError, SceneError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import SceneRef, resolve
@@ -205,6 +205,47 @@ def test_wrong_calls_are_explained() -> None:
     envs.close()
     with pytest.raises(InputError, match="closed"):
         envs.step(np.zeros((2, 5)))
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_after_a_reset_that_fails_no_slot_moves_until_it_is_done(mode) -> None:
+    envs = TabletopVectorEnv(2, scenes=toy_scene(), max_episode_steps=2, autoreset_mode=mode)
+    envs.reset(seed=0)
+    still = np.zeros((2, 5))
+    envs.step(still)
+    if mode == "NextStep":
+        envs.step(still)  # the next step would reset the slots
+    mask = {"reset_mask": np.array([False, True])}
+    with pytest.raises(InputError, match="nope_1"):
+        envs.reset(options={"target": "nope_1", **mask})
+    with pytest.raises(InputError, match=r"Call reset\(\).* slots \[1\] have no episode"):
+        envs.step(still)
+    time = envs.envs[0].get_wrapper_attr("world").data.time
+    assert time == pytest.approx(0.1 if mode == "NextStep" else 0.05), "it has not moved"
+    envs.reset(options=mask)
+    envs.step(still)
+    envs.close()
+
+
+@pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
+def test_a_slot_that_could_not_be_reset_by_a_step_has_no_episode(mode, monkeypatch) -> None:
+    envs = TabletopVectorEnv(2, scenes=toy_scene(), max_episode_steps=1, autoreset_mode=mode)
+    envs.reset(seed=0)
+    still = np.zeros((2, 5))
+    if mode == "NextStep":
+        envs.step(still)
+
+    def fails(**given: Any) -> Any:
+        raise SceneError("nothing to do")
+
+    with monkeypatch.context() as broken, pytest.raises(SceneError):
+        broken.setattr(envs.envs[1], "reset", fails)
+        envs.step(still)
+    with pytest.raises(InputError, match=r"Call reset\(\)"):
+        envs.step(still)
+    envs.reset(seed=0)
+    envs.step(still)
+    envs.close()
 
 
 def test_pictures_come_from_several_threads() -> None:

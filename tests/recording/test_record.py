@@ -197,7 +197,7 @@ def test_failures_are_kept_if_asked_and_else_passed_over(
     monkeypatch.setattr("tabletopgen_env.recording.playing.demonstrate", other)
     told: list[tuple[int, int]] = []
     record(replace(LIFT, episodes=1), tmp_path / "a", "npz", told=lambda *n: told.append(n))
-    assert told == [(0, 1), (1, 2)]
+    assert told == [(0, 0), (0, 1), (1, 2)]
     path = record(replace(LIFT, episodes=1, keep_failures=True), tmp_path / "b", "npz")
     assert json.loads((path / "dataset.json").read_text())["episodes"][0]["success"] is False
 
@@ -274,11 +274,17 @@ def test_the_command_records_and_says_where(
     out = tmp_path / "lift"
     given = ["record", "--task", "Lift", "--scenes", TABLE, "--format", "npz"]
     assert run([*given, "--episodes", "1", "--out", str(out)]) == 0
-    assert f"{out}: 1 episodes of 1 played" in capsys.readouterr().out
-    assert run([*given, "--out", str(out)]) == 2
-    assert "error: " in capsys.readouterr().err
-    assert run(["record", "--task", "Lifft"]) == 2
-    assert "Did you mean 'Lift'" in capsys.readouterr().err
+    told = capsys.readouterr()
+    assert f"{out}: 1 episodes of 1 played" in told.out and "1/1" in told.err
+    wrong = {
+        "is there already": [*given, "--out", str(out)],
+        "Did you mean 'Lift'": ["record", "--task", "Lifft"],
+        "Did you mean 'light'": [*given, "--randomization", "lihgt", "--out", f"{out}-b"],
+    }
+    for reason, arguments in wrong.items():
+        assert run(arguments) == 2
+        (line,) = capsys.readouterr().err.splitlines()  # no progress
+        assert line.startswith("error: ") and reason in line
 
 
 def test_the_command_line_loads_no_formats() -> None:

@@ -90,6 +90,18 @@ def test_a_step_at_the_target_relaxes_towards_the_posture_without_moving_the_too
     assert np.linalg.norm(joints - HOME) < np.linalg.norm(start - HOME)
 
 
+def test_an_arm_that_is_stretched_out_comes_back_by_no_longer_steps() -> None:
+    rng = np.random.default_rng(4)
+    for joints in rng.uniform(LOWER, UPPER, (200, 7)):
+        joints[3] = rng.uniform(-0.6, UPPER[3])  # beyond where the elbow stays by itself
+        position, rotation = forward(joints + rng.normal(0.0, 0.3, 7))
+        for _ in range(10):
+            new = ik_step(joints, position, rotation)[0]
+            assert np.abs(new - joints).max() <= kinematics._MAX_STEP + 1e-12
+            joints = new
+        assert joints[3] <= -0.62, "it comes back"
+
+
 @pytest.mark.parametrize("angle", [0.0, 1e-9, 0.5, 3.0, np.pi - 1e-9, np.pi])
 def test_rotation_vector(angle: float) -> None:
     axis = np.array([2.0, -1.0, 0.5]) / np.sqrt(5.25)

@@ -239,12 +239,18 @@ def test_pools_of_one_seed_get_the_same_scenes_whoever_makes_them(pool) -> None:
     assert renewals(pool(**often)) == renewals(pool(**often, synchronous=True))
 
 
+def test_a_process_says_nothing_of_its_own_so_that_last_words_are_the_cause(tmp_path) -> None:
+    given = [sys.executable, "-m", "tabletopgen_env.scenes.worker", str(tmp_path / "scenes")]
+    done = subprocess.run(given, stdin=subprocess.DEVNULL, capture_output=True, timeout=LONG)
+    assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
+
+
 def test_a_killed_process_is_replaced(pool) -> None:
     source, rng = pool("slow"), np.random.default_rng(0)
     source.draw(rng)
     (first,) = source.pids
     os.kill(first, signal.SIGKILL)
-    with pytest.warns(RuntimeWarning, match=r"was killed \(SIGKILL\)"):
+    with pytest.warns(RuntimeWarning, match=r"was killed \(SIGKILL\)\. "):
 
         def replaced() -> bool:
             assert source.draw(rng).key.startswith("scene:")
