@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any, Literal
 
 import gymnasium as gym
@@ -148,7 +149,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._render_size = render_size
         self._renderer = renderer
         self._worlds = WorldCache(robot or Panda(), cache, masters)
-        self._drawers: dict[str, Drawer] = {}
+        self._drawers: dict[tuple[str, int], Drawer] = {}
         self._window = Window(1 / control_hz)
         self._world: World | None = None
         self._episode: Episode | None = None
@@ -345,13 +346,17 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         }
 
     def _drawer(self, purpose: str) -> Drawer:
-        """Return the drawer for "pixels" or "render", made on first use."""
-        if purpose not in self._drawers:
+        """Return the drawer for "pixels" or "render", made on first use.
+
+        A forked copy of the environment makes its own; see ``rendering``.
+        """
+        key = purpose, os.getpid()
+        if key not in self._drawers:
             pixels = purpose == "pixels"
             size = self._views.size if pixels else self._render_size
             profile = "fast" if pixels else "full"
-            self._drawers[purpose] = drawer(self._renderer, *size, profile)
-        return self._drawers[purpose]
+            self._drawers[key] = drawer(self._renderer, *size, profile)
+        return self._drawers[key]
 
 
 class GoalTabletopEnv(TabletopEnv):
