@@ -88,6 +88,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     table); that of ``reset`` also "randomization", what was drawn. An episode never terminates by
     itself, since the dense reward stays highest where the task stays done; the time limit truncates
     it.
+
+    A copy (``pickle``, ``copy.deepcopy``) is a new environment with the same settings and random
+    state: it has no episode, compiled world or window, and has to be reset first. What its next
+    ``reset`` gives is what that of the original would.
     """
 
     def __init__(
@@ -232,6 +236,18 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             held.close()
         self._drawers.clear()
         self._window.close()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: all but the episode and what it is played and shown with."""
+        return {
+            **self.__dict__,
+            "hint": None if self.hint is None else GraspHint(),
+            "_drawers": {},
+            "_window": Window(1 / self.controller.servos.hz),
+            "_world": None,
+            "_episode": None,
+            "_succeeded": None,
+        }
 
     # ------------------------------------------------------------------------------------- parts
 

@@ -15,6 +15,7 @@ import os
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -57,6 +58,9 @@ class TabletopVectorEnv(SyncVectorEnv):
     ``TabletopEnv.reset`` for all slots alike, and the option "reset_mask", an array of bools, to
     reset some slots only.
 
+    A copy (``pickle``, ``copy.deepcopy``) has copies of the slots, as ``TabletopEnv`` says: all are
+    to be reset first. A fork has no threads, and cannot step it; send it a pickled copy.
+
     Args:
         num_envs: how many slots.
         threads: how many threads step them; None for one a core. Each slot keeps to one thread,
@@ -92,13 +96,11 @@ class TabletopVectorEnv(SyncVectorEnv):
         arm = robot or Panda()
         masters = Masters(arm, cache)
 
-        def slot() -> gym.Env:
-            env = make_env(robot=arm, cache=cache, masters=masters, **settings)
-            return env if max_episode_steps is None else TimeLimit(env, max_episode_steps)
-
+        slot = partial(
+            _slot, max_episode_steps, robot=arm, cache=cache, masters=masters, **settings
+        )
         super().__init__([slot] * num_envs, autoreset_mode=_mode(autoreset_mode))
-        count = min(num_envs, threads or _cores())
-        self._workers = [ThreadPoolExecutor(1, f"tabletop-{k}") for k in range(count)]
+        self._hire(min(num_envs, threads or _cores()))
         assert isinstance(self.single_action_space, spaces.Box)
         self._actions = self.single_action_space
         self._over = np.zeros(num_envs, bool)
@@ -188,13 +190,28 @@ class TabletopVectorEnv(SyncVectorEnv):
     def close_extras(self, **kwargs: Any) -> None:
         """Close the slots and end the threads."""
         workers = getattr(self, "_workers", [])
-        if workers:
+        if workers and self._process == os.getpid():
             self._each(lambda k: self.envs[k].close(), range(self.num_envs))
         self._workers = []
         for worker in workers:
             worker.shutdown()
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: the slots as theirs do, and how many threads step them."""
+        kept = {k: v for k, v in self.__dict__.items() if k != "_process"}
+        fresh = {"_over": np.zeros_like(self._over), "_seen": [None] * self.num_envs}
+        return {**kept, **fresh, "_workers": len(self._workers)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._hire(state["_workers"])
+
     # -------------------------------------------------------------------------------------- parts
+
+    def _hire(self, count: int) -> None:
+        """Set up the threads; they begin with their first work."""
+        self._workers = [ThreadPoolExecutor(1, f"tabletop-{k}") for k in range(count)]
+        self._process = os.getpid()
 
     def _checked(self, k: int, action: Any) -> Float[np.ndarray, "a"]:
         """Return a sound action; all are looked at before any slot moves."""
@@ -223,6 +240,11 @@ class TabletopVectorEnv(SyncVectorEnv):
         """
         if not self._workers:
             raise InputError("This vector environment is closed; make a new one.")
+        if self._process != os.getpid():
+            raise InputError(
+                "This vector environment was made before the process was forked, and its threads "
+                "are not here; make one here, or send a pickled copy."
+            )
         slots = list(slots)
         count = len(self._workers)
 
@@ -245,6 +267,11 @@ class TabletopVectorEnv(SyncVectorEnv):
         if any(seen is None for seen in self._seen):
             raise InputError("Reset all slots before some of them.")
         return concatenate(space, self._seen, create_empty_array(space, self.num_envs))
+
+
+def _slot(max_episode_steps: int | None, **settings: Any) -> gym.Env:
+    env = make_env(**settings)
+    return env if max_episode_steps is None else TimeLimit(env, max_episode_steps)
 
 
 def _caught(work: Callable[[int], T], k: int) -> T | Exception:

@@ -6,6 +6,7 @@ import threading
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
 
 from .robot.panda import Panda
 from .scenes import SceneRef
@@ -43,6 +44,10 @@ class WorldCache:
                 on_drop(self._worlds.popitem(last=False)[1])
         self._worlds.move_to_end(ref.key)
         return world
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: no worlds."""
+        return {**self.__dict__, "_worlds": OrderedDict()}
 
 
 def _world(ref: SceneRef, robot: Panda) -> World:
@@ -84,3 +89,10 @@ class Masters:
             if master.world is None:
                 master.world = _world(ref, self._robot)
             return master.world.twin()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: no worlds, and no lock."""
+        return {"_robot": self._robot, "_size": self._size}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__init__(state["_robot"], state["_size"])
