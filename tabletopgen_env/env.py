@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import gymnasium as gym
@@ -25,7 +26,7 @@ from .tasks import task_named
 from .tasks.goals import SPOT, Goal, named_by
 from .tasks.pick_place import PickPlace
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
-from .views import CameraName, ObservationConfig, pictures
+from .views import CameraName, ObservationConfig, picture_size, pictures
 from .window import Window
 from .world import World
 from .worlds import Masters, WorldCache
@@ -37,7 +38,12 @@ if TYPE_CHECKING:
 
 RewardMode = Literal["dense", "sparse"]
 
+OPTIONS = ("scene", "target", "goal")
+"""What ``TabletopEnv.reset`` takes as ``options``."""
+
 RENDER_MODES = ("rgb_array", "depth_array", "human")
+
+_LARGEST_SHOWN = 4096  # pixels along a side of what ``render`` returns
 
 DRAWS = 25
 """How many scenes a reset draws before it gives up finding one with something to do."""
@@ -64,14 +70,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         reward: "dense" (named terms, in [0, 1], 1 exactly on success) or "sparse" (0 on success,
             -1 otherwise).
         render_mode: None, "rgb_array", "depth_array" or "human".
-        render_size: (height, width) of what ``render`` returns.
+        render_size: (height, width) of what ``render`` returns, or one number for both.
         renderer: "auto", "gl" or "software"; see ``rendering``.
         randomization: what differs from episode to episode: a ``Randomization``, "light",
             "strong", or None for nothing; see ``randomization``.
         certified: at a bundle with a certificate (see ``certify``), draw targets and goals only
             among the instances of the task that the expert solved; False ignores certificates.
         robot: the robot; None for ``Panda()``.
-        cache: how many compiled worlds are kept.
+        cache: how many compiled worlds are kept, at least 1.
         masters: compiled worlds to copy, shared with other environments; None to compile.
 
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
@@ -110,7 +116,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         control_hz: int = CONTROL_HZ,
         reward: RewardMode = "dense",
         render_mode: str | None = None,
-        render_size: tuple[int, int] = (480, 640),
+        render_size: int | tuple[int, int] = (480, 640),
         renderer: RendererChoice = "auto",
         randomization: Randomization | str | None = None,
         certified: bool = True,
@@ -128,6 +134,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             )
         if renderer not in RENDERERS:
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
+        for name, switch in (("grasp_hint", grasp_hint), ("certified", certified)):
+            if not isinstance(switch, bool | np.bool_):
+                raise InputError(f"{name} must be True or False, got {switch!r}.")
         self.source = resolve(scenes)
         self._closes_source = self.source is not scenes  # else others may draw from it, too
         self.task = task or PickPlace()
@@ -150,7 +159,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self.reward = reward
         self.render_mode = render_mode
         self._observation: ObservationMode = observation
-        self._render_size = render_size
+        self._render_size = picture_size("render_size", render_size, _LARGEST_SHOWN)
         self._renderer = renderer
         self._worlds = WorldCache(robot or Panda(), cache, masters)
         self._drawers: dict[tuple[str, int], Drawer] = {}
@@ -172,16 +181,15 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """Draw a scene, a target and a goal, and start an episode.
 
         Raises:
-            InputError: an unknown option, or one that names nothing in the scene.
+            InputError: an unknown option, or one that names nothing in the scene; no dict.
             SceneError: none of the scenes drawn offers anything to do.
             BundleError: a scene or its certificate is damaged.
         """
-        super().reset(seed=seed)
-        options = dict(options or {})
-        known = {"scene", "target", "goal"}
+        options = as_options(options)
         for key in options:
-            if key not in known:
-                raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
+            if key not in OPTIONS:
+                raise InputError(f"Unknown reset option {key!r}." + choices(str(key), OPTIONS))
+        super().reset(seed=seed)
         self._tell_source()
         self._world, self._episode, self._certified = self._draw(options)
         self._instruction = self.task.instruction(self._world, self._episode.goals)
@@ -396,6 +404,19 @@ class GoalTabletopEnv(TabletopEnv):
         """
         reward = self._weigh(self.task.goal_terms(self.task.agreement(achieved_goal, desired_goal)))
         return float(reward) if np.ndim(reward) == 0 else reward
+
+
+def as_options(options: Any) -> dict[str, Any]:
+    """Return the options of a reset as a dict of its own; None is none.
+
+    Raises:
+        InputError: they are no dict.
+    """
+    if options is None:
+        return {}
+    if not isinstance(options, Mapping):
+        raise InputError(f"options must be a dict, got {options!r}." + choices("", OPTIONS))
+    return dict(options)
 
 
 def make_env(

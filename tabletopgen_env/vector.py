@@ -25,10 +25,10 @@ from gymnasium.vector.utils import concatenate, create_empty_array, iterate
 from gymnasium.wrappers import TimeLimit
 from jaxtyping import Bool, Float
 
-from generator.errors import InputError, choices
+from generator.errors import InputError, choices, require_number
 
 from .actions import checked
-from .env import make_env
+from .env import as_options, make_env
 from .robot.panda import Panda
 from .worlds import Masters
 
@@ -89,10 +89,11 @@ class TabletopVectorEnv(SyncVectorEnv):
         cache: int = 16,
         **settings: Any,
     ) -> None:
-        if num_envs < 1 or (threads is not None and threads < 1):
-            raise InputError(
-                f"num_envs and threads must be at least 1, got {num_envs} and {threads}."
-            )
+        counts = {"num_envs": num_envs, "threads": threads, "max_episode_steps": max_episode_steps}
+        for name, count in counts.items():
+            if count is not None or name == "num_envs":
+                needs = f"A vector environment needs {name}"
+                require_number(needs, count, least=1, whole=True)
         arm = robot or Panda()
         masters = Masters(arm, cache)
 
@@ -119,7 +120,7 @@ class TabletopVectorEnv(SyncVectorEnv):
         Raises:
             InputError: as ``TabletopEnv.reset``, or a wrong number of seeds, or a wrong mask.
         """
-        options = dict(options or {})
+        options = as_options(options)
         mask = _mask(options.pop("reset_mask", None), self.num_envs)
         seeds = _seeds(seed, self.num_envs)
 
@@ -150,8 +151,8 @@ class TabletopVectorEnv(SyncVectorEnv):
             InputError: an action of wrong shape or with NaN; no ``reset`` before; a slot whose
                 episode is over, if autoreset is disabled.
         """
-        if len(actions) != self.num_envs:
-            raise InputError(f"{self.num_envs} slots need as many actions, got {len(actions)}.")
+        if (given := _length(actions)) != self.num_envs:
+            raise InputError(f"{self.num_envs} slots need as many actions, got {given}.")
         over = np.flatnonzero(self._over).tolist()
         if over and self.autoreset_mode == AutoresetMode.DISABLED and not self.closed:
             raise InputError(
@@ -288,8 +289,8 @@ def _noted(error: Exception, k: int) -> Exception:
 
 def _mode(mode: str | AutoresetMode) -> AutoresetMode:
     names = [m.value for m in AutoresetMode]
-    if isinstance(mode, str) and mode not in names:
-        raise InputError(f"Unknown autoreset mode {mode!r}." + choices(mode, names))
+    if not isinstance(mode, AutoresetMode) and mode not in names:
+        raise InputError(f"Unknown autoreset mode {mode!r}." + choices(str(mode), names))
     return AutoresetMode(mode)
 
 
@@ -298,9 +299,17 @@ def _seeds(seed: int | Sequence[int | None] | None, count: int) -> list[int | No
         return [None] * count
     if isinstance(seed, int | np.integer):
         return [int(seed) + k for k in range(count)]
-    if len(seed) != count:
-        raise InputError(f"{count} slots need one seed or {count}, got {len(seed)}.")
+    if (given := _length(seed)) != count:
+        raise InputError(f"{count} slots need one seed or {count}, got {given}.")
     return list(seed)
+
+
+def _length(given: Any) -> int | str:
+    """Return how many were given, or, of what has no length, how it reads."""
+    try:
+        return len(given)
+    except TypeError:
+        return repr(given)
 
 
 def _mask(mask: Any, count: int) -> Bool[np.ndarray, "n"]:

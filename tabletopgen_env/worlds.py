@@ -8,6 +8,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
+from generator.errors import require_number
+
 from .robot.panda import Panda
 from .scenes import SceneRef
 from .scenes.fixed import folder
@@ -23,9 +25,13 @@ class WorldCache:
         robot: stands at every table.
         size: how many worlds are kept.
         masters: where new worlds are copied from; None to compile each.
+
+    Raises:
+        InputError: ``size`` is no whole number from 1 up.
     """
 
     def __init__(self, robot: Panda, size: int = 16, masters: Masters | None = None) -> None:
+        require_number("The environment needs cache", size, least=1, whole=True)
         self._robot = robot
         self._size = size
         self._masters = masters
