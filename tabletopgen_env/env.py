@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import gymnasium as gym
@@ -24,7 +26,7 @@ from .tasks import task_named
 from .tasks.goals import SPOT, Goal, named_by
 from .tasks.pick_place import PickPlace
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
-from .views import CameraName, ObservationConfig, pictures
+from .views import CameraName, ObservationConfig, picture_size, pictures
 from .window import Window
 from .world import World
 from .worlds import Masters, WorldCache
@@ -36,7 +38,12 @@ if TYPE_CHECKING:
 
 RewardMode = Literal["dense", "sparse"]
 
+OPTIONS = ("scene", "target", "goal")
+"""What ``TabletopEnv.reset`` takes as ``options``."""
+
 RENDER_MODES = ("rgb_array", "depth_array", "human")
+
+_LARGEST_SHOWN = 4096  # pixels along a side of what ``render`` returns
 
 DRAWS = 25
 """How many scenes a reset draws before it gives up finding one with something to do."""
@@ -63,14 +70,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         reward: "dense" (named terms, in [0, 1], 1 exactly on success) or "sparse" (0 on success,
             -1 otherwise).
         render_mode: None, "rgb_array", "depth_array" or "human".
-        render_size: (height, width) of what ``render`` returns.
+        render_size: (height, width) of what ``render`` returns, or one number for both.
         renderer: "auto", "gl" or "software"; see ``rendering``.
         randomization: what differs from episode to episode: a ``Randomization``, "light",
             "strong", or None for nothing; see ``randomization``.
         certified: at a bundle with a certificate (see ``certify``), draw targets and goals only
             among the instances of the task that the expert solved; False ignores certificates.
         robot: the robot; None for ``Panda()``.
-        cache: how many compiled worlds are kept.
+        cache: how many compiled worlds are kept, at least 1.
         masters: compiled worlds to copy, shared with other environments; None to compile.
 
     ``reset`` takes ``options``: "scene" (anything ``scenes`` takes), "target" (an object's name)
@@ -87,6 +94,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     table); that of ``reset`` also "randomization", what was drawn. An episode never terminates by
     itself, since the dense reward stays highest where the task stays done; the time limit truncates
     it.
+
+    A copy (``pickle``, ``copy.deepcopy``) is a new environment with the same settings and random
+    state: it has no episode, compiled world or window, and has to be reset first. What its next
+    ``reset`` gives is what that of the original would.
     """
 
     def __init__(
@@ -105,7 +116,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         control_hz: int = CONTROL_HZ,
         reward: RewardMode = "dense",
         render_mode: str | None = None,
-        render_size: tuple[int, int] = (480, 640),
+        render_size: int | tuple[int, int] = (480, 640),
         renderer: RendererChoice = "auto",
         randomization: Randomization | str | None = None,
         certified: bool = True,
@@ -123,6 +134,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             )
         if renderer not in RENDERERS:
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
+        for name, switch in (("grasp_hint", grasp_hint), ("certified", certified)):
+            if not isinstance(switch, bool | np.bool_):
+                raise InputError(f"{name} must be True or False, got {switch!r}.")
         self.source = resolve(scenes)
         self._closes_source = self.source is not scenes  # else others may draw from it, too
         self.task = task or PickPlace()
@@ -145,10 +159,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self.reward = reward
         self.render_mode = render_mode
         self._observation: ObservationMode = observation
-        self._render_size = render_size
+        self._render_size = picture_size("render_size", render_size, _LARGEST_SHOWN)
         self._renderer = renderer
         self._worlds = WorldCache(robot or Panda(), cache, masters)
-        self._drawers: dict[str, Drawer] = {}
+        self._drawers: dict[tuple[str, int], Drawer] = {}
         self._window = Window(1 / control_hz)
         self._world: World | None = None
         self._episode: Episode | None = None
@@ -169,13 +183,14 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         After a reset that fails there is no episode: ``step`` asks for another reset.
 
         Raises:
-            InputError: an unknown option, or one that names nothing in the scene.
+            InputError: an unknown option, or one that names nothing in the scene; no dict.
             SceneError: none of the scenes drawn offers anything to do.
             BundleError: a scene or its certificate is damaged.
         """
+        options = as_options(options)
         try:
             super().reset(seed=seed)
-            return self._begin(dict(options or {}))
+            return self._begin(options)
         except BaseException:
             self._world = self._episode = None
             raise
@@ -224,6 +239,18 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._drawers.clear()
         self._window.close()
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: all but the episode and what it is played and shown with."""
+        return {
+            **self.__dict__,
+            "hint": None if self.hint is None else GraspHint(),
+            "_drawers": {},
+            "_window": Window(1 / self.controller.servos.hz),
+            "_world": None,
+            "_episode": None,
+            "_succeeded": None,
+        }
+
     # ------------------------------------------------------------------------------------- parts
 
     @property
@@ -251,10 +278,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     def _begin(self, options: dict[str, Any]) -> tuple[Any, dict[str, Any]]:
         """Start an episode; return what ``reset`` does."""
-        known = {"scene", "target", "goal"}
         for key in options:
-            if key not in known:
-                raise InputError(f"Unknown reset option {key!r}." + choices(str(key), known))
+            if key not in OPTIONS:
+                raise InputError(f"Unknown reset option {key!r}." + choices(str(key), OPTIONS))
         self._tell_source()
         self._world, self._episode, self._certified = self._draw(options)
         self._instruction = self.task.instruction(self._world, self._episode.goals)
@@ -355,13 +381,17 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         }
 
     def _drawer(self, purpose: str) -> Drawer:
-        """Return the drawer for "pixels" or "render", made on first use."""
-        if purpose not in self._drawers:
+        """Return the drawer for "pixels" or "render", made on first use.
+
+        A forked copy of the environment makes its own; see ``rendering``.
+        """
+        key = purpose, os.getpid()
+        if key not in self._drawers:
             pixels = purpose == "pixels"
             size = self._views.size if pixels else self._render_size
             profile = "fast" if pixels else "full"
-            self._drawers[purpose] = drawer(self._renderer, *size, profile)
-        return self._drawers[purpose]
+            self._drawers[key] = drawer(self._renderer, *size, profile)
+        return self._drawers[key]
 
 
 class GoalTabletopEnv(TabletopEnv):
@@ -385,6 +415,19 @@ class GoalTabletopEnv(TabletopEnv):
         """
         reward = self._weigh(self.task.goal_terms(self.task.agreement(achieved_goal, desired_goal)))
         return float(reward) if np.ndim(reward) == 0 else reward
+
+
+def as_options(options: Any) -> dict[str, Any]:
+    """Return the options of a reset as a dict of its own; None is none.
+
+    Raises:
+        InputError: they are no dict.
+    """
+    if options is None:
+        return {}
+    if not isinstance(options, Mapping):
+        raise InputError(f"options must be a dict, got {options!r}." + choices("", OPTIONS))
+    return dict(options)
 
 
 def make_env(

@@ -4,6 +4,9 @@ MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. ``Drawer`` lo
 them, once; without any, ``renderer="auto"`` draws with the project's own software renderer
 (slower, plainer, the same cameras), while ``renderer="gl"`` says what to install.
 
+A process that was forked after GL was used cannot use it, for the threads of a GL driver are not
+forked: in it, "auto" draws in software, with a warning, and "gl" is an error.
+
 Two profiles: "fast" leaves out shadows, reflections and antialiasing and is meant for
 learning; "full" is for people.
 """
@@ -14,10 +17,12 @@ import atexit
 import importlib
 import os
 import threading
+import warnings
 import weakref
 from collections import OrderedDict
 from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING, Any, Literal, Protocol
 
@@ -38,12 +43,36 @@ RENDERERS: tuple[RendererChoice, ...] = ("auto", "gl", "software")
 Profile = Literal["fast", "full"]
 Kind = Literal["rgb", "depth", "segmentation"]
 
-_FIRST_USE = threading.Lock()  # GL bindings set themselves up on first use, one thread at a time
+
+@dataclass
+class _GlUse:
+    """How this process uses GL.
+
+    Attributes:
+        lock: GL bindings set themselves up on first use, one thread at a time.
+        process: the id of the process that used GL first: this one, or one it was forked from;
+            None before.
+    """
+
+    lock: threading.Lock = field(default_factory=threading.Lock)
+    process: int | None = None
+
+    def is_forked(self) -> bool:
+        """Tell whether this process was forked after GL was used."""
+        return self.process not in (None, os.getpid())
+
+
+_GL_USE = _GlUse()
 _KEPT = 4  # worlds whose meshes and textures stay on the graphics side
 _NO_GL = (
     "No OpenGL could be had for rendering ({reason}). On Debian or Ubuntu install "
     "'libegl1 libgl1 libgl1-mesa-dri' (EGL) or 'libosmesa6' (MUJOCO_GL=osmesa), "
     "or pass renderer='software'."
+)
+_FORKED = (
+    "OpenGL cannot be used in this process: it was forked from one that had used it. Start it "
+    "with multiprocessing's method 'spawn' or 'forkserver' (vector_kwargs={'context': 'spawn'} of "
+    "gymnasium.make_vec), or pass renderer='software'."
 )
 
 
@@ -81,18 +110,21 @@ def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> D
     """Return a drawer for pictures of ``height`` x ``width``.
 
     Args:
-        choice: "gl", "software", or "auto": GL if it can be had, else software.
+        choice: "gl", "software", or "auto": GL if it can be had, else software; with a warning
+            where a fork is what is in the way.
         height: rows.
         width: columns.
         profile: "fast" or "full"; the software renderer draws shadows in "full".
 
     Raises:
         InputError: unknown choice.
-        BackendError: "gl" was asked for and there is none.
+        BackendError: "gl" was asked for and there is none, or none after a fork.
     """
     if choice not in RENDERERS:
         raise InputError(f"Unknown renderer {choice!r}." + choices(str(choice), RENDERERS))
-    if choice != "software":
+    if choice == "auto" and _GL_USE.is_forked():
+        warnings.warn(f"{_FORKED} Drawing in software.", RuntimeWarning, stacklevel=2)
+    elif choice != "software":
         try:
             return GlDrawer(height, width, profile)
         except BackendError:
@@ -104,11 +136,15 @@ def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> D
 
 
 class GlDrawer:
-    """Draws with MuJoCo's OpenGL renderer: one GL context, a few worlds' worth of meshes."""
+    """Draws with MuJoCo's OpenGL renderer: one GL context, a few worlds' worth of meshes.
+
+    A forked copy neither draws nor frees anything.
+    """
 
     def __init__(self, height: int, width: int, profile: Profile) -> None:
         self._size, self._profile = (height, width), profile
         self._gl = _gl_context(width, height)
+        self._process = os.getpid()
         self._at_exit = partial(_close, weakref.ref(self))
         atexit.register(self._at_exit)  # GL contexts must go before the interpreter does
         self._held: OrderedDict[int, tuple[World, mujoco.MjrContext, mujoco.MjvScene]] = (
@@ -147,6 +183,8 @@ class GlDrawer:
 
     def forget(self, world: World) -> None:
         """Free the meshes and textures of ``world``."""
+        if self._process != os.getpid():
+            return
         held = self._held.pop(id(world), None)
         if held is not None and self._gl is not None:
             self._gl.make_current()
@@ -154,6 +192,8 @@ class GlDrawer:
 
     def close(self) -> None:
         """Free meshes, textures and the GL context."""
+        if self._process != os.getpid():
+            return
         try:
             for world, _, _ in list(self._held.values()):
                 self.forget(world)
@@ -171,6 +211,8 @@ class GlDrawer:
 
         if self._gl is None:
             raise InputError("This environment is closed; make a new one to render.")
+        if self._process != os.getpid():
+            raise BackendError(_FORKED)
         self._gl.make_current()
         context, scene = self._hold(world)
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, context)
@@ -248,13 +290,18 @@ def _gl_context(width: int, height: int) -> Any:
     """Return a GL context: the kind ``MUJOCO_GL`` names, else the display's, else EGL, OSMesa.
 
     Raises:
-        BackendError: there is none; says what to install.
+        BackendError: there is none; says what to install. Or this process was forked from one
+            that had used it.
     """
+    if _GL_USE.is_forked():
+        raise BackendError(_FORKED)
     failures = []
     for module in _gl_modules():
         try:
-            with _FIRST_USE:
-                return importlib.import_module(module).GLContext(width, height)
+            with _GL_USE.lock:
+                context = importlib.import_module(module).GLContext(width, height)
+                _GL_USE.process = os.getpid()
+                return context
         except Exception as error:  # each GL binding fails in its own way
             failures.append(f"{module}: {type(error).__name__}: {error}")
     raise BackendError(_NO_GL.format(reason="; ".join(failures)))

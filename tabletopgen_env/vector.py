@@ -15,6 +15,7 @@ import os
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -24,10 +25,10 @@ from gymnasium.vector.utils import concatenate, create_empty_array, iterate
 from gymnasium.wrappers import TimeLimit
 from jaxtyping import Bool, Float
 
-from generator.errors import InputError, choices
+from generator.errors import InputError, choices, require_number
 
 from .actions import checked
-from .env import make_env
+from .env import as_options, make_env
 from .robot.panda import Panda
 from .worlds import Masters
 
@@ -57,6 +58,9 @@ class TabletopVectorEnv(SyncVectorEnv):
     ``TabletopEnv.reset`` for all slots alike, and the option "reset_mask", an array of bools, to
     reset some slots only.
 
+    A copy (``pickle``, ``copy.deepcopy``) has copies of the slots, as ``TabletopEnv`` says: all are
+    to be reset first. A fork has no threads, and cannot step it; send it a pickled copy.
+
     Args:
         num_envs: how many slots.
         threads: how many threads step them; None for one a core. Each slot keeps to one thread,
@@ -85,20 +89,19 @@ class TabletopVectorEnv(SyncVectorEnv):
         cache: int = 16,
         **settings: Any,
     ) -> None:
-        if num_envs < 1 or (threads is not None and threads < 1):
-            raise InputError(
-                f"num_envs and threads must be at least 1, got {num_envs} and {threads}."
-            )
+        counts = {"num_envs": num_envs, "threads": threads, "max_episode_steps": max_episode_steps}
+        for name, count in counts.items():
+            if count is not None or name == "num_envs":
+                needs = f"A vector environment needs {name}"
+                require_number(needs, count, least=1, whole=True)
         arm = robot or Panda()
         masters = Masters(arm, cache)
 
-        def slot() -> gym.Env:
-            env = make_env(robot=arm, cache=cache, masters=masters, **settings)
-            return env if max_episode_steps is None else TimeLimit(env, max_episode_steps)
-
+        slot = partial(
+            _slot, max_episode_steps, robot=arm, cache=cache, masters=masters, **settings
+        )
         super().__init__([slot] * num_envs, autoreset_mode=_mode(autoreset_mode))
-        count = min(num_envs, threads or _cores())
-        self._workers = [ThreadPoolExecutor(1, f"tabletop-{k}") for k in range(count)]
+        self._hire(min(num_envs, threads or _cores()))
         assert isinstance(self.single_action_space, spaces.Box)
         self._actions = self.single_action_space
         self._over = np.zeros(num_envs, bool)
@@ -119,7 +122,7 @@ class TabletopVectorEnv(SyncVectorEnv):
         Raises:
             InputError: as ``TabletopEnv.reset``, or a wrong number of seeds, or a wrong mask.
         """
-        options = dict(options or {})
+        options = as_options(options)
         mask = _mask(options.pop("reset_mask", None), self.num_envs)
         seeds = _seeds(seed, self.num_envs)
 
@@ -150,8 +153,8 @@ class TabletopVectorEnv(SyncVectorEnv):
             InputError: an action of wrong shape or with NaN; no ``reset`` before, or one that
                 failed; a slot whose episode is over, if autoreset is disabled.
         """
-        if len(actions) != self.num_envs:
-            raise InputError(f"{self.num_envs} slots need as many actions, got {len(actions)}.")
+        if (given := _length(actions)) != self.num_envs:
+            raise InputError(f"{self.num_envs} slots need as many actions, got {given}.")
         idle = [k for k, seen in enumerate(self._seen) if seen is None]
         if idle and not self.closed:
             raise InputError(f"Call reset() before stepping: the slots {idle} have no episode.")
@@ -193,13 +196,28 @@ class TabletopVectorEnv(SyncVectorEnv):
     def close_extras(self, **kwargs: Any) -> None:
         """Close the slots and end the threads."""
         workers = getattr(self, "_workers", [])
-        if workers:
+        if workers and self._process == os.getpid():
             self._each(lambda k: self.envs[k].close(), range(self.num_envs))
         self._workers = []
         for worker in workers:
             worker.shutdown()
 
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: the slots as theirs do, and how many threads step them."""
+        kept = {k: v for k, v in self.__dict__.items() if k != "_process"}
+        fresh = {"_over": np.zeros_like(self._over), "_seen": [None] * self.num_envs}
+        return {**kept, **fresh, "_workers": len(self._workers)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self._hire(state["_workers"])
+
     # -------------------------------------------------------------------------------------- parts
+
+    def _hire(self, count: int) -> None:
+        """Set up the threads; they begin with their first work."""
+        self._workers = [ThreadPoolExecutor(1, f"tabletop-{k}") for k in range(count)]
+        self._process = os.getpid()
 
     def _checked(self, k: int, action: Any) -> Float[np.ndarray, "a"]:
         """Return a sound action; all are looked at before any slot moves."""
@@ -233,6 +251,11 @@ class TabletopVectorEnv(SyncVectorEnv):
         """
         if not self._workers:
             raise InputError("This vector environment is closed; make a new one.")
+        if self._process != os.getpid():
+            raise InputError(
+                "This vector environment was made before the process was forked, and its threads "
+                "are not here; make one here, or send a pickled copy."
+            )
         slots = list(slots)
         count = len(self._workers)
 
@@ -257,6 +280,11 @@ class TabletopVectorEnv(SyncVectorEnv):
         return concatenate(space, self._seen, create_empty_array(space, self.num_envs))
 
 
+def _slot(max_episode_steps: int | None, **settings: Any) -> gym.Env:
+    env = make_env(**settings)
+    return env if max_episode_steps is None else TimeLimit(env, max_episode_steps)
+
+
 def _caught(work: Callable[[int], T], k: int) -> T | Exception:
     try:
         return work(k)
@@ -271,8 +299,8 @@ def _noted(error: Exception, k: int) -> Exception:
 
 def _mode(mode: str | AutoresetMode) -> AutoresetMode:
     names = [m.value for m in AutoresetMode]
-    if isinstance(mode, str) and mode not in names:
-        raise InputError(f"Unknown autoreset mode {mode!r}." + choices(mode, names))
+    if not isinstance(mode, AutoresetMode) and mode not in names:
+        raise InputError(f"Unknown autoreset mode {mode!r}." + choices(str(mode), names))
     return AutoresetMode(mode)
 
 
@@ -281,9 +309,17 @@ def _seeds(seed: int | Sequence[int | None] | None, count: int) -> list[int | No
         return [None] * count
     if isinstance(seed, int | np.integer):
         return [int(seed) + k for k in range(count)]
-    if len(seed) != count:
-        raise InputError(f"{count} slots need one seed or {count}, got {len(seed)}.")
+    if (given := _length(seed)) != count:
+        raise InputError(f"{count} slots need one seed or {count}, got {given}.")
     return list(seed)
+
+
+def _length(given: Any) -> int | str:
+    """Return how many were given, or, of what has no length, how it reads."""
+    try:
+        return len(given)
+    except TypeError:
+        return repr(given)
 
 
 def _mask(mask: Any, count: int) -> Bool[np.ndarray, "n"]:

@@ -83,14 +83,8 @@ class ObservationConfig:
     def __post_init__(self) -> None:
         object.__setattr__(self, "cameras", _some("camera", self.cameras, CAMERAS))
         object.__setattr__(self, "kinds", _some("kind", self.kinds, get_args(Kind)))
-        sizes = self.image_size if isinstance(self.image_size, Iterable) else [self.image_size] * 2
-        sizes = tuple(sizes)
-        if len(sizes) != 2 or not all(_whole(k, _SMALLEST, _LARGEST) for k in sizes):
-            raise InputError(
-                f"image_size must be between {_SMALLEST} and {_LARGEST} pixels, one number or "
-                f"(height, width), got {self.image_size!r}."
-            )
-        object.__setattr__(self, "image_size", sizes)
+        size = picture_size("image_size", self.image_size, _LARGEST)
+        object.__setattr__(self, "image_size", size)
         if not _whole(self.points, 1, _MOST_POINTS):
             raise InputError(f"points must be between 1 and {_MOST_POINTS}, got {self.points!r}.")
 
@@ -112,6 +106,21 @@ class ObservationConfig:
             "segmentation": spaces.Box(0, LAST_LABEL, self.size, np.uint8),
         }
         return {self.key(c, kind): made[kind] for c in self.cameras for kind in self.kinds}
+
+
+def picture_size(name: str, size: int | tuple[int, int], most: int) -> tuple[int, int]:
+    """Return height and width of the setting ``name``, each at most ``most`` pixels.
+
+    Raises:
+        InputError: it is neither one number nor two, or out of range.
+    """
+    sizes = tuple(size) if isinstance(size, Iterable) else (size, size)
+    if len(sizes) != 2 or not all(_whole(k, _SMALLEST, most) for k in sizes):
+        raise InputError(
+            f"{name} must be between {_SMALLEST} and {most} pixels, one number or "
+            f"(height, width), got {size!r}."
+        )
+    return int(sizes[0]), int(sizes[1])
 
 
 def pictures(
@@ -154,7 +163,7 @@ def _some(what: str, wanted: Any, known: Collection[str]) -> tuple[str, ...]:
     several = isinstance(wanted, Iterable) and not isinstance(wanted, str)
     names: tuple[Any, ...] = tuple(wanted) if several else (wanted,)
     for name in names:
-        if name not in known:
+        if name not in list(known):  # what is wrong may have no hash
             raise InputError(f"Unknown {what} {name!r}." + choices(str(name), known))
     if not names or len(set(names)) < len(names):
         raise InputError(

@@ -6,6 +6,9 @@ import threading
 from collections import OrderedDict
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
+
+from generator.errors import require_number
 
 from .robot.panda import Panda
 from .scenes import SceneRef
@@ -22,9 +25,13 @@ class WorldCache:
         robot: stands at every table.
         size: how many worlds are kept.
         masters: where new worlds are copied from; None to compile each.
+
+    Raises:
+        InputError: ``size`` is no whole number from 1 up.
     """
 
     def __init__(self, robot: Panda, size: int = 16, masters: Masters | None = None) -> None:
+        require_number("The environment needs cache", size, least=1, whole=True)
         self._robot = robot
         self._size = size
         self._masters = masters
@@ -43,6 +50,10 @@ class WorldCache:
                 on_drop(self._worlds.popitem(last=False)[1])
         self._worlds.move_to_end(ref.key)
         return world
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: no worlds."""
+        return {**self.__dict__, "_worlds": OrderedDict()}
 
 
 def _world(ref: SceneRef, robot: Panda) -> World:
@@ -84,3 +95,10 @@ class Masters:
             if master.world is None:
                 master.world = _world(ref, self._robot)
             return master.world.twin()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: no worlds, and no lock."""
+        return {"_robot": self._robot, "_size": self._size}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__init__(state["_robot"], state["_size"])

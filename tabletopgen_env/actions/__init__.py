@@ -105,6 +105,6 @@ def controller(
     Raises:
         InputError: no such mode or gripper, or a rate that does not divide 500.
     """
-    if mode not in ACTIONS:
+    if mode not in list(ACTIONS):  # what is wrong may have no hash
         raise InputError(f"Unknown action mode {mode!r}." + choices(str(mode), ACTIONS))
     return ACTIONS[mode](Servos(control_hz, gripper))

@@ -35,6 +35,8 @@ of that leaves it well damped.
 
 _STEPS = round(1 / TIMESTEP)  # simulation steps in a second
 
+_NO_NUMBERS = "cmMSU"  # complex numbers, times, texts: NumPy would cast them to float
+
 SUBSTEPS = _STEPS // CONTROL_HZ
 """Simulation steps per action at ``CONTROL_HZ``."""
 
@@ -123,12 +125,17 @@ def checked(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:
     """Return ``action`` as float64, clipped to ``space``.
 
     Raises:
-        InputError: wrong shape, not numbers, or a NaN or infinity.
+        InputError: wrong shape, not real numbers, or a NaN or infinity.
     """
     try:
-        array = np.asarray(action, dtype=np.float64)
+        array = np.asarray(action)
+        if array.dtype.kind in _NO_NUMBERS:
+            raise TypeError(f"of kind {array.dtype}")
+        array = array.astype(np.float64)
     except (TypeError, ValueError) as error:
-        raise InputError(f"An action must be {space.shape[0]} numbers, got {action!r}.") from error
+        raise InputError(
+            f"An action must be {space.shape[0]} real numbers, got {action!r}."
+        ) from error
     if array.shape != space.shape:
         raise InputError(f"An action must have shape {space.shape}, got {array.shape}.")
     if not np.isfinite(array).all():

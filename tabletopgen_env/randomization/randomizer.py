@@ -44,7 +44,8 @@ class Randomizer:
         choice: the settings, the name of a preset, or None for none.
 
     Call ``restart`` once per episode, ``begin`` with the world before the task is drawn (in place
-    of ``World.reset``; as often as worlds are tried), and ``finish`` after it.
+    of ``World.reset``; as often as worlds are tried), and ``finish`` after it. A copy knows of no
+    worlds.
     """
 
     def __init__(self, choice: Randomization | str | None) -> None:
@@ -99,10 +100,10 @@ class Randomizer:
         world.reset()
 
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_originals": list(self._originals.items())}
+        return {k: v for k, v in self.__dict__.items() if k != "_originals"}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self.__dict__.update(state, _originals=WeakKeyDictionary(state["_originals"]))
+        self.__dict__.update(state, _originals=WeakKeyDictionary())
 
     def finish(self, world: World, keep: Collection[str]) -> None:
         """Take objects away, but none of ``keep``, those that the task needs."""

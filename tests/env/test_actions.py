@@ -17,6 +17,7 @@ from tabletopgen_env.actions import (
     SUBSTEPS,
     WORKSPACE,
     YAW_LEASH,
+    checked,
     controller,
 )
 from tabletopgen_env.composition import TIMESTEP
@@ -199,6 +200,14 @@ def test_actions_that_are_not_finite_are_refused_and_change_nothing(ready, bad, 
         ready.step(action)
     assert np.array_equal(ready.world.data.qpos, before)
     assert np.array_equal(ready.world.data.ctrl, ctrl)
+
+
+@pytest.mark.parametrize(
+    "action", [np.zeros(5, complex), [1j] * 5, ["0"] * 5, np.zeros(5, "datetime64[s]")]
+)
+def test_what_is_no_number_is_refused(action) -> None:
+    with pytest.raises(InputError, match="An action must be 5 real numbers, got"):
+        checked(action, controller("ee_delta").space)
 
 
 def test_out_of_range_actions_are_clipped(ready) -> None:

@@ -137,11 +137,34 @@ def test_scenes_with_nothing_to_do_are_passed_over() -> None:
         ({"observation": "pixels", "image_size": 4}, "between 8 and 2048"),
         ({"renderer": "vulkan"}, "Available: auto, gl, software"),
         ({"scenes": 7}, "scenes is of type int"),
+        ({"action": ["ee_delta"]}, r"Unknown action mode \['ee_delta'\].*Available: ee_absolute"),
+        ({"observation": ["state"]}, "Available: goal, pixels"),
+        ({"cameras": [["front"]]}, "Unknown camera.*Available: front, top, wrist"),
+        ({"cache": 0}, "needs cache to be a whole number >= 1, got 0"),
+        ({"cache": "all"}, "needs cache to be a whole number >= 1, got 'all'"),
+        ({"render_size": (0, 0)}, r"render_size must be between 8 and 4096 pixels.*\(0, 0\)"),
+        ({"render_size": "big"}, r"one number or \(height, width\), got 'big'"),
+        ({"render_size": (480,)}, r"render_size must be"),
+        ({"render_size": None}, r"render_size must be"),
+        ({"certified": "yes"}, "certified must be True or False, got 'yes'"),
+        ({"grasp_hint": "x"}, "grasp_hint must be True or False, got 'x'"),
     ],
 )
 def test_wrong_settings_are_explained(settings, message) -> None:
     with pytest.raises(InputError, match=message):
         make_env(**{"scenes": toy_scene(), **settings})
+
+
+@pytest.mark.parametrize("options", [["a"], "scene", 3, ()])
+def test_reset_options_of_another_kind_are_explained(options) -> None:
+    with pytest.raises(InputError, match=r"options must be a dict.*Available: goal, scene, target"):
+        make_env(toy_scene()).reset(seed=0, options=options)
+
+
+def test_render_size_may_be_one_number() -> None:
+    env = make_env(toy_scene(), render_mode="depth_array", render_size=16, renderer="software")
+    env.reset(seed=0)
+    assert env.render().shape == (16, 16)
 
 
 def test_stepping_before_reset_and_closing_twice() -> None:

@@ -97,25 +97,33 @@ def plain_frames(joints: np.ndarray) -> np.ndarray:
 
 
 def plain_ik_step(joints: np.ndarray, position: np.ndarray, rotation: np.ndarray) -> np.ndarray:
-    """Damped least squares, and the pull towards home projected onto the null space."""
+    """Damped least squares, the pull towards home projected onto the null space.
+
+    Joints that would leave their range go to its end, and the others make up for it.
+    """
     frames = link_frames(joints)
     turn = kinematics.rotation_vector(rotation @ frames[7, :3, :3].T)
     error = np.concatenate([position - frames[7, :3, 3], turn])
     full = jacobian(joints)
     damping = 1e-5 + 1e-2 * min(1.0, float(error @ error))
-    free = np.ones(7, bool)
+    highest = UPPER - 0.02
+    highest[3] = -0.62
+    low, high = np.minimum(LOWER + 0.02, joints + 0.2), np.maximum(highest, joints - 0.2)
+    free, ended = np.ones(7, bool), np.zeros(7)
     for _ in range(3):
         jac = full * free
         inverse = np.linalg.solve(jac @ jac.T + damping * np.eye(6), jac).T
         rest = 0.05 * (HOME - joints) * free
-        step = inverse @ error + rest - inverse @ (jac @ rest)
+        left = error - full @ ended
+        step = inverse @ left + rest - inverse @ (jac @ rest) + ended
         step *= min(1.0, 0.2 / max(float(np.abs(step).max()), 1e-9))
         new = joints + step
-        out = free & ((new < LOWER + 0.02) & (step < 0) | (new > UPPER - 0.02) & (step > 0))
+        out = free & ((new < low) & (step < 0) | (new > high) & (step > 0))
         if not out.any():
             break
         free &= ~out
-    return np.clip(new, LOWER + 0.02, UPPER - 0.02)
+        ended = ended + np.where(out, np.where(step > 0, high, low) - joints, 0.0)
+    return np.clip(new, low, high)
 
 
 def test_inverse_kinematics_follows_its_formula() -> None:

@@ -168,8 +168,12 @@ def test_masters_keep_the_scenes_used_last() -> None:
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"num_envs": 0}, "at least 1"),
-        ({"threads": 0}, "at least 1"),
+        ({"num_envs": 0}, "needs num_envs to be a whole number >= 1, got 0"),
+        ({"num_envs": None}, "needs num_envs to be"),
+        ({"threads": 0}, "needs threads to be a whole number >= 1, got 0"),
+        ({"max_episode_steps": 0}, "needs max_episode_steps to be a whole number >= 1"),
+        ({"cache": 0}, "needs cache to be a whole number >= 1, got 0"),
+        ({"autoreset_mode": 3}, "Unknown autoreset mode 3.*Available: Disabled, NextStep"),
         ({"autoreset_mode": "samestep"}, "Did you mean 'SameStep'"),
         ({"observation": "stat"}, "Did you mean 'state'"),
     ],
@@ -185,6 +189,10 @@ def test_wrong_calls_are_explained() -> None:
         envs.step(np.zeros((2, 5)))
     with pytest.raises(InputError, match="2 slots need one seed or 2, got 3"):
         envs.reset(seed=[1, 2, 3])
+    with pytest.raises(InputError, match=r"2 slots need one seed or 2, got 1\.5"):
+        envs.reset(seed=1.5)  # type: ignore[arg-type]
+    with pytest.raises(InputError, match="options must be a dict"):
+        envs.reset(options=["reset_mask"])  # type: ignore[arg-type]
     for mask in (np.array([0, 1]), np.zeros(2, bool), np.ones(3, bool)):
         with pytest.raises(InputError, match="reset_mask must be an array of 2 bools"):
             envs.reset(options={"reset_mask": mask})
@@ -194,6 +202,9 @@ def test_wrong_calls_are_explained() -> None:
     envs.reset(seed=0)
     with pytest.raises(InputError, match="need as many actions, got 1"):
         envs.step(np.zeros((1, 5)))
+    for actions in (3, None, np.array(0.0)):
+        with pytest.raises(InputError, match="2 slots need as many actions, got"):
+            envs.step(actions)
     with pytest.raises(InputError, match="must be finite") as caught:
         envs.step(np.array([[0.0] * 5, [np.nan] * 5]))
     assert "slot 1" in caught.value.__notes__[0]

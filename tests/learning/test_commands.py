@@ -9,9 +9,12 @@ import shutil
 import sys
 from pathlib import Path
 
+import gymnasium as gym
 import numpy as np
 import pytest
+import torch
 from PIL import Image
+from stable_baselines3 import SAC
 
 from tabletopgen_env.__main__ import run
 from tabletopgen_env.episodes import HOLD
@@ -20,6 +23,7 @@ from tabletopgen_env.learning.making import single_env, source_of
 from tabletopgen_env.learning.policies import load_policy, save_policy
 from tabletopgen_env.learning.runs import LATEST
 
+LIFT = "tabletopgen_env:TabletopGen/Lift-v0"
 EXAMPLE = Path(__file__).parents[2] / "examples" / "train_lift.py"
 
 RECIPE = """
@@ -181,11 +185,18 @@ def test_success_has_to_be_held(table: str) -> None:
     assert evaluate(env, Idle(), 2) == evaluate(env, Idle(), 2) != evaluate(env, Idle(), 2, seed=1)
 
 
-def test_the_newcomers_script_is_short_and_runs(tmp_path: Path, monkeypatch) -> None:
+def test_the_newcomers_script_is_short_and_trains(table: str, tmp_path: Path, monkeypatch) -> None:
     tree = ast.parse(EXAMPLE.read_text())
     (docstring, *_) = tree.body
     lines = [line for line in EXAMPLE.read_text().splitlines() if line.strip()]
     assert len(lines) - (docstring.end_lineno or 0) <= 15
     monkeypatch.chdir(tmp_path)
-    runpy.run_path(str(EXAMPLE))["main"](20)
-    assert (tmp_path / "out" / "lift.zip").is_file()
+    steps, before_learning = 110, 100  # SAC gathers 100 steps before its first update
+    runpy.run_path(str(EXAMPLE))["main"](steps)
+    trained = SAC.load(tmp_path / "out" / "lift.zip", device="cpu")
+    assert (trained.num_timesteps, trained._n_updates) == (steps, steps - before_learning)
+    fresh = SAC("MlpPolicy", gym.make(LIFT, scenes=table), seed=0, buffer_size=1, device="cpu")
+    for part in ("actor", "critic"):
+        before, after = (getattr(m, part).state_dict() for m in (fresh, trained))
+        assert before.keys() == after.keys()
+        assert all(not torch.equal(before[k], after[k]) for k in before), "all weights move"
