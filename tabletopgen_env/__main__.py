@@ -10,7 +10,14 @@ import tyro
 from tyro import conf
 
 import assets_cache
-from generator.errors import BundleError, InputError, SceneError, StorageError, TabletopError
+from generator.errors import (
+    BackendError,
+    BundleError,
+    InputError,
+    SceneError,
+    StorageError,
+    TabletopError,
+)
 
 from .certificate import Terms
 from .certify import DEFAULT, certify_all, is_certified
@@ -20,6 +27,7 @@ from .recording.command import record as recorded
 
 EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (InputError, 2),
+    (BackendError, 3),
     (BundleError, 4),
     (StorageError, 5),
     (SceneError, 6),
