@@ -48,6 +48,21 @@ class SceneError(TabletopError, RuntimeError):
     """A scene cannot be built, fails its physical gate, or offers nothing to do."""
 
 
+EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
+    (InputError, 2),
+    (BackendError, 3),
+    (BundleError, 4),
+    (StorageError, 5),
+    (SceneError, 6),
+)
+"""What the commands end with, by kind of error."""
+
+
+def exit_code(error: TabletopError) -> int:
+    """Return what a command ends with after an error."""
+    return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
+
+
 def choices(wrong: str, available: Iterable[str]) -> str:
     """Return the tail of a message about an unknown name: the near match and what exists."""
     names = sorted(available)

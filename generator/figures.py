@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from jaxtyping import UInt8
 
+from .files import write_file
 from .geometry import yaw_quaternion
 from .paper_json import to_paper
-from .pictures import write_file, write_picture
+from .pictures import write_picture
 from .render.picture import TOP_DOWN, framing_camera, render_scene
 from .render.raster import place, render
 from .render.sheet import draw_boxes, grid

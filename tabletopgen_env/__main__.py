@@ -10,29 +10,13 @@ import tyro
 from tyro import conf
 
 import assets_cache
-from generator.errors import (
-    BackendError,
-    BundleError,
-    InputError,
-    SceneError,
-    StorageError,
-    TabletopError,
-)
+from generator.errors import InputError, TabletopError, exit_code
 
 from .certificate import Terms
 from .certify import DEFAULT, certify_all, is_certified
 from .learning.commands import enjoy, plot, train
 from .recording import Format, RecordConfig
 from .recording.command import record as recorded
-
-EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
-    (InputError, 2),
-    (BackendError, 3),
-    (BundleError, 4),
-    (StorageError, 5),
-    (SceneError, 6),
-)
-"""As those of the command ``tabletopgen``."""
 
 
 def certify(
@@ -81,7 +65,7 @@ def certify(
     finally:  # also when it is interrupted
         for path, error in failed:
             print(f"error: {path.name} is not certified: {error}", file=sys.stderr)
-    return _exit_code(failed[0][1]) if failed else 0
+    return exit_code(failed[0][1]) if failed else 0
 
 
 def record(
@@ -119,15 +103,11 @@ def run(arguments: list[str]) -> int:
         )
     except TabletopError as error:
         print(f"error: {error}", file=sys.stderr)
-        return _exit_code(error)
+        return exit_code(error)
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)
         return 130
     return code or 0
-
-
-def _exit_code(error: TabletopError) -> int:
-    return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
 
 
 if __name__ == "__main__":

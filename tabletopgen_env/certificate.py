@@ -12,8 +12,9 @@ from typing import Any
 
 from generator.bundle import MOST_BYTES, read_inside
 from generator.errors import BundleError, InputError, choices, require
+from generator.files import write_whole
 
-from .files import no_constant, typed, write_whole
+from .files import no_constant, typed
 from .tasks import NAMES, TaskName, task_named
 
 FILE = "certificate.json"

@@ -24,9 +24,16 @@ from test_bundle import rewrite
 from toy import toy_object, toy_scene
 
 import assets_cache
-from generator import bundle, cli
+from generator import bundle
 from generator.compose import compose
-from generator.errors import BundleError, InputError, SceneError, StorageError, TabletopError
+from generator.errors import (
+    EXIT_CODES,
+    BundleError,
+    InputError,
+    SceneError,
+    StorageError,
+    TabletopError,
+)
 from generator.physics.gate import judge
 from generator.physics.parts import scaled
 from generator.pipeline import STAGES, generate
@@ -472,6 +479,6 @@ def test_a_published_scene_with_nothing_graspable_says_why(store: Path) -> None:
 
 
 def test_every_error_of_ours_has_an_exit_code() -> None:
-    kinds = {kind for kind, _ in cli.EXIT_CODES}
+    kinds = {kind for kind, _ in EXIT_CODES}
     assert kinds == set(TabletopError.__subclasses__())
-    assert len({code for _, code in cli.EXIT_CODES}) == len(kinds)
+    assert len({code for _, code in EXIT_CODES}) == len(kinds)

@@ -22,7 +22,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.paper_json", VALUES),
     ("generator.render", (*VALUES, "generator.render")),
     ("generator.backends.protocols", VALUES),
-    ("generator.running", ("generator.errors", "generator.running")),
+    ("generator.running", ("generator.errors", "generator.files", "generator.running")),
     (
         "generator.backends.select",
         (*VALUES, "generator.backends.protocols", "generator.running"),
@@ -79,7 +79,8 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         ),
     ),
     ("generator.mjcf", VALUES),
-    ("generator.pictures", (*VALUES, "generator.mjcf")),
+    ("generator.files", ("generator.errors",)),
+    ("generator.pictures", (*VALUES, "generator.files", "generator.mjcf")),
     (
         "generator.bundle",
         (*VALUES, "generator.mjcf", "generator.provenance", "generator.bundle"),
@@ -145,6 +146,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         (
             *VALUES,
             "generator.bundle",
+            "generator.files",
             "generator.mjcf",
             "generator.pictures",
             "generator.render",

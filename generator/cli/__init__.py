@@ -6,23 +6,8 @@ import sys
 
 import tyro
 
-from ..errors import (
-    BackendError,
-    BundleError,
-    InputError,
-    SceneError,
-    StorageError,
-    TabletopError,
-)
+from ..errors import TabletopError, exit_code
 from . import cache, evaluating, interrupts, looking, making
-
-EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
-    (InputError, 2),
-    (BackendError, 3),
-    (BundleError, 4),
-    (StorageError, 5),
-    (SceneError, 6),
-)
 
 DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.
 
@@ -57,7 +42,7 @@ def run(arguments: list[str]) -> int:
         )
     except TabletopError as error:
         print(f"error: {error}", file=sys.stderr)
-        return next(number for kind, number in EXIT_CODES if isinstance(error, kind))
+        return exit_code(error)
     except KeyboardInterrupt:
         print("interrupted; nothing was published", file=sys.stderr)
         return 130

@@ -5,15 +5,14 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import json
-import os
-import tempfile
 import threading
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from ..errors import BudgetError, StorageError
+from ..errors import BudgetError
+from ..files import write_whole
 from .prices import Price, Prices
 
 __all__ = ["Account", "Entry", "Outcome", "Price", "Prices", "Row"]
@@ -216,19 +215,8 @@ class Account:
             StorageError: it cannot be written.
         """
         path = Path(folder) / LEDGER
-        try:
-            number, name = tempfile.mkstemp(prefix=".ledger-", dir=folder)
-            try:
-                with os.fdopen(number, "w", encoding="utf-8") as file:
-                    json.dump(self.facts(prices), file, indent=2)
-                Path(name).chmod(0o644)
-                Path(name).replace(path)
-            finally:
-                Path(name).unlink(missing_ok=True)
-        except OSError as error:
-            raise StorageError(
-                f"The ledger {path} cannot be written: {error.strerror or error}."
-            ) from error
+        text = json.dumps(self.facts(prices), indent=2)
+        write_whole(path, text, "The ledger", "Choose another folder.")
         return path
 
 

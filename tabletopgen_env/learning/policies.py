@@ -24,8 +24,9 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from torch import Tensor
 
 from generator.errors import InputError, choices
+from generator.files import write_whole
 
-from ..files import no_constant, typed, write_whole
+from ..files import no_constant, typed
 from ..tasks import NAMES
 from .actor import Actor, Squash, actor_of, inputs_of, tensors_of
 from .recipes import Network, Recipe, listed, network_of

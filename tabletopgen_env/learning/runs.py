@@ -30,8 +30,8 @@ from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
 from stable_baselines3.common.save_util import load_from_zip_file, recursive_setattr
 
 from generator.errors import InputError, StorageError
+from generator.files import write_whole
 
-from ..files import write_whole
 from .evaluating import Evaluation
 from .recipes import Recipe, recipe_of
 from .replay import read_buffer, write_buffer

@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from generator.errors import StorageError
-from tabletopgen_env.files import no_constant, typed, write_whole
+from generator.files import write_whole
+from tabletopgen_env.files import no_constant, typed
 
 
 def test_what_cannot_be_written_leaves_the_old_file_and_no_other(
