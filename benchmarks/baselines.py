@@ -9,9 +9,9 @@ policy, not the best by validation, plays ``--episodes`` episodes as ``enjoy --s
 ``baselines.csv`` as it ends (a second run resumes; a run that was trained already is only played),
 the summary to ``baselines.md`` and the curves of validation to ``baselines.png``.
 
-The grasp hint is what the expert's planners say, and most of the work. What it is worth is told by
-the recipes ``rule-lift`` and ``rule-pickplace``, which train nothing and go where it points
-(``pace/rule.py``), and by ``lift-clone-plain``, which learns without it.
+Lift and PickPlace see a grasp hint. What that alone is worth is told by the recipes of ``RULES``,
+which train nothing and go where it points (``pace/rule.py``), what it is worth to learn without by
+``lift-clone-plain``.
 """
 
 from __future__ import annotations
@@ -43,8 +43,13 @@ from tabletopgen_env.scenes.source import close
 from tabletopgen_env.statistics import wilson
 
 HERE = Path(__file__).parent
-RECIPES = ("reach-clone", "lift-clone", "pickplace-clone")
-RULES = {"rule-lift": "Lift", "rule-pickplace": "PickPlace"}
+RECIPES = ("reach-clone", "lift-clone", "pickplace-clone", "reach-sac")
+RULES = {
+    "rule-lift": ("Lift", "detected"),
+    "rule-lift-planned": ("Lift", "planned"),
+    "rule-pickplace": ("PickPlace", "detected"),
+    "rule-pickplace-planned": ("PickPlace", "planned"),
+}
 SEED = 2000
 """Of the episodes played, the same ones for every policy of a task."""
 
@@ -57,7 +62,8 @@ def work(job: tuple[str, int], runs: Path, episodes: int, validation: int) -> li
     name, seed = job
     steps, minutes = 0, 0.0
     if name in RULES:
-        task, settings = RULES[name], {"grasp_hint": True}
+        task, hint = RULES[name]
+        settings = {"grasp_hint": hint}
         played = playing(task, settings, lambda: HintRule(task != "Lift"), episodes)
     else:
         folder = trained(name, seed, runs, validation)
@@ -119,14 +125,16 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
         f"`{command}`, {tables.where()}{'; ' + note if note else ''}",
         "",
         "Each seed trained by itself; its last policy plays one episode at each of the tables, "
-        "which neither training nor validation has met. State observations, Lift and PickPlace "
-        "with the grasp hint, but for `-plain`; all are fitted to the scripted expert's advice "
-        "(DAgger). The hint is the answer of the expert's planners, which know the collision "
-        "shapes and run in the environment: the `rule-` rows are of a few lines that go where it "
-        "points and learn nothing. Minutes are of the whole training, tables made and validation "
+        "which neither training nor validation has met. State observations; `-sac` learns from "
+        "the reward alone, `-clone` is fitted to the scripted expert's advice (DAgger). Lift and "
+        "PickPlace see the grasp hint: that of a network, which has learned from height maps of "
+        "training tables where to grasp; with `-planned` that of the expert's planners, which "
+        "know the collision shapes; with `-plain` none. The `rule-` rows are of a few lines that "
+        "go where the hint points and learn nothing. Steps are of the environment, or of cloning "
+        "the states with advice. Minutes are of the whole training, tables made and validation "
         "included. Interval: Wilson, 95 %.",
         "",
-        "| recipe | seed | expert's advice, states | minutes | solved | share | interval |",
+        "| recipe | seed | steps | minutes | solved | share | interval |",
         "|---|---|---|---|---|---|---|",
     ]
     for row in rows:

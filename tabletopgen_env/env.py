@@ -13,7 +13,7 @@ from generator.errors import InputError, SceneError, choices
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
-from .grasp_hint import GraspHint
+from .grasp_hint import GraspHint, HintKind, grasp_hint_of
 from .instances import sampled
 from .observations import ObservationMode, flat_state, observation_space, slot_order
 from .point_cloud import point_cloud
@@ -61,7 +61,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         kinds: what pixel observations hold of each: some of "rgb", "depth", "segmentation".
         image_size: their height and width in pixels, or one number for both.
         points: points of a point cloud.
-        grasp_hint: whether the state ends with a grasp of the target, or its place; see
+        grasp_hint: whether the state ends with a grasp of the target, or its place: "planned" (or
+            True) by the expert's planners, "detected" by a network that sees height maps; see
             ``grasp_hint``. Not for "pixels" and "point_cloud" alone.
         action: "ee_delta", "ee_delta_pos", "ee_delta_6d", "ee_absolute", "joint_delta" or
             "joint_target"; see ``actions``.
@@ -110,7 +111,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         kinds: Sequence[Kind] = ("rgb",),
         image_size: int | tuple[int, int] = 128,
         points: int = 1024,
-        grasp_hint: bool = False,
+        grasp_hint: bool | HintKind = False,
         action: ActionMode = "ee_delta",
         gripper: GripperMode = "continuous",
         control_hz: int = CONTROL_HZ,
@@ -134,9 +135,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             )
         if renderer not in RENDERERS:
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
-        for name, switch in (("grasp_hint", grasp_hint), ("certified", certified)):
-            if not isinstance(switch, bool | np.bool_):
-                raise InputError(f"{name} must be True or False, got {switch!r}.")
+        if not isinstance(certified, bool | np.bool_):
+            raise InputError(f"certified must be True or False, got {certified!r}.")
         self.source = resolve(scenes)
         self._closes_source = self.source is not scenes  # else others may draw from it, too
         self.task = task or PickPlace()
@@ -148,9 +148,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 f"The grasp hint is part of the state, and {observation!r} has none; use "
                 f"'{observation}+state'."
             )
-        self.hint = GraspHint() if grasp_hint else None
+        self.hint = grasp_hint_of(grasp_hint)
         self.observation_space = observation_space(
-            observation, self._views, self.task.most, grasp_hint
+            observation, self._views, self.task.most, self.hint is not None
         )
         self.action_mode: ActionMode = action
         self.controller = controller(action, gripper, control_hz)
@@ -243,7 +243,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """Return what a copy keeps: all but the episode and what it is played and shown with."""
         return {
             **self.__dict__,
-            "hint": None if self.hint is None else GraspHint(),
+            "hint": None if self.hint is None else GraspHint(self.hint.kind),
             "_drawers": {},
             "_window": Window(1 / self.controller.servos.hz),
             "_world": None,

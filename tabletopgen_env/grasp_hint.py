@@ -1,9 +1,8 @@
 """What to do with the active target next, as part of the state: where to grasp it, where to let go.
 
-A box and a pose do not say where a mug's handle is, on which side a neighbour leaves room for a
-finger, or how the mug has to be turned to fit beside what lies in a tray. With ``grasp_hint=True``
-eight entries more do. The expert's planners are asked when a goal becomes active, for a grasp that
-then moves with the object, and when both fingers have raised the object, for a place.
+A box and a pose do not say where a mug's handle is, or on which side a neighbour leaves room for a
+finger. With ``grasp_hint`` eight entries more do. When a goal becomes active a grasp is asked for,
+which then moves with the object, and when both fingers have raised the object, a place.
 
 =====  =============================================================================  ==========
 entry  meaning                                                                        unit
@@ -17,8 +16,18 @@ entry  meaning                                                                  
        no grasp is known
 =====  =============================================================================  ==========
 
-The planners know the collision shapes and run in the environment, so that a policy with the hint
-has little more to learn than to go where it points.
+Who is asked:
+
+==============  ================================================================================
+``"detected"``  a small network that was taught where to grasp (``detection``) and sees height
+                maps, as a depth camera above the table has them. Of what it finds, the first is
+                taken that the arm can reach. The place is the middle of the goal's region, with
+                the hand turned as it is, as high as the height map there asks for.
+``"planned"``   (or True) the expert's planners, which know the collision shapes, and which turn
+                what is held, or let go of it beside the middle, where there is more room
+==============  ================================================================================
+
+Either has the way; what is left to a policy is to go it.
 
 With the target between both fingers the way leads straight up, and once it is raised, unless that
 is all the goal asks for, to where it is to be let go. That place is shown until the object lies
@@ -29,24 +38,29 @@ of the vertical over the end of the way entry 6 is 0.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from jaxtyping import Float
 
+from generator.errors import InputError, choices
 from generator.geometry import rotation_yaw, rotation_z, wrap
 
 from .expert.arm import turn_left
-from .expert.choosing import Plan, choose
+from .expert.choosing import Chooser, Plan, choose
 from .expert.driver import NEAR
 from .expert.dropping import Drop, breadth, hanging, let_go_at, lift_of, lost
 from .expert.grasps import TIP, Grasp
 from .expert.path import clear_height
+from .expert.placing import Placer, middle_place, plan_place
 from .tasks.goals import Pushed, Raised
 
 if TYPE_CHECKING:
     from .tasks.goals import Goal
     from .world import World
+
+HintKind = Literal["planned", "detected"]
+"""Who says where to grasp and where to let go."""
 
 HINT_BOUNDS = np.array([3.0] * 3 + [7.0] + [0.1] * 2 + [3.0] + [1.0])
 """Largest magnitude of each entry."""
@@ -57,6 +71,19 @@ _MOVED, _TILTED, _STILL = 0.015, 0.97, 0.05  # metres, cosine, metres a second
 _HIGHER = 0.3  # metres that entry 6 is at most
 _OFF = 0.01  # metres above where it lay at which an object that lies still again was lost
 _HIGH = 0.035  # the same, at which its place is planned
+
+
+def _planned() -> tuple[Chooser, Placer]:
+    return choose, plan_place
+
+
+def _detected() -> tuple[Chooser, Placer]:
+    from .detection.detector import shipped_detector
+
+    return shipped_detector(), middle_place
+
+
+_ANSWERS = {"planned": _planned, "detected": _detected}
 
 
 def misread(
@@ -88,11 +115,16 @@ def misread(
 class GraspHint:
     """The grasp of the active target, carried along with the object, and then its place.
 
+    Args:
+        kind: whether the expert's planners are asked, or the detector.
+
     A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
     was lost. ``drop`` is the place while there is one, ``planned`` the grasp as it was planned.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, kind: HintKind = "planned") -> None:
+        self.kind: HintKind = kind
+        self._choose, self._place = _ANSWERS[kind]()
         self.planned: Plan | None = None
         self.drop: Drop | None = None
         self._target: str | None = None
@@ -133,7 +165,8 @@ class GraspHint:
             risen = float(world.position(name)[2] - self._seen[2])
             self._raised = self._raised or risen > _OFF
             if risen > _HIGH and not isinstance(goal, Raised):
-                self.drop = Drop(world, goal, rotation_yaw(world.hand), let_go_at(grasp))
+                yaw = rotation_yaw(world.hand)
+                self.drop = Drop(world, goal, yaw, let_go_at(grasp), self._place)
         if self.drop is not None:
             self.drop.follow(world)
             depth, broad = hanging(world, name), breadth(world, name)
@@ -155,7 +188,10 @@ class GraspHint:
         self._lost = tuple(self._carried(world, name, plan) for plan in lost)
         started = world.data.time > 0
         failed = tuple(plan.grasp for plan in self._lost)
-        self.planned = choose(world, name, failed) if started else world.first_plan(name)
+        if started:
+            self.planned = self._choose(world, name, failed)
+        else:
+            self.planned = world.first_plan(name, self._choose)
         self.drop, self._raised = None, False
         self._rotation, self._seen = world.rotation(name), world.position(name)
         self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])
@@ -177,6 +213,23 @@ class GraspHint:
         if float(moved @ moved) > _MOVED**2:
             return True
         return float((world.rotation(name) @ self._rotation.T)[2, 2]) < _TILTED
+
+
+def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
+    """Return the hint that is asked for, None for none.
+
+    Raises:
+        InputError: there is no such hint.
+        StorageError: the detector's weights cannot be read.
+    """
+    if isinstance(asked, bool | np.bool_):
+        return GraspHint() if asked else None
+    if not isinstance(asked, str) or asked not in _ANSWERS:
+        raise InputError(
+            f"grasp_hint must be True, False, 'planned' or 'detected', got {asked!r}."
+            + choices(str(asked), _ANSWERS)
+        )
+    return GraspHint(asked)
 
 
 class _Way(NamedTuple):

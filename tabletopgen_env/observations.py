@@ -28,8 +28,7 @@ index   meaning                                                        range    
 269-271 centre of the goal region                                      [-3, 3]     m
 272-275 its semi-axes x', y', its yaw, its semi-axis z                 [-4, 4]     m, rad
 276-278 centre of the goal region minus target                         [-3, 3]     m
-279-286 with ``grasp_hint=True``: where to grasp the target or let go of it, see
-        ``grasp_hint``
+279-286 with ``grasp_hint``: where to grasp the target or let go of it, see ``grasp_hint``
 ======  =============================================================  ==========  ========
 
 An object slot: 0-2 centre of its box [m], 3-8 rotation, 9-11 half its extent [m], 12-14 linear

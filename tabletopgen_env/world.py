@@ -50,7 +50,7 @@ from .robot.panda import (
 if TYPE_CHECKING:
     import mujoco
 
-    from .expert.choosing import Plan
+    from .expert.choosing import Chooser, Plan
 
 
 _CONTACT = 1e-4
@@ -123,7 +123,7 @@ class World:
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
         self._graspable: dict[str, bool] = {}
-        self._plans: dict[str, Plan | None] = {}
+        self._plans: dict[tuple[Chooser, str], Plan | None] = {}
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
 
     def twin(self) -> World:
@@ -260,18 +260,17 @@ class World:
             self._graspable[name] = is_graspable(self, name)
         return self._graspable[name]
 
-    def first_plan(self, name: str) -> Plan | None:
-        """Return the expert's grasp of an object at the start of an episode.
+    def first_plan(self, name: str, choose: Chooser) -> Plan | None:
+        """Return the grasp that ``choose`` takes of an object at the start of an episode.
 
         Remembered where the base stands as given and nothing is absent, which hardly recur else.
         """
-        from .expert.choosing import choose
-
         if self.absent or self.mount is not self._own_mount:
             return choose(self, name)
-        if name not in self._plans:
-            self._plans[name] = choose(self, name)
-        return self._plans[name]
+        key = choose, name
+        if key not in self._plans:
+            self._plans[key] = choose(self, name)
+        return self._plans[key]
 
     @cached_property
     def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:

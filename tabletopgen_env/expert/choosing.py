@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import compress
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from jaxtyping import Float
@@ -14,7 +14,7 @@ from generator.geometry import wrap
 from .arm import easiest, knuckle_is_free, stretch, wrists_are_free
 from .driver import up
 from .grasps import TIP, Grasp, plan_grasps
-from .heights import surroundings
+from .heights import HeightMap, surroundings
 
 if TYPE_CHECKING:
     from ..world import World
@@ -35,6 +35,14 @@ class Plan:
     seen: Float[np.ndarray, "3"]
 
 
+class Chooser(Protocol):
+    """Says which grasp to take: the expert's planner (``choose``), or a detector."""
+
+    def __call__(self, world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | None:
+        """Return a grasp of ``target`` where it is now, None if there is none; as ``choose``."""
+        ...
+
+
 def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | None:
     """Return the best grasp of ``target`` where it is now that the arm can reach, None if none.
 
@@ -46,21 +54,34 @@ def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | 
     center = world.position(target)
     low, high = center[:2] - _AROUND, center[:2] + _AROUND
     others = surroundings(world, target, low, high, 0.01)
-    found = plan_grasps(world, target, failed)[:_MOST]
+    return reached(world, center, plan_grasps(world, target, failed)[:_MOST], others)
+
+
+def reached(
+    world: World, center: Float[np.ndarray, "3"], found: list[Grasp], others: HeightMap
+) -> Plan | None:
+    """Return the first grasp that the arm can reach, None if it can reach none.
+
+    Args:
+        world: says where the base is.
+        center: where the object is, world frame.
+        found: its grasps, best first.
+        others: what else stands around it.
+    """
     points = np.array([grasp.point for grasp in found]).reshape(-1, 3)
     clear = wrists_are_free(world, others, points[:, :2], points[:, 2] - TIP)
     free = list(compress(found, clear))
-    reached: Plan | None = None
+    last: Plan | None = None
     # Where the wrist has no room for any, it may yet come by.
     for grasp in free or found:
         points, tip = (grasp.point, grasp.point + up(HOVER)), float(grasp.point[2]) - TIP
         yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)
         if yaw is None:
             continue
-        reached = reached or Plan(grasp, yaw, center)
+        last = last or Plan(grasp, yaw, center)
         for turned in (yaw, wrap(yaw + np.pi)):
             if knuckle_is_free(world, others, grasp.point[:2], tip, turned) and (
                 turned == yaw or stretch(world, points, turned) is not None
             ):
                 return Plan(grasp, turned, center)
-    return reached
+    return last

@@ -12,7 +12,7 @@ from generator.geometry import rotation_z
 from ..tasks.goals import RAISED, Raised, at_rest
 from .arm import turn_left
 from .grasps import TIP, Grasp
-from .placing import plan_place
+from .placing import Placer, plan_place
 
 if TYPE_CHECKING:
     from ..tasks.goals import Goal, Region
@@ -36,12 +36,20 @@ class Drop:
         goal: what is asked for; its target is in the hand.
         yaw: the hand's, now, in the base frame, radians.
         opening: how far the fingers will open to let go, metres.
+        plan: says where.
     """
 
-    def __init__(self, world: World, goal: Goal, yaw: float, opening: float) -> None:
+    def __init__(
+        self,
+        world: World,
+        goal: Goal,
+        yaw: float,
+        opening: float,
+        plan: Placer = plan_place,
+    ) -> None:
         assert goal.target is not None
         self._target, self._goal = goal.target, goal
-        self._place = plan_place(world, goal, yaw, opening)
+        self._place = plan(world, goal, yaw, opening)
         self._shift = np.zeros(3)
         self.opening = opening
         self.tool = self._place.tool

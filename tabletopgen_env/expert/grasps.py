@@ -22,7 +22,7 @@ from .heights import HeightMap, Solid, moved, solid, surroundings
 from .runs import FINGER_HALF, PAD_HEIGHT, RISE, STEP_U, STEP_V, Slabs, find_runs, slabs
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from ..world import World
 
@@ -58,19 +58,25 @@ def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> lis
     Args:
         world: the world; live poses count.
         target: an object's name.
-        avoid: grasps that failed; those within 1.5 cm and 20 degrees of them rank last.
+        avoid: grasps that failed; those like them rank last.
     """
-    found = [_demoted(grasp, avoid) for grasp in _candidates(world, target)]
+    candidates = grasps_along(world, target, _angles(world, target))
+    found = [_demoted(grasp, avoid) for grasp in candidates]
     return sorted(found, key=lambda grasp: -grasp.score)
 
 
 def is_graspable(world: World, target: str) -> bool:
     """Return whether ``plan_grasps`` finds any; stops at the first."""
-    return next(_candidates(world, target), None) is not None
+    return next(grasps_along(world, target, _angles(world, target)), None) is not None
 
 
-def _candidates(world: World, target: str) -> Iterator[Grasp]:
-    """Yield grasps of ``target`` where it is now, turn by turn of the hand."""
+def _angles(world: World, target: str) -> list[float]:
+    facing = rotation_yaw(world.rotation(target))
+    return (facing + np.arange(_TURNS) * np.pi / _TURNS).tolist()
+
+
+def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator[Grasp]:
+    """Yield grasps of ``target`` where it is now, by the ``angles`` of their fingers' opening."""
     position, rotation = world.position(target), world.rotation(target)
     own = moved(world.scene.object(target).parts, position, rotation)
     shape = solid(own, STEP_U, RISE)
@@ -80,18 +86,22 @@ def _candidates(world: World, target: str) -> Iterator[Grasp]:
     com = position + rotation @ world.scene.object(target).com
     floor = world.scene.table.height
     cut = slabs(shape, floor)
-    facing = rotation_yaw(rotation)
-    for angle in facing + np.arange(_TURNS) * np.pi / _TURNS:
-        yield from _along(shape, cut, others, com, float(angle), floor)
+    for angle in angles:
+        yield from _along(shape, cut, others, com, angle, floor)
 
 
 def _demoted(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
     for failed in avoid:
-        turn = (grasp.angle - failed.angle + np.pi / 2) % np.pi - np.pi / 2
-        near = np.linalg.norm(grasp.point - failed.point) < 0.015
-        if near and abs(turn) < np.deg2rad(20.0):
+        if is_like(grasp, failed):
             grasp = Grasp(grasp.point, grasp.angle, grasp.opening, grasp.width, grasp.score - 4.0)
     return grasp
+
+
+def is_like(grasp: Grasp, other: Grasp) -> bool:
+    """Return whether two grasps are within 1.5 cm and 20 degrees of each other."""
+    turn = (grasp.angle - other.angle + np.pi / 2) % np.pi - np.pi / 2
+    near = np.linalg.norm(grasp.point - other.point) < 0.015
+    return bool(near and abs(turn) < np.deg2rad(20.0))
 
 
 def _along(

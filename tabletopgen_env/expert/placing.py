@@ -8,7 +8,7 @@ is best where the thing comes to lie low, near the middle and well supported, an
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 import numpy as np
 from jaxtyping import Float
@@ -51,6 +51,14 @@ class Place:
     target: Float[np.ndarray, "2"]
     hanging: float
     seen: Float[np.ndarray, "3"]
+
+
+class Placer(Protocol):
+    """Says where to let go: the expert's planner (``plan_place``), or ``middle_place``."""
+
+    def __call__(self, world: World, goal: Goal, yaw: float, opening: float) -> Place:
+        """Return a place; see ``plan_place``."""
+        ...
 
 
 class Underside(NamedTuple):
@@ -109,6 +117,25 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     return Place(chosen[2], wrap(yaw + chosen[1]), chosen[3], hanging, region.center)
 
 
+def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
+    """Return the middle of a goal's region, for its target as the hand holds it, unturned.
+
+    What a camera sees is enough: the height map of all else, and the box of what is held. Nothing
+    is asked of the arm. The arguments are those of ``plan_place``.
+    """
+    assert goal.target is not None
+    tool = world.data.site_xpos[world.tcp].copy()
+    held = _boxed(world, goal.target, tool)
+    region = goal.region(world)
+    others = _room(world, goal.target, region, held)
+    at = (region.center - world.position(goal.target) + tool)[None, :2]
+    undersides = (held, _hand(opening, yaw + world.mount.yaw))
+    height = max(float(_touching(others, at, under).max()) for under in undersides)
+    hanging = -float(held.low.min())
+    place = np.array([*at[0], height + RELEASE])
+    return Place(place, yaw, region.center[:2], hanging, region.center)
+
+
 def _reached(world: World, others: HeightMap, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
     tip = float(tool[2]) - TIP
     if not wrist_is_free(world, others, tool[None, :2], tip):
@@ -160,6 +187,15 @@ def _held(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
     step = max(1, len(at) // _MOST_COLUMNS)
     kept = np.unique(np.append(np.arange(0, len(at), step), low.argmin()))
     return Underside(at[kept] - tool[:2], np.maximum(low[kept], world.lowest(target)) - tool[2])
+
+
+def _boxed(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
+    """Return the underside of the target as if it filled its box as it hangs in the hand."""
+    rotation, half = world.rotation(target), world.scene.object(target).scale / 2
+    across = np.linspace(-1.0, 1.0, 9)
+    unit = np.stack(np.meshgrid(across, across, across), -1).reshape(-1, 3)
+    at = ((unit * half) @ rotation.T + world.position(target) - tool)[:, :2]
+    return Underside(at, np.full(len(at), world.lowest(target) - tool[2]))
 
 
 def _hand(opening: float, yaw: float) -> Underside:

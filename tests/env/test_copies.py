@@ -20,6 +20,7 @@ from tabletopgen_env.vector import TabletopVectorEnv
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 SETTINGS: dict[str, dict[str, Any]] = {
     "hinted": {"grasp_hint": True},
+    "detected": {"grasp_hint": "detected"},
     "drawn": {
         "observation": "pixels+state", "image_size": 16,
         "render_mode": "rgb_array", "render_size": (16, 16),

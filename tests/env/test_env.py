@@ -147,7 +147,9 @@ def test_scenes_with_nothing_to_do_are_passed_over() -> None:
         ({"render_size": (480,)}, r"render_size must be"),
         ({"render_size": None}, r"render_size must be"),
         ({"certified": "yes"}, "certified must be True or False, got 'yes'"),
-        ({"grasp_hint": "x"}, "grasp_hint must be True or False, got 'x'"),
+        ({"grasp_hint": "x"}, "grasp_hint must be True, False, 'planned' or 'detected', got 'x'"),
+        ({"grasp_hint": ["x"]}, r"grasp_hint must be .*got \['x'\]"),
+        ({"grasp_hint": 1}, r"grasp_hint must be .*got 1"),
     ],
 )
 def test_wrong_settings_are_explained(settings, message) -> None:

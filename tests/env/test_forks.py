@@ -130,3 +130,23 @@ def test_a_drawer_made_before_the_fork_is_refused_in_it(drawn, gl) -> None:
         return ""
 
     assert "forkserver" in in_fork(work)
+
+
+def test_a_forked_copy_detects_grasps(monkeypatch) -> None:
+    """The network keeps to one thread: a fork has none of the others."""
+    env = make_env(toy_scene(), task="Lift", grasp_hint="detected")
+    monkeypatch.setattr(env.unwrapped._worlds, "get", anew(env.unwrapped._worlds.get))
+    seen = env.reset(seed=0)[0]
+    assert np.array_equal(in_fork(lambda: env.reset(seed=0)[0]), seen)
+    env.close()
+
+
+def anew(get: Callable[..., Any]) -> Callable[..., Any]:
+    """``get``, but its worlds remember no grasps."""
+
+    def got(*args: Any) -> Any:
+        world = get(*args)
+        world._plans.clear()
+        return world
+
+    return got

@@ -8,6 +8,7 @@ from toy import toy_scene
 
 from generator.errors import InputError
 from generator.geometry import wrap
+from tabletopgen_env.detection.detector import shipped_detector
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.choosing import choose
 from tabletopgen_env.expert.run import TaskExpert
@@ -18,7 +19,7 @@ CUBE = {"target": "cube_1"}
 
 
 def lift(**settings) -> TabletopEnv:
-    return make_env(toy_scene(), task="Lift", grasp_hint=True, **settings)
+    return make_env(toy_scene(), **{"task": "Lift", "grasp_hint": True, **settings})
 
 
 def test_the_state_ends_with_the_planned_grasp() -> None:
@@ -81,11 +82,11 @@ def test_a_hint_has_all_its_attributes_from_the_start() -> None:
 def test_plans_of_the_start_are_kept_where_the_base_stands_as_given(monkeypatch) -> None:
     env = lift()
     env.reset(seed=0, options=CUBE)
-    kept = env.world.first_plan("cube_1")
+    kept = env.world.first_plan("cube_1", choose)
     with monkeypatch.context() as idle:
-        idle.setattr("tabletopgen_env.expert.choosing.choose", lambda *_: 1 / 0)
+        idle.setattr("tabletopgen_env.expert.choosing.plan_grasps", lambda *_: 1 / 0)
         env.reset(seed=1, options=CUBE)
-        assert env.world.first_plan("cube_1") is kept
+        assert env.world.first_plan("cube_1", choose) is kept
 
 
 @pytest.mark.parametrize(
@@ -240,3 +241,43 @@ def test_noise_moves_a_place_with_what_is_read_of_the_thing_in_the_hand() -> Non
     assert abs(turn) < 0.3
     assert np.ptp([r[279:282] for r in reads], 0).max() > 0.005
     assert np.ptp(sums, 0).max() < 0.006
+
+
+def test_a_detected_hint_is_the_detectors_grasp() -> None:
+    env = lift(grasp_hint="detected")
+    seen = env.reset(seed=0, options=CUBE)[0]
+    plan = shipped_detector()(env.world, "cube_1")
+    assert plan is not None
+    tool = env.world.data.site_xpos[env.world.tcp]
+    assert np.allclose(
+        seen[279:282], env.world.base_rotation.T @ (plan.grasp.point - tool), atol=1e-5
+    )
+    assert np.allclose(seen[283:285], [plan.grasp.opening, plan.grasp.width], atol=1e-5)
+
+
+def test_a_detected_hint_asks_no_planner(monkeypatch) -> None:
+    """Neither the grasps nor the places of the expert's planners are behind it."""
+    for planner in ("choosing.plan_grasps", "placing._held"):
+        monkeypatch.setattr(f"tabletopgen_env.expert.{planner}", lambda *_: 1 / 0)
+    env = lift(task="PickPlace", grasp_hint="detected")
+    seen = env.reset(seed=0, options={"target": "cube_1", "goal": "spot"})[0]
+    hint, expert = env.hint, TaskExpert(env)
+    expert.reset()
+    assert hint is not None
+    while hint.drop is None and env.world.data.time < 4.0:
+        seen = env.step(expert.act())[0]
+    assert hint.drop is not None, "it was never raised"
+    middle = env.goal.region(env.world).center
+    held = env.world.position("cube_1") - env.world.data.site_xpos[env.world.tcp]
+    np.testing.assert_allclose((hint.drop.tool + held)[:2], middle[:2], atol=0.01)
+    assert seen[286] == -1.0
+
+
+def test_an_unknown_hint_names_those_there_are() -> None:
+    with pytest.raises(InputError, match=r"'planned' or 'detected', got 'detect'.*detected"):
+        lift(grasp_hint="detect")
+
+
+def test_planned_is_what_true_means() -> None:
+    one, two = (lift(grasp_hint=kind).reset(seed=0, options=CUBE)[0] for kind in (True, "planned"))
+    assert np.array_equal(one, two)

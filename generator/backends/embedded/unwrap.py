@@ -67,15 +67,18 @@ def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.nda
 def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.ndarray, "c 2"]]:
     """Return the largest scale at which rectangles fit a square on shelves, and their corners."""
     order = np.argsort(-sizes[:, 1], kind="stable")
+    gutter = min(
+        _GUTTER, size / (4.0 * np.ceil(np.sqrt(len(sizes))))
+    )  # else they alone are too much
     scale = float(np.sqrt(size * size / np.maximum((sizes[:, 0] * sizes[:, 1]).sum(), 1e-12)))
     while True:
         corners = np.zeros_like(sizes)
         x = y = shelf = 0.0
         for k in order:
-            w, h = sizes[k] * scale + 2 * _GUTTER
+            w, h = sizes[k] * scale + 2 * gutter
             if x + w > size:
                 x, y, shelf = 0.0, y + shelf, 0.0
-            corners[k] = x + _GUTTER, y + _GUTTER
+            corners[k] = x + gutter, y + gutter
             x, shelf = x + w, max(shelf, h)
             if w > size:
                 y = np.inf

@@ -1,0 +1,3 @@
+"""Where to grasp a thing, learned: from height maps, as a depth camera above the table has them."""
+
+from __future__ import annotations

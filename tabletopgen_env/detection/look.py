@@ -1,0 +1,56 @@
+"""What a depth camera above the table tells of an object and of what is around it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float, UInt8
+
+from generator.geometry import rotation_yaw
+
+from ..expert.heights import HeightMap, height_map, moved, surroundings
+
+if TYPE_CHECKING:
+    from ..world import World
+
+CELLS, CELL, STEP = 64, 0.004, 0.002
+"""Cells along a side of a map; their size, and the step of their heights, metres."""
+
+
+@dataclass(frozen=True, eq=False)
+class Look:
+    """Two height maps around an object, axes along the world's: its own, and that of all else.
+
+    ``heights[m, i, j]`` is map m (0 the object, 1 all else) at ``center + CELL * ((i, j) - 31.5)``
+    (x, y, world, metres), in ``STEP`` above the table, 0 where there is nothing and at most 255.
+    ``facing`` is the bearing of the object's x axis (radians), ``floor`` the table's height
+    (metres, world).
+    """
+
+    heights: UInt8[np.ndarray, "2 64 64"]
+    center: Float[np.ndarray, "2"]
+    facing: float
+    floor: float
+
+    @property
+    def others(self) -> HeightMap:
+        """All but the object as a height map, the table where there is nothing."""
+        return HeightMap(_origin(self.center), CELL, self.heights[1] * STEP + self.floor)
+
+
+def look(world: World, target: str) -> Look:
+    """Return what is seen of an object where it is now; the robot is not seen."""
+    position, rotation = world.position(target), world.rotation(target)
+    low = _origin(position[:2])
+    high = low + CELL * (CELLS - 1.5)  # half a cell short: rounding adds none
+    own = height_map(moved(world.scene.object(target).parts, position, rotation), low, high, CELL)
+    rest = surroundings(world, target, low, high, CELL)
+    above = np.stack([own.heights, rest.heights]) - world.scene.table.height
+    heights = np.rint(np.clip(above / STEP, 0.0, 255.0)).astype(np.uint8)
+    return Look(heights, position[:2], rotation_yaw(rotation), world.scene.table.height)
+
+
+def _origin(center: Float[np.ndarray, "2"]) -> Float[np.ndarray, "2"]:
+    return center - CELL * (CELLS - 1) / 2

@@ -1,0 +1,25 @@
+"""Texture atlases: every chart has a place of its own, however many there are."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from generator.backends.embedded.unwrap import unwrap
+
+
+def soup(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Triangles that share nothing, each a chart of its own."""
+    rng = np.random.default_rng(0)
+    vertices = rng.uniform(-1.0, 1.0, (3 * count, 3))
+    return vertices, np.arange(3 * count).reshape(-1, 3)
+
+
+@pytest.mark.parametrize(("count", "size"), [(1, 64), (12, 64), (400, 64), (2000, 128)])
+def test_charts_lie_inside_also_where_their_gutters_alone_would_fill_the_texture(
+    count: int, size: int
+) -> None:
+    atlas = unwrap(*soup(count), size)
+    assert atlas.uv.min() >= 0.0 and atlas.uv.max() <= 1.0
+    assert len(np.unique(atlas.face)) >= 0.5 * count
+    assert len(np.unique(atlas.texel)) == len(atlas.texel)
