@@ -1,6 +1,6 @@
 """Train the grasp detector; on a CPU.
 
-    python -m tabletopgen_env.detection.training --lessons DIR --scenes 2000 --steps 4000
+    python -m tabletopgen_env.detection.training --lessons DIR --scenes 1500 --steps 3000
 
 Lessons are made once, ``CHUNK`` scenes a file of ``--lessons``, and found there the next time. They
 are of the training side of the split of fresh scenes, those of one more file of the held-out side:
@@ -220,8 +220,8 @@ def main() -> None:
     """Make what lessons are missing, train, and write the weights."""
     parser = argparse.ArgumentParser(description="Train the grasp detector.")
     parser.add_argument("--lessons", type=Path, required=True, help="folder of the lessons")
-    parser.add_argument("--scenes", type=int, default=2000, help="to learn from")
-    parser.add_argument("--steps", type=int, default=4000, help="batches of 16 objects")
+    parser.add_argument("--scenes", type=int, default=1500, help="to learn from")
+    parser.add_argument("--steps", type=int, default=3000, help="batches of 16 objects")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--out", type=Path, default=PATH, help="file of the weights")
     parser.add_argument("--sheet", type=Path, help="PNG: what it makes of held-out objects")
