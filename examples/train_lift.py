@@ -1,15 +1,20 @@
-"""Train Lift at tables that are renewed while training goes on: python examples/train_lift.py."""
+"""Teach SB3's SAC to lift, at tables renewed meanwhile: python examples/train_lift.py."""
 
 import sys
 
 import gymnasium as gym
 from stable_baselines3 import SAC
 
+from tabletopgen_env.learning.cloning import CloningConfig, clone
+from tabletopgen_env.learning.network import TableExtractor
 
-def main(steps: int = 200_000) -> None:
-    env = gym.make("tabletopgen_env:TabletopGen/Lift-v0", scenes="refreshing")
-    model = SAC("MlpPolicy", env, seed=0, buffer_size=steps, verbose=1)
-    model.learn(steps)
+
+def main(rounds: int = 8, episodes: int = 100, steps: int = 2000) -> None:
+    lift = "tabletopgen_env:TabletopGen/Lift-v0"
+    env = gym.make(lift, scenes="refreshing", grasp_hint="detected")
+    network = {"features_extractor_class": TableExtractor, "net_arch": [256, 256, 256]}
+    model = SAC("MlpPolicy", env, policy_kwargs=network, seed=0, buffer_size=1)
+    clone(model, env, CloningConfig(rounds, episodes, steps=steps, last_steps=4 * steps), 0, print)
     model.save("out/lift.zip")
     env.close()
 

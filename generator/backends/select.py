@@ -130,9 +130,19 @@ def _identity(backend: Any) -> dict[str, Any]:
     kind = f"{type(backend).__module__}.{type(backend).__qualname__}"
     settings = {}
     if dataclasses.is_dataclass(backend) and not isinstance(backend, type):
-        settings = {f.name: getattr(backend, f.name) for f in dataclasses.fields(backend) if f.repr}
-    return {"class": kind, **{k: v for k, v in settings.items() if _plain(v)}}
+        shown = (field.name for field in dataclasses.fields(backend) if field.repr)
+        settings = {name: _recorded(getattr(backend, name)) for name in shown}
+    return {"class": kind, **{k: v for k, v in settings.items() if v is not _UNTOLD}}
 
 
-def _plain(value: Any) -> bool:
-    return isinstance(value, str | int | float | bool | type(None))
+def _recorded(value: Any) -> Any:
+    """Return what provenance records of a setting, ``_UNTOLD`` where it cannot be written down."""
+    if isinstance(value, str | int | float | bool | type(None)):
+        return value
+    if isinstance(value, tuple | list):
+        parts = [_recorded(part) for part in value]
+        return _UNTOLD if _UNTOLD in parts else parts
+    return _identity(value) if dataclasses.is_dataclass(value) else _UNTOLD
+
+
+_UNTOLD: Any = object()

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass, field
 
 import pytest
@@ -27,6 +28,21 @@ def test_your_own_class_takes_one_role() -> None:
     backends = Backends.select("embedded", modeler=MyModeler())
     assert backends.identity()["modeler"]["revision"] == "r1"
     assert isinstance(backends.modeler, MyModeler)
+
+
+@dataclass(frozen=True)
+class Composed(MyModeler):
+    sizes: tuple[int, ...] = (2, 3)
+    rest: MyModeler | None = None
+    table: dict[str, int] = field(default_factory=dict)
+
+
+def test_tuples_and_backends_within_are_recorded_and_what_cannot_be_written_is_left_out() -> None:
+    told = Backends.select("embedded", modeler=Composed(rest=MyModeler("r2"))).identity()["modeler"]
+    assert told["sizes"] == [2, 3]
+    assert (told["rest"]["class"], told["rest"]["revision"]) == (f"{__name__}.MyModeler", "r2")
+    assert "table" not in told
+    assert json.loads(json.dumps(told)) == told
 
 
 def test_names_and_roles_are_checked() -> None:
