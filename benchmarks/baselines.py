@@ -29,8 +29,9 @@ from pace.rule import HintRule
 from posing import tables
 from posing.tables import Row
 
-from generator.errors import TabletopError
+from generator.errors import InputError, TabletopError
 from generator.pictures import write_picture
+from tabletopgen_env.detection.detector import shipped_digest
 from tabletopgen_env.learning.evaluating import Played, Predicts, play, seeds, summed
 from tabletopgen_env.learning.making import single_env, source_of
 from tabletopgen_env.learning.plotting import bands, draw
@@ -53,7 +54,7 @@ RULES = {
 SEED = 2000
 """Of the episodes played, the same ones for every policy of a task."""
 
-KEY = ("recipe", "seed", "episodes")
+KEY = ("recipe", "seed", "episodes", "hint")
 FIELDS = (*KEY, "steps", "minutes", "solved", "tables", "length", "failed")
 
 
@@ -74,8 +75,8 @@ def work(job: tuple[str, int], runs: Path, episodes: int, validation: int) -> li
     failed = sorted(p.instruction for p in played if not p.solved)
     return [{
         "recipe": name, "seed": seed, "steps": steps, "minutes": f"{minutes:.1f}",
-        "episodes": seen.episodes, "solved": seen.solved, "tables": seen.tables,
-        "length": f"{seen.steps:.0f}", "failed": json.dumps(failed),
+        "episodes": seen.episodes, "hint": hint_of(name), "solved": seen.solved,
+        "tables": seen.tables, "length": f"{seen.steps:.0f}", "failed": json.dumps(failed),
     }]  # fmt: skip
 
 
@@ -92,7 +93,15 @@ def trained(name: str, seed: int, runs: Path, validation: int) -> Path:
         if train(recipe_named(name), part, Plan(seed, episodes=validation)).interrupted:
             raise KeyboardInterrupt
         part.rename(folder)
+    if opened(folder).recipe != recipe_named(name):
+        raise InputError(f"{folder} is a run of another recipe {name}; move it away.")
     return folder
+
+
+def hint_of(name: str) -> str:
+    """Return what the grasp hint of a recipe is: its kind, and the detector's weights."""
+    kind = RULES[name][1] if name in RULES else str(recipe_named(name).env.get("grasp_hint", ""))
+    return f"{kind} {shipped_digest()}" if kind == "detected" else kind
 
 
 def playing(
@@ -132,7 +141,8 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
         "know the collision shapes; with `-plain` none. The `rule-` rows are of a few lines that "
         "go where the hint points and learn nothing. Steps are of the environment, or of cloning "
         "the states with advice. Minutes are of the whole training, tables made and validation "
-        "included. Interval: Wilson, 95 %.",
+        "included. Interval: Wilson, 95 %, of a policy at tables like these; the seeds play at the "
+        "same tables.",
         "",
         "| recipe | seed | steps | minutes | solved | share | interval |",
         "|---|---|---|---|---|---|---|",
@@ -144,14 +154,12 @@ def summary(rows: Sequence[Row], command: str, note: str) -> str:
             f"| `{row['recipe']}` | {row['seed']} | {int(row['steps']):,} | {row['minutes']} "
             f"| {solved} of {count} | {100 * solved / count:.1f} % | {low:.0f} to {high:.0f} % |"
         )
-    lines += ["", "| recipe | all seeds | share | interval |", "|---|---|---|---|"]
+    lines += ["", "| recipe | seeds | mean share | of the seeds |", "|---|---|---|---|"]
     for name in dict.fromkeys(str(r["recipe"]) for r in rows):
-        own = [r for r in rows if r["recipe"] == name]
-        solved, count = (sum(int(r[f]) for r in own) for f in ("solved", "episodes"))
-        low, high = (100 * x for x in wilson(solved, count))
+        shares = [100 * int(r["solved"]) / int(r["episodes"]) for r in rows if r["recipe"] == name]
         lines.append(
-            f"| `{name}` | {solved} of {count} | {100 * solved / count:.1f} % "
-            f"| {low:.0f} to {high:.0f} % |"
+            f"| `{name}` | {len(shares)} | {sum(shares) / len(shares):.1f} % "
+            f"| {min(shares):.1f} to {max(shares):.1f} % |"
         )
     lines += ["", "![Validation while training](baselines.png)"]
     return "\n".join([*lines, ""])
@@ -177,11 +185,11 @@ def main() -> None:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / "baselines.csv"
         rows = tables.resume(table, FIELDS, KEY)
-        done = {(r["recipe"], int(r["seed"]), int(r["episodes"])) for r in rows}
+        done = {(r["recipe"], int(r["seed"]), int(r["episodes"]), r["hint"]) for r in rows}
         job = partial(
             work, runs=args.runs, episodes=args.episodes, validation=args.validation
         )  # fmt: skip
-        left = [a for a in asked if (*a, args.episodes) not in done]
+        left = [a for a in asked if (*a, args.episodes, hint_of(a[0])) not in done]
         rows = tables.run(table, FIELDS, KEY, rows, left, job, args.workers, say)
         found = [folder_of(args.runs, str(r["recipe"]), int(r["seed"])) for r in rows]
         kept = [opened(path) for path in found if (path / LATEST).exists()]

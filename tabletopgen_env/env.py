@@ -13,7 +13,7 @@ from generator.errors import InputError, SceneError, choices
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
-from .grasp_hint import GraspHint, HintKind, grasp_hint_of
+from .grasp_hint import HintKind, grasp_hint_of
 from .instances import sampled
 from .observations import ObservationMode, flat_state, observation_space, slot_order
 from .point_cloud import point_cloud
@@ -243,7 +243,6 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """Return what a copy keeps: all but the episode and what it is played and shown with."""
         return {
             **self.__dict__,
-            "hint": None if self.hint is None else GraspHint(self.hint.kind),
             "_drawers": {},
             "_window": Window(1 / self.controller.servos.hz),
             "_world": None,

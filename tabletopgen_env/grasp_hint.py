@@ -22,10 +22,15 @@ Who is asked:
 ``"detected"``  a small network that was taught where to grasp (``detection``) and sees height
                 maps, as a depth camera above the table has them. Of what it finds, the first is
                 taken that the arm can reach. The place is the middle of the goal's region, with
-                the hand turned as it is, as high as the height map there asks for.
+                the hand turned as it is or half round, as high as the height map there asks for.
 ``"planned"``   (or True) the expert's planners, which know the collision shapes, and which turn
                 what is held, or let go of it beside the middle, where there is more room
 ==============  ================================================================================
+
+A robot would have to perceive what the simulator gives ``"detected"``, too: the maps are without
+noise, without the arm, and of each thing also where another hides it; each thing's centre, heading
+and box are true, as in the rest of the state, and so are its lowest point, where it is in the hand,
+and whether it lies still. Targets that the planner finds no grasp of are not drawn for an episode.
 
 Either has the way; what is left to a policy is to go it.
 
@@ -78,9 +83,9 @@ def _planned() -> tuple[Chooser, Placer]:
 
 
 def _detected() -> tuple[Chooser, Placer]:
-    from .detection.detector import shipped_detector
+    from .detection.detector import read_detector
 
-    return shipped_detector(), middle_place
+    return read_detector(), middle_place
 
 
 _ANSWERS = {"planned": _planned, "detected": _detected}
@@ -119,12 +124,13 @@ class GraspHint:
         kind: whether the expert's planners are asked, or the detector.
 
     A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
-    was lost. ``drop`` is the place while there is one, ``planned`` the grasp as it was planned.
+    was lost. ``drop`` is the place while there is one, ``planned`` the grasp as it was planned,
+    ``choose`` who is asked for one.
     """
 
     def __init__(self, kind: HintKind = "planned") -> None:
         self.kind: HintKind = kind
-        self._choose, self._place = _ANSWERS[kind]()
+        self.choose, self._place = _ANSWERS[kind]()
         self.planned: Plan | None = None
         self.drop: Drop | None = None
         self._target: str | None = None
@@ -134,6 +140,10 @@ class GraspHint:
         self._rotation: Float[np.ndarray, "3 3"] = np.eye(3)
         self._seen: Float[np.ndarray, "3"] = np.zeros(3)
         self._low = 0.0
+
+    def __reduce__(self) -> tuple[type[GraspHint], tuple[HintKind]]:
+        """Return what a copy is made of: a hint of the same kind, without an episode."""
+        return GraspHint, (self.kind,)
 
     def begin(self, world: World, goal: Goal) -> None:
         """Plan for a goal that has just become active."""
@@ -189,9 +199,9 @@ class GraspHint:
         started = world.data.time > 0
         failed = tuple(plan.grasp for plan in self._lost)
         if started:
-            self.planned = self._choose(world, name, failed)
+            self.planned = self.choose(world, name, failed)
         else:
-            self.planned = world.first_plan(name, self._choose)
+            self.planned = world.first_plan(name, self.choose)
         self.drop, self._raised = None, False
         self._rotation, self._seen = world.rotation(name), world.position(name)
         self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import importlib.util
 import json
 import subprocess
@@ -15,6 +16,7 @@ from toy import toy_object, toy_scene
 
 from generator.bundle import save
 from generator.compose import compose
+from generator.errors import InputError
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
 from tabletopgen_env.env import make_env
 
@@ -246,7 +248,26 @@ def test_a_baseline_is_trained_once_and_played_at_tables_of_its_own(tmp_path) ->
     assert bench.work((str(recipe), 3), tmp_path, episodes=1, validation=1) == [row]
     assert (tmp_path / "tiny-3" / "policy.safetensors").read_bytes() == kept
     told = bench.summary([row | {"recipe": "tiny", "solved": 1}], "bench", "")
-    assert "| `tiny` | 1 of 1 | 100.0 % | 21 to 100 % |" in told
+    assert "| 1 of 1 | 100.0 % | 21 to 100 % |" in told
+    assert "| `tiny` | 1 | 100.0 % | 100.0 to 100.0 % |" in told
+
+
+def test_a_run_of_an_older_recipe_is_not_taken_for_one_of_this(tmp_path, monkeypatch) -> None:
+    bench = script("baselines")
+    recipe = bench.recipe_named("lift-clone")
+    old = dataclasses.replace(recipe, env={"grasp_hint": True})
+    (tmp_path / "lift-clone-0").mkdir()
+    monkeypatch.setattr(bench, "opened", lambda _: SimpleNamespace(recipe=old))
+    with pytest.raises(InputError, match="another recipe lift-clone; move it away"):
+        bench.trained("lift-clone", 0, tmp_path, 1)
+
+
+def test_rows_say_by_which_detector_they_were_played() -> None:
+    bench = script("baselines")
+    kinds = {name: bench.hint_of(name) for name in ("reach-clone", "rule-lift", "lift-clone")}
+    assert kinds["reach-clone"] == "" and kinds["rule-lift"] == kinds["lift-clone"]
+    assert kinds["lift-clone"] == f"detected {bench.shipped_digest()}"
+    assert bench.hint_of("rule-lift-planned") == bench.hint_of("lift-clone-planned") == "planned"
 
 
 def test_a_baseline_that_was_cut_off_is_trained_anew(tmp_path, monkeypatch) -> None:

@@ -2,31 +2,28 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-import torch
-from torch.nn import functional
+from jaxtyping import Float, Float32
 
 from generator.errors import StorageError
+from generator.files import write_whole
 from generator.geometry import rotation_z
 
 from ..expert.choosing import Plan, reached
-from ..expert.grasps import Grasp, is_like
+from ..expert.grasps import TIP, Grasp, is_like
 from ..robot import franka
 from .look import Look, look
-from .network import TURNS, GraspNetwork, Rated, turned
+from .network import LAYERS, TURNS, Rated, rate, turned
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
-
-    from torch import Tensor
-
     from ..world import World
 
 PATH = Path(__file__).with_name("grasps.safetensors")
@@ -36,6 +33,7 @@ CARD = "tabletopgen_grasps"
 """Where the file's header says, as JSON, what the network learned from."""
 
 _MOST_BYTES = 2**22
+_WIDEST = 2 * franka.FINGER_STROKE
 _MOST = 40  # grasps that the arm is asked for
 _POSSIBLE = -2.0  # logit below which nothing is taken for a grasp
 _RESTORE = (
@@ -46,9 +44,12 @@ _RESTORE = (
 
 @dataclass(frozen=True, eq=False)
 class GraspDetector:
-    """Says where to grasp an object, from what a depth camera sees of it."""
+    """Says where to grasp an object, from what a depth camera sees of it.
 
-    network: GraspNetwork
+    ``weights`` are those of ``network.rate``.
+    """
+
+    weights: Mapping[str, Float32[np.ndarray, "..."]]
 
     def __call__(self, world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | None:
         """Return the grasp rated best that the arm can reach, None if none; as ``choose``.
@@ -58,89 +59,90 @@ class GraspDetector:
             target: an object's name.
             failed: grasps that failed, which rank last.
         """
-        seen = look(world, target)
-        found = sorted(self.detect(seen), key=lambda g: any(is_like(g, f) for f in failed))
-        return reached(world, world.position(target), found, seen.others)
+        found = self.detect(look(world, target))
+        found.sort(key=lambda grasp: any(is_like(grasp, other) for other in failed))
+        return reached(world, target, found)
 
     def detect(self, seen: Look) -> list[Grasp]:
         """Return the grasps seen in height maps, best first."""
-        facing = torch.tensor([seen.facing], dtype=torch.float32)
-        with torch.inference_mode(), _one_thread():
-            rated = self.network(turned(torch.from_numpy(seen.heights)[None], facing))
-            chosen = _peaks(rated)
+        rated = rate(self.weights, turned(seen.heights, seen.facing))
         middle = np.append(seen.center, seen.floor)
         grasps = []
-        for turn, i, j in chosen:
-            where = (0, turn, i, j)
-            angle = seen.facing + turn * np.pi / TURNS
-            width = max(float(rated.width[where]), 0.0)
-            opening = min(width + max(float(rated.room[where]), 0.0), 2 * franka.FINGER_STROKE)
-            point = middle + rotation_z(angle) @ rated.at[where].double().numpy()
+        for where in _peaks(rated):
+            angle = seen.facing + where[0] * np.pi / TURNS
+            width = min(max(float(rated.width[where]), 0.0), _WIDEST)
+            opening = min(width + max(float(rated.room[where]), 0.0), _WIDEST)
+            height = max(float(rated.height[where]), TIP)
+            at = np.array([rated.along[where], rated.across[where], height], float)
+            point = middle + rotation_z(angle) @ at
             grasps.append(Grasp(point, angle, opening, width, float(rated.best[where])))
         return grasps
 
 
-@contextmanager
-def _one_thread() -> Iterator[None]:
-    """Keep torch to the calling thread: a forked process has none of the others, and would wait."""
-    before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(before)
+def _peaks(rated: Rated) -> list[tuple[int, int, int]]:
+    """Return turn and place of what is rated no lower than all beside it, best first."""
+    from scipy.ndimage import maximum_filter
 
-
-def _peaks(rated: Rated) -> list[list[int]]:
-    """Return turn and place of what is rated higher than all beside it, best first."""
-    best = rated.best[0]
-    around = functional.max_pool2d(best[:, None], 3, stride=1, padding=1)[:, 0]
-    scores = torch.where(
-        (best == around) & (rated.possible[0] > _POSSIBLE), best, torch.tensor(-torch.inf)
-    ).flatten()
-    top, rows = scores.topk(_MOST)
-    return [list(map(int, np.unravel_index(int(r), best.shape))) for r in rows[top > -torch.inf]]
+    around = maximum_filter(rated.best, (1, 3, 3), mode="nearest")
+    chosen = np.argwhere((rated.best == around) & (rated.possible > _POSSIBLE))
+    order = np.argsort(-rated.best[tuple(chosen.T)], kind="stable")[:_MOST]
+    return [(int(turn), int(i), int(j)) for turn, i, j in chosen[order]]
 
 
 @cache
-def shipped_detector(path: Path = PATH) -> GraspDetector:
-    """Read the detector that the package ships; it stays loaded.
+def read_detector(path: Path = PATH) -> GraspDetector:
+    """Read a detector, by default the one that the package ships; it stays loaded.
 
     Raises:
         StorageError: the file is missing, damaged or of another network.
     """
-    from safetensors import SafetensorError, safe_open
+    from safetensors import SafetensorError
+    from safetensors.numpy import load
 
     try:
         if path.stat().st_size > _MOST_BYTES:
             raise ValueError(f"it has more than {_MOST_BYTES} bytes")
-        with safe_open(path, framework="pt") as file:
-            weights = {key: file.get_tensor(key).float() for key in file.keys()}  # noqa: SIM118
-        network = GraspNetwork()
-        network.load_state_dict(weights)
-    except (SafetensorError, ValueError, RuntimeError, OSError) as error:
+        weights = {key: value.astype(np.float32) for key, value in load(path.read_bytes()).items()}
+        shapes = {key: value.shape for key, value in weights.items()}
+        if shapes != _shapes():
+            raise ValueError("it is of another network")
+        if not all(np.isfinite(value).all() for value in weights.values()):
+            raise ValueError("it has weights that are not finite")
+    except (SafetensorError, ValueError, OSError) as error:
         raise StorageError(
             f"The grasp detector's weights {path.name!r} cannot be used ({error}). {_RESTORE}"
         ) from error
-    network.eval().requires_grad_(False)
-    return GraspDetector(network)
+    return GraspDetector(weights)
 
 
-def save_detector(network: GraspNetwork, path: Path, card: Mapping[str, object]) -> None:
-    """Write a network's weights in half precision, whole or not at all.
+def shipped_digest() -> str:
+    """Return what tells the shipped weights from others: what is detected depends on them."""
+    return hashlib.sha256(PATH.read_bytes()).hexdigest()[:16]
+
+
+def save_weights(
+    weights: Mapping[str, Float[np.ndarray, "..."]], path: Path, card: Mapping[str, object]
+) -> None:
+    """Write a network's weights, whole or not at all.
 
     Args:
-        network: what to write.
+        weights: what to write.
         path: where.
         card: what it learned from.
+
+    Raises:
+        StorageError: the file cannot be written.
     """
-    from safetensors.torch import save
+    from safetensors.numpy import save
 
-    from generator.files import write_whole
-
-    state: dict[str, Tensor] = network.state_dict()
-    content = save(
-        {key: value.detach().half().contiguous() for key, value in state.items()},
-        {CARD: json.dumps(card, sort_keys=True)},
-    )
+    content = save(dict(weights), {CARD: json.dumps(card, sort_keys=True)})
     write_whole(path, content, "The grasp detector", "Choose another folder.")
+
+
+def _shapes() -> dict[str, tuple[int, ...]]:
+    """Return the shapes of the network's weights, by name."""
+    shapes: dict[str, tuple[int, ...]] = {}
+    for number, layer in enumerate(LAYERS):
+        shapes[f"{number}.weight"] = (layer.outputs, layer.inputs, layer.side, layer.side)
+        shapes[f"{number}.bias"] = (layer.outputs,)
+    return shapes

@@ -19,9 +19,6 @@ from ..worlds import WorldCache
 from .look import Look, look
 from .network import TURNS
 
-MOST = 400
-"""Grasps of an object that are kept, the best ones."""
-
 COLUMNS = ("turn", "x", "y", "z", "opening", "width", "score")
 """Of a grasp: its turn's number, the tool from the object's centre and, for z, from the table
 (metres, axes along the world's), the rest as ``Grasp`` has it."""
@@ -29,7 +26,7 @@ COLUMNS = ("turn", "x", "y", "z", "opening", "width", "score")
 
 @dataclass(frozen=True, eq=False)
 class Lesson:
-    """An object seen, and the planner's grasps of it.
+    """An object seen, and the planner's grasps of it, the best first.
 
     ``facing`` is the first of the turns that were looked at, radians; ``grasps`` has ``COLUMNS``.
     """
@@ -74,4 +71,4 @@ def lesson(world: World, name: str, rng: np.random.Generator) -> Lesson | None:
     if not rows:
         return None
     rows.sort(key=lambda row: -row[-1])
-    return Lesson(seen.heights, facing, np.array(rows[:MOST], np.float32))
+    return Lesson(seen.heights, facing, np.array(rows, np.float32))

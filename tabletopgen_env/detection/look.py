@@ -10,7 +10,7 @@ from jaxtyping import Float, UInt8
 
 from generator.geometry import rotation_yaw
 
-from ..expert.heights import HeightMap, height_map, moved, surroundings
+from ..expert.heights import height_map, moved, surroundings
 
 if TYPE_CHECKING:
     from ..world import World
@@ -33,11 +33,6 @@ class Look:
     center: Float[np.ndarray, "2"]
     facing: float
     floor: float
-
-    @property
-    def others(self) -> HeightMap:
-        """All but the object as a height map, the table where there is nothing."""
-        return HeightMap(_origin(self.center), CELL, self.heights[1] * STEP + self.floor)
 
 
 def look(world: World, target: str) -> Look:

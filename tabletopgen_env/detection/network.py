@@ -3,17 +3,18 @@
 The height maps are turned so that the fingers open along the first axis, once for each of
 ``TURNS`` turns, and all go through the same convolutions: a grasp looks the same however the object
 lies (the rotated inputs of Zeng et al., Learning Synergies between Pushing and Grasping, 2018).
+
+It runs on NumPy, so that environments need no torch, may be forked and stepped by several threads,
+and see the same bits on any number of cores; ``model`` has the same network for training.
 """
 
 from __future__ import annotations
 
-import math
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
-import torch
-from jaxtyping import Float, UInt8
-from torch import Tensor, nn
-from torch.nn import functional
+import numpy as np
+from jaxtyping import Float, Float32, UInt8
 
 from .look import CELL, CELLS, STEP
 
@@ -23,69 +24,132 @@ TURNS = 12
 PLACES, PLACE = 24, 0.01
 """Places along a side of what is rated, and their size, metres."""
 
-_SEEN, _FINE = 2 * PLACES, PLACE / 2  # cells that the network looks at, and their size
+SEEN = 2 * PLACES
+"""Cells along a side of what the network looks at, two a place."""
+
+MIDDLES = ((np.arange(PLACES) - (PLACES - 1) / 2) * PLACE).astype(np.float32)
+"""Where the places' middles are along an axis, from the object's centre, metres."""
+
+MIDDLES.setflags(write=False)
+
+
+class Layer(NamedTuple):
+    """A convolution: channels in and out, the kernel's side, stride, padding, dilation."""
+
+    inputs: int
+    outputs: int
+    side: int
+    stride: int = 1
+    padding: int = 0
+    dilation: int = 1
+
+
+LAYERS = (
+    Layer(3, 16, 6, 2, 2),  # even: its kernel is about a place's middle
+    Layer(16, 32, 3, 1, 1),
+    Layer(32, 32, 3, 1, 2, 2),
+    Layer(32, 32, 3, 1, 4, 4),
+    Layer(32, 32, 3, 1, 1),
+    Layer(32, 7, 1),
+)
+"""The network, a rectifier between each two. What its last channels mean: ``rated``."""
+
 _HEIGHT, _ROOM, _WIDTH = 0.05, 0.02, 0.04  # metres that are 1 to the network
 _DEEPEST = 2.0  # of these heights below the object's top that are told apart
 
 
 class Rated(NamedTuple):
-    """Logits and grasps by object b, turn t and place (i, j); places are metres, hand's frame.
+    """Logits and grasps, each by turn and place (metres, the hand's frame).
 
     ``best`` is higher where a grasp is better, ``possible`` is positive where there is likely one.
-    ``at[..., :2]`` is where the middle between the fingers is, from the object's centre, along the
-    opening and across it; ``at[..., 2]`` the height of the tool above the table. ``room`` is how
-    much further than ``width``, what is between them, the fingers open (metres).
+    ``along`` the opening and ``across`` it are where the middle between the fingers is, from the
+    object's centre; ``height`` is the tool's above the table. ``room`` is how much further than
+    ``width``, what is between them, the fingers open.
     """
 
-    best: Float[Tensor, "b t i j"]
-    possible: Float[Tensor, "b t i j"]
-    at: Float[Tensor, "b t i j 3"]
-    width: Float[Tensor, "b t i j"]
-    room: Float[Tensor, "b t i j"]
+    best: Any
+    possible: Any
+    along: Any
+    across: Any
+    height: Any
+    width: Any
+    room: Any
 
 
-class GraspNetwork(nn.Module):
-    """Rates grasps of objects seen as ``turned`` gives them."""
+def rated(out: Any, middles: Any) -> Rated:
+    """Return what the network's last layer says.
 
-    def __init__(self, channels: int = 32) -> None:
-        super().__init__()
-        c = channels
-        self.body = nn.Sequential(
-            nn.Conv2d(3, c // 2, 5, stride=2, padding=2), nn.ReLU(),
-            nn.Conv2d(c // 2, c, 3, padding=1), nn.ReLU(),
-            nn.Conv2d(c, c, 3, padding=2, dilation=2), nn.ReLU(),
-            nn.Conv2d(c, c, 3, padding=4, dilation=4), nn.ReLU(),
-            nn.Conv2d(c, c, 3, padding=1), nn.ReLU(),
-            nn.Conv2d(c, 7, 1),
-        )  # fmt: skip
-
-    def forward(self, seen: Float[Tensor, "b t 3 n n"]) -> Rated:
-        """Return the ratings of a batch of objects, each seen at every turn."""
-        out = self.body(seen.flatten(0, 1)).unflatten(0, seen.shape[:2]).movedim(2, -1)
-        best, possible, du, dv, height, width, room = out.unbind(-1)
-        middle = (torch.arange(PLACES) - (PLACES - 1) / 2) * PLACE
-        at = torch.stack([
-            middle[:, None] + du * PLACE, middle + dv * PLACE, height * _HEIGHT
-        ], -1)  # fmt: skip
-        return Rated(best, possible, at, width * _WIDTH, room * _ROOM)
+    Args:
+        out: its values (..., 7, i, j), an array or a tensor.
+        middles: ``MIDDLES``, the same.
+    """
+    best, possible, du, dv, height, width, room = (out[..., k, :, :] for k in range(7))
+    return Rated(
+        best, possible, middles[:, None] + du * PLACE, middles + dv * PLACE,
+        height * _HEIGHT, width * _WIDTH, room * _ROOM,
+    )  # fmt: skip
 
 
 def turned(
-    heights: UInt8[Tensor, "b 2 64 64"], facing: Float[Tensor, "b"]
-) -> Float[Tensor, "b t 3 n n"]:
+    heights: UInt8[np.ndarray, "2 64 64"], facing: float
+) -> Float32[np.ndarray, "t 3 48 48"]:
     """Return height maps as the network sees them, at turns from ``facing`` (radians) on.
 
-    Its channels are the object's height, that of all else, and how far the object is below its
-    own top.
+    The channels are the object's height, that of all else, and how far the object is below its own
+    top.
     """
-    angles = facing[:, None] + torch.arange(TURNS) * math.pi / TURNS
-    along = (torch.arange(_SEEN) - (_SEEN - 1) / 2) * _FINE
-    u, v = torch.meshgrid(along, along, indexing="ij")
-    c, s = (f(angles).flatten()[:, None, None] for f in (torch.cos, torch.sin))
-    half = CELLS * CELL / 2
-    grid = torch.stack([(u * s + v * c) / half, (u * c - v * s) / half], -1)  # columns first
-    maps = heights.float() * (STEP / _HEIGHT)
-    seen = functional.grid_sample(maps.repeat_interleave(TURNS, 0), grid, align_corners=False)
-    top = maps[:, 0].amax((1, 2)).repeat_interleave(TURNS)[:, None, None, None]
-    below = (seen[:, :1] - top).clamp(min=-_DEEPEST)
-    return torch.cat([seen, 2 * below], 1).unflatten(0, (-1, TURNS))
+    angles = facing + np.arange(TURNS)[:, None, None] * np.pi / TURNS
+    axis = (np.arange(SEEN) - (SEEN - 1) / 2) * PLACE / 2
+    u, v = axis[:, None], axis
+    x, y = u * np.cos(angles) - v * np.sin(angles), u * np.sin(angles) + v * np.cos(angles)
+    maps = np.pad(heights.astype(np.float32) * (STEP / _HEIGHT), ((0, 0), (1, 1), (1, 1)))
+    seen = _between(
+        maps, *(np.clip(at / CELL + (CELLS + 1) / 2, 0, CELLS + 0.999) for at in (x, y))
+    )
+    below = np.maximum(seen[0] - maps[0].max(), -_DEEPEST)
+    return np.stack([seen[0], seen[1], 2 * below], 1).astype(np.float32)
+
+
+def _between(
+    maps: Float[np.ndarray, "m a b"], i: Float[np.ndarray, "*n"], j: Float[np.ndarray, "*n"]
+) -> Float[np.ndarray, "m *n"]:
+    """Return the values of maps at fractional cells, bilinear."""
+    low_i, low_j = i.astype(int), j.astype(int)
+    di, dj = i - low_i, j - low_j
+    upper = maps[:, low_i, low_j] * (1 - dj) + maps[:, low_i, low_j + 1] * dj
+    lower = maps[:, low_i + 1, low_j] * (1 - dj) + maps[:, low_i + 1, low_j + 1] * dj
+    return upper * (1 - di) + lower * di
+
+
+def rate(
+    weights: Mapping[str, Float32[np.ndarray, "..."]], seen: Float32[np.ndarray, "t 3 48 48"]
+) -> Rated:
+    """Return the ratings of an object seen at every turn.
+
+    Args:
+        weights: of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
+        seen: what ``turned`` gives.
+    """
+    values = np.ascontiguousarray(np.moveaxis(seen, 1, -1))
+    for number, layer in enumerate(LAYERS):
+        values = _convolved(values, layer, weights[f"{number}.weight"], weights[f"{number}.bias"])
+        if number < len(LAYERS) - 1:
+            np.maximum(values, 0.0, out=values)
+    return rated(np.moveaxis(values, -1, 1), MIDDLES)
+
+
+def _convolved(
+    values: Float32[np.ndarray, "t a b c"],
+    layer: Layer,
+    weight: Float32[np.ndarray, "o c s s"],
+    bias: Float32[np.ndarray, "o"],
+) -> Float32[np.ndarray, "t i j o"]:
+    """Convolve, a line of the output at a time: products so small that BLAS wakes no threads."""
+    edge, gap, step = layer.padding, layer.dilation, layer.stride
+    padded = np.pad(values, ((0, 0), (edge, edge), (edge, edge), (0, 0)))
+    count = (padded.shape[1] - gap * (layer.side - 1) - 1) // step + 1
+    out = np.broadcast_to(bias, (len(values), count, count, layer.outputs)).copy()
+    for k in np.ndindex(layer.side, layer.side):
+        i, j = (slice(gap * first, gap * first + step * count, step) for first in k)
+        out += padded[:, i, j] @ np.ascontiguousarray(weight[:, :, *k].T)
+    return out

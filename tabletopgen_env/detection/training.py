@@ -1,6 +1,6 @@
 """Train the grasp detector; on a CPU.
 
-    python -m tabletopgen_env.detection.training --lessons DIR --scenes 1500 --steps 3000
+    python -m tabletopgen_env.detection.training --lessons DIR --out grasps.safetensors
 
 Lessons are made once, ``CHUNK`` scenes a file of ``--lessons``, and found there the next time. They
 are of the training side of the split of fresh scenes, those of one more file of the held-out side:
@@ -11,11 +11,13 @@ from __future__ import annotations
 
 import argparse
 import json
+import zlib
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
+from zipfile import BadZipFile
 
 import numpy as np
 import torch
@@ -32,10 +34,11 @@ from generator.pictures import write_picture
 from ..expert.grasps import Grasp
 from ..scenes import FreshScenes, split
 from ..scenes.splitting import Side
-from .detector import PATH, GraspDetector, save_detector
+from .detector import GraspDetector, save_weights
 from .labels import COLUMNS, Lesson, lessons
 from .look import CELLS
-from .network import PLACE, PLACES, TURNS, GraspNetwork, Rated, turned
+from .model import GraspNetwork
+from .network import PLACE, PLACES, TURNS, Rated, turned
 from .sheet import sheet
 
 CHUNK = 100
@@ -63,7 +66,7 @@ class Batch(NamedTuple):
 
 @dataclass(frozen=True)
 class Marks:
-    """What a network makes of lessons.
+    """What a detector makes of lessons.
 
     ``found`` is the share of the objects where the grasp it rates best is one of the planner's,
     ``worse`` by how much the planner rates that one lower than its own best (mean).
@@ -79,9 +82,7 @@ def batch_of(taught: Sequence[Lesson], mirrored: Int[np.ndarray, "b 2"]) -> Batc
 
     A grasp's mirror image is one of the object's mirror image.
     """
-    heights = torch.from_numpy(np.stack([lesson.heights for lesson in taught]))
-    facing = torch.tensor([lesson.facing for lesson in taught], dtype=torch.float32)
-    seen = turned(heights, facing)
+    seen = torch.from_numpy(np.stack([turned(one.heights, one.facing) for one in taught]))
     share = torch.zeros(len(taught), TURNS * PLACES**2)
     grasp = torch.zeros(*share.shape, 5)
     for row, (lesson, signs) in enumerate(zip(taught, mirrored, strict=True)):
@@ -114,13 +115,10 @@ def _best(
 
 def loss_of(rated: Rated, batch: Batch) -> Float[Tensor, ""]:
     """Return how far ratings are from what they are to be."""
-    best, possible, width, room = (
-        part.flatten(1) for part in (rated.best, rated.possible, rated.width, rated.room)
-    )
+    best, possible, *grasp = (part.flatten(1) for part in rated)
     share = -(batch.share * functional.log_softmax(best, 1)).sum(1).mean()
     there = functional.binary_cross_entropy_with_logits(possible, batch.possible)
-    grasp = torch.cat([rated.at.flatten(1, 3), width[..., None], room[..., None]], 2)
-    off = ((grasp - batch.grasp).abs() / torch.tensor(_UNITS)).sum(2)
+    off = ((torch.stack(grasp, 2) - batch.grasp).abs() / torch.tensor(_UNITS)).sum(2)
     every = batch.possible / batch.possible.sum(1, keepdim=True).clamp(min=1)
     return share + _RARE * there + ((batch.share + every) / 2 * off).sum(1).mean()
 
@@ -141,12 +139,12 @@ def train(taught: Sequence[Lesson], steps: int, seed: int, size: int = 16) -> Gr
         nn.utils.clip_grad_norm_(network.parameters(), 1.0)
         optimiser.step()
         schedule.step()
-    return network.eval()
+    return network
 
 
-def judged(network: GraspNetwork, taught: Sequence[Lesson]) -> Marks:
-    """Return what a network makes of lessons."""
-    detector, worse = GraspDetector(network), []
+def judged(detector: GraspDetector, taught: Sequence[Lesson]) -> Marks:
+    """Return what a detector makes of lessons."""
+    worse = []
     for lesson in taught:
         found = detector.detect(lesson.look)
         near = lesson.grasps[_same(lesson, found[0])] if found else lesson.grasps[:0]
@@ -155,10 +153,10 @@ def judged(network: GraspNetwork, taught: Sequence[Lesson]) -> Marks:
     return Marks(len(taught), len(worse) / len(taught), float(np.mean(worse or [np.nan])))
 
 
-def drawn(network: GraspNetwork, taught: Sequence[Lesson]) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a contact sheet of lessons with the grasps that a network rates best."""
+def drawn(detector: GraspDetector, taught: Sequence[Lesson]) -> UInt8[np.ndarray, "h w 3"]:
+    """Return a contact sheet of lessons with the grasps that a detector rates best."""
     looks = [lesson.look for lesson in taught]
-    found = [GraspDetector(network).detect(seen) for seen in looks]
+    found = [detector.detect(seen) for seen in looks]
     return sheet(looks, [grasps[0] if grasps else None for grasps in found])
 
 
@@ -195,15 +193,22 @@ def read(path: Path) -> list[Lesson]:
     """
     try:
         with np.load(path, allow_pickle=False) as kept:
-            heights, facing, grasps, counts = (
-                kept[key] for key in ("heights", "facing", "grasps", "counts")
-            )
-        ends = np.cumsum(counts)
-        shapes = (heights.shape[1:], grasps.shape[1:], len(facing), int(ends[-1]))
-        if shapes != ((2, CELLS, CELLS), (len(COLUMNS),), len(heights), len(grasps)):
-            raise ValueError(f"arrays of other shapes: {shapes}")
-    except (OSError, ValueError, KeyError, IndexError) as error:
+            arrays = [kept[key] for key in ("heights", "facing", "grasps", "counts")]
+        heights, facing, grasps, counts = arrays
+        count, total = len(heights), len(grasps)
+        kinds = [f"{array.dtype.kind}{array.shape}" for array in arrays]
+        if kinds != [
+            f"u{(count, 2, CELLS, CELLS)}", f"f{(count,)}", f"f{(total, len(COLUMNS))}",
+            f"i{(count,)}",
+        ]:  # fmt: skip
+            raise ValueError(f"arrays of other kinds: {', '.join(kinds)}")
+        if counts.min(initial=1) < 1 or counts.sum() != total:
+            raise ValueError("objects without grasps, or grasps without objects")
+        if not (np.isfinite(facing).all() and np.isfinite(grasps).all()):
+            raise ValueError("numbers that are not finite")
+    except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile, zlib.error) as error:
         raise BundleError(f"{path} holds no lessons ({error}). Remove it.") from error
+    ends = np.cumsum(counts)
     parts = np.split(grasps, ends[:-1])
     return [Lesson(h, float(f), g) for h, f, g in zip(heights, facing, parts, strict=True)]
 
@@ -223,23 +228,24 @@ def main() -> None:
     parser.add_argument("--scenes", type=int, default=1500, help="to learn from")
     parser.add_argument("--steps", type=int, default=3000, help="batches of 16 objects")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--out", type=Path, default=PATH, help="file of the weights")
+    parser.add_argument("--out", type=Path, required=True, help="file of the weights")
     parser.add_argument("--sheet", type=Path, help="PNG: what it makes of held-out objects")
     chosen = parser.parse_args()
     if chosen.scenes < CHUNK or chosen.steps < 1 or chosen.seed < 0:
         raise InputError(f"--scenes is at least {CHUNK}, --steps 1 and --seed 0.")
     files = range(chosen.scenes // CHUNK)
     taught = [lesson for number in files for lesson in gather(chosen.lessons, "train", number)]
-    network = train(taught, chosen.steps, chosen.seed)
     held_out = gather(chosen.lessons, "held_out", 0)
-    marks = judged(network, held_out)
+    network = train(taught, chosen.steps, chosen.seed)
+    weights = {key: value.numpy() for key, value in network.weights().items()}
+    detector = GraspDetector({key: value.astype(np.float32) for key, value in weights.items()})
     card = {
         "scenes": len(files) * CHUNK, "objects": len(taught), "steps": chosen.steps,
-        "seed": chosen.seed, "held_out": asdict(marks),
+        "seed": chosen.seed, "held_out": asdict(judged(detector, held_out)),
     }  # fmt: skip
-    save_detector(network, chosen.out, card)
+    save_weights(weights, chosen.out, card)
     if chosen.sheet:
-        write_picture(drawn(network, held_out[:_DRAWN]), chosen.sheet)
+        write_picture(drawn(detector, held_out[:_DRAWN]), chosen.sheet)
     print(json.dumps(card, indent=2))
 
 

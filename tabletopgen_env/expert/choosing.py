@@ -14,7 +14,7 @@ from generator.geometry import wrap
 from .arm import easiest, knuckle_is_free, stretch, wrists_are_free
 from .driver import up
 from .grasps import TIP, Grasp, plan_grasps
-from .heights import HeightMap, surroundings
+from .heights import surroundings
 
 if TYPE_CHECKING:
     from ..world import World
@@ -51,23 +51,22 @@ def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | 
         target: an object's name.
         failed: grasps that failed, which rank last.
     """
+    return reached(world, target, plan_grasps(world, target, failed)[:_MOST])
+
+
+def reached(world: World, target: str, found: list[Grasp]) -> Plan | None:
+    """Return the first grasp that the arm can reach, None if it can reach none.
+
+    The wrist is kept off the height map of all but the target.
+
+    Args:
+        world: the world; live poses count.
+        target: an object's name.
+        found: its grasps, best first.
+    """
     center = world.position(target)
     low, high = center[:2] - _AROUND, center[:2] + _AROUND
     others = surroundings(world, target, low, high, 0.01)
-    return reached(world, center, plan_grasps(world, target, failed)[:_MOST], others)
-
-
-def reached(
-    world: World, center: Float[np.ndarray, "3"], found: list[Grasp], others: HeightMap
-) -> Plan | None:
-    """Return the first grasp that the arm can reach, None if it can reach none.
-
-    Args:
-        world: says where the base is.
-        center: where the object is, world frame.
-        found: its grasps, best first.
-        others: what else stands around it.
-    """
     points = np.array([grasp.point for grasp in found]).reshape(-1, 3)
     clear = wrists_are_free(world, others, points[:, :2], points[:, 2] - TIP)
     free = list(compress(found, clear))

@@ -250,7 +250,8 @@ class Picker(Expert):
                 self._followed, self._failed = hint.planned, ()
             if len(self._failed) < _FOLLOWED:
                 plan = hint.plan(self._env.world, self._target)
-        plan = plan or choose(self._env.world, self._target, self._failed)
+        chooser = choose if hint is None else hint.choose
+        plan = plan or chooser(self._env.world, self._target, self._failed)
         if plan is not None:
             self._plan = plan
             self._enter("approach")

@@ -118,22 +118,28 @@ def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
 
 
 def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
-    """Return the middle of a goal's region, for its target as the hand holds it, unturned.
+    """Return the middle of a goal's region, for its target as the hand holds it.
 
-    What a camera sees is enough: the height map of all else, and the box of what is held. Nothing
-    is asked of the arm. The arguments are those of ``plan_place``.
+    The hand is not turned, or by half a turn where its arm reaches the place only so. It
+    takes the height map of all else, and the box of what is held with its lowest point.
+    The arguments are those of ``plan_place``.
     """
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()
-    held = _boxed(world, goal.target, tool)
+    held, hand = _boxed(world, goal.target, tool), _hand(opening, yaw + world.mount.yaw)
+    offset = (world.position(goal.target) - tool)[:2]
     region = goal.region(world)
     others = _room(world, goal.target, region, held)
-    at = (region.center - world.position(goal.target) + tool)[None, :2]
-    undersides = (held, _hand(opening, yaw + world.mount.yaw))
-    height = max(float(_touching(others, at, under).max()) for under in undersides)
-    hanging = -float(held.low.min())
-    place = np.array([*at[0], height + RELEASE])
-    return Place(place, yaw, region.center[:2], hanging, region.center)
+    places = []
+    for turn in (0.0, np.pi):
+        spin = rotation_z(turn)[:2, :2].T
+        at = (region.center[:2] - offset @ spin)[None]
+        undersides = (Underside(under.at @ spin, under.low) for under in (held, hand))
+        height = max(float(_touching(others, at, under).max()) for under in undersides)
+        place = np.array([*at[0], height + RELEASE])
+        hanging = -float(held.low.min())
+        places.append(Place(place, wrap(yaw + turn), region.center[:2], hanging, region.center))
+    return next((place for place in places if _stretched(world, place.tool, place.yaw)), places[0])
 
 
 def _reached(world: World, others: HeightMap, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
@@ -142,6 +148,10 @@ def _reached(world: World, others: HeightMap, tool: Float[np.ndarray, "3"], yaw:
         return False
     if not knuckle_is_free(world, others, tool[:2], tip, yaw):
         return False
+    return _stretched(world, tool, yaw)
+
+
+def _stretched(world: World, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
     above = tool + np.array([0.0, 0.0, _ABOVE])
     return stretch(world, (tool, above), wrap(yaw)) is not None
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import itertools
 import json
+import warnings
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
 from importlib import metadata
@@ -67,7 +68,7 @@ class Card:
         validation: "solved", "episodes", "tables" (how many different ones) and "scenes" of its
             last evaluation during training, where there was one. The best policy of a run is chosen
             by it, so it is no test.
-        versions: of the libraries it was trained with.
+        versions: of the libraries it was trained with, and of the grasp detector.
     """
 
     task: str
@@ -138,7 +139,7 @@ def policy_from(
         actor.last.out_features, squash, recipe.name, seed,
         model.num_timesteps if steps is None else steps, listed(recipe.scenes),
         dict(validation or {}),
-        {name: _version(name) for name in _VERSIONS},
+        {name: _version(name) for name in _VERSIONS} | _detector(recipe.env),
     )  # fmt: skip
     return TrainedPolicy(card, actor)
 
@@ -211,6 +212,12 @@ def load_policy(path: str | Path) -> TrainedPolicy:
             f"{path} is no sound policy file ({type(error).__name__}: {error}). Policy files are "
             "made by training; see docs/training.md."
         ) from error
+    if any(card.versions.get(k, v) != v for k, v in _detector(card.env).items()):
+        warnings.warn(
+            f"{path} learned with another grasp detector than this version of the package ships; "
+            "it may grasp worse than it did.",
+            stacklevel=2,
+        )
     return TrainedPolicy(card, actor)
 
 
@@ -325,6 +332,15 @@ def _check_printable(value: Any) -> None:
     if isinstance(value, list | tuple):
         for part in value:
             _check_printable(part)
+
+
+def _detector(env: Mapping[str, Any]) -> dict[str, str]:
+    """Return what tells the grasp detector of an environment's state, if there is one in it."""
+    if env.get("grasp_hint") != "detected":
+        return {}
+    from ..detection.detector import shipped_digest
+
+    return {"grasp-detector": shipped_digest()}
 
 
 def _version(name: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,10 +11,14 @@ import torch
 from toy import toy_object, toy_scene
 
 from generator.errors import StorageError
-from tabletopgen_env.detection.detector import PATH, save_detector, shipped_detector
+from generator.scene import ConvexPart
+from tabletopgen_env.detection.detector import PATH, read_detector, save_weights
 from tabletopgen_env.detection.look import Look, look
-from tabletopgen_env.detection.network import PLACES, TURNS, GraspNetwork, turned
-from tabletopgen_env.expert.grasps import Grasp, is_like
+from tabletopgen_env.detection.model import GraspNetwork
+from tabletopgen_env.detection.network import MIDDLES, PLACES, SEEN, TURNS, rate, turned
+from tabletopgen_env.expert.arm import wrist_is_free, wrists_are_free
+from tabletopgen_env.expert.grasps import TIP, Grasp, is_like
+from tabletopgen_env.expert.heights import surroundings
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.world import World
 
@@ -25,7 +30,7 @@ def world_of(*objects) -> World:
 
 
 def best_of(*objects) -> Grasp:
-    return shipped_detector().detect(look(world_of(*objects), objects[0].name))[0]
+    return read_detector().detect(look(world_of(*objects), objects[0].name))[0]
 
 
 def apart(angle: float, other: float) -> float:
@@ -56,38 +61,75 @@ def test_neighbours_forbid_the_sides_they_stand_at() -> None:
 
 
 def test_it_sees_height_maps_alone() -> None:
-    """What the maps do not show changes nothing: the mass, the name, the parts' number."""
+    """What the maps do not show changes nothing: the mass, the name, the friction."""
     cube = toy_object("cube", (0.04, 0.05, 0.04), (0.0, 0.0))
     other = toy_object("thing", (0.04, 0.05, 0.04), (0.0, 0.0), mass=2.0, friction=0.1)
     one, two = best_of(cube), best_of(other)
     assert np.array_equal(one.point, two.point) and one.angle == two.angle
 
 
+def test_it_sees_the_same_whatever_parts_a_thing_is_made_of() -> None:
+    whole = toy_object("box", (0.12, 0.04, 0.06), (0.1, 0.05))
+    halves = tuple(
+        ConvexPart(whole.parts[0].vertices * [0.5, 1, 1] + [side * 0.03, 0, 0]) for side in (-1, 1)
+    )
+    one, two = best_of(whole), best_of(replace(whole, parts=halves))
+    np.testing.assert_allclose(one.point, two.point, atol=1e-6)
+
+
 def test_it_turns_with_what_it_sees() -> None:
     heights = look(world_of(toy_object("box", (0.12, 0.04, 0.06), (0.1, 0.05))), "box").heights
-    straight = turned(torch.from_numpy(heights)[None], torch.zeros(1))
-    quarter = turned(
-        torch.from_numpy(np.rot90(heights, axes=(1, 2)).copy())[None], torch.full((1,), np.pi / 2)
-    )
-    assert torch.allclose(straight[0, 0], quarter[0, 0], atol=1e-4)
+    straight = turned(heights, 0.0)
+    quarter = turned(np.rot90(heights, axes=(1, 2)), np.pi / 2)
+    np.testing.assert_allclose(straight[0], quarter[0], atol=1e-4)
 
 
-def test_the_network_rates_every_turn_and_place() -> None:
-    rated = GraspNetwork()(turned(torch.zeros(2, 2, 64, 64, dtype=torch.uint8), torch.zeros(2)))
-    assert rated.best.shape == rated.possible.shape == (2, TURNS, PLACES, PLACES)
-    assert rated.at.shape == (2, TURNS, PLACES, PLACES, 3)
-    along = rated.at[0, 0, :, 0, 0].detach()
-    assert along[-1] - along[0] == pytest.approx(0.23, abs=0.05)
+def test_maps_are_seen_where_they_are() -> None:
+    """A cell's height is seen at the cell's place, and only there."""
+    heights = np.zeros((2, 64, 64), np.uint8)
+    heights[1, 40, 20] = 100  # 3.4 cm along, -4.6 cm across
+    seen = turned(heights, 0.0)[0, 1]
+    axis = (np.arange(SEEN) - (SEEN - 1) / 2) * 0.005
+    weights = seen / seen.sum()
+    assert axis @ weights.sum(1) == pytest.approx(0.034, abs=0.0015)
+    assert axis @ weights.sum(0) == pytest.approx(-0.046, abs=0.0015)
+    assert np.count_nonzero(seen) <= 4
+
+
+def test_the_network_is_the_one_that_is_trained() -> None:
+    torch.manual_seed(0)
+    network = GraspNetwork()
+    weights = {key: value.float().numpy() for key, value in network.weights().items()}
+    network.layers.load_state_dict({key: torch.from_numpy(v) for key, v in weights.items()})
+    heights = np.random.default_rng(0).integers(0, 60, (2, 64, 64), dtype=np.uint8)
+    seen = turned(heights, 0.3)
+    trained = network(torch.from_numpy(seen)[None])
+    for one, other in zip(rate(weights, seen), trained, strict=True):
+        assert one.shape == (TURNS, PLACES, PLACES)
+        np.testing.assert_allclose(one, other[0].detach(), atol=1e-4)
+
+
+def test_a_place_is_rated_about_its_middle() -> None:
+    """Half a turn of what is seen is half a turn of what a symmetric network says of it."""
+    torch.manual_seed(0)
+    weights = {key: value.float().numpy() for key, value in GraspNetwork().weights().items()}
+    both = {key: (v + v[..., ::-1, ::-1]) if v.ndim == 4 else v for key, v in weights.items()}
+    heights = np.random.default_rng(0).integers(0, 60, (2, 64, 64), dtype=np.uint8)
+    seen = turned(heights, 0.0)
+    one = rate(both, seen).best
+    other = rate(both, np.ascontiguousarray(seen[:, :, ::-1, ::-1])).best
+    np.testing.assert_allclose(one, other[:, ::-1, ::-1], rtol=1e-3, atol=1e-4)
+    assert pytest.approx(-MIDDLES[0]) == MIDDLES[-1]
 
 
 def test_where_there_is_nothing_there_is_no_grasp() -> None:
     empty = Look(np.zeros((2, 64, 64), np.uint8), np.zeros(2), 0.0, 0.74)
-    assert shipped_detector().detect(empty) == []
+    assert read_detector().detect(empty) == []
 
 
 def test_a_plan_is_one_that_the_arm_reaches_and_that_has_not_failed() -> None:
     world = world_of(toy_object("box", (0.12, 0.04, 0.06), (0.1, 0.05), yaw=0.5))
-    detector = shipped_detector()
+    detector = read_detector()
     plan = detector(world, "box")
     assert plan is not None
     again = detector(world, "box", (plan.grasp,))
@@ -97,21 +139,54 @@ def test_a_plan_is_one_that_the_arm_reaches_and_that_has_not_failed() -> None:
     assert detector(far, "box") is None
 
 
+def test_the_wrist_is_kept_off_what_stands_farther_off_than_the_maps_reach() -> None:
+    box = toy_object("box", (0.2, 0.05, 0.06), (0.0, -0.1))
+    open_world = world_of(box)
+    back = open_world.base_position[:2] - open_world.position("box")[:2]
+    at = open_world.position("box")[:2] + 0.17 * back / np.linalg.norm(back)
+    tower = toy_object("tower", (0.04, 0.04, 0.45), tuple(at))
+    world = world_of(box, tower)
+    found = read_detector().detect(look(world, "box"))
+    points = np.array([grasp.point for grasp in found])
+    middle = world.position("box")[:2]
+    around = surroundings(world, "box", middle - 0.35, middle + 0.35, 0.01)
+    clear = wrists_are_free(world, around, points[:, :2], points[:, 2] - TIP)
+    assert clear.any() and not clear.all()
+    plan = read_detector()(world, "box")
+    assert plan is not None
+    assert wrist_is_free(world, around, plan.grasp.point[None, :2], plan.grasp.point[2] - TIP)
+
+
+def test_no_finger_is_sent_into_the_table() -> None:
+    flat = world_of(toy_object("card", (0.1, 0.03, 0.004), (0.1, 0.05)))
+    for grasp in read_detector().detect(look(flat, "card")):
+        assert grasp.point[2] >= 0.74 + TIP - 1e-9 and grasp.opening >= grasp.width
+
+
 def test_weights_are_written_and_read(tmp_path: Path) -> None:
-    network = shipped_detector().network
-    save_detector(network, tmp_path / "own.safetensors", {"scenes": 0})
-    read = shipped_detector(tmp_path / "own.safetensors").network
-    for key, value in network.state_dict().items():
-        assert torch.allclose(value, read.state_dict()[key], atol=1e-3)
+    weights = read_detector().weights
+    save_weights(weights, tmp_path / "own.safetensors", {"scenes": 0})
+    read = read_detector(tmp_path / "own.safetensors").weights
+    assert weights.keys() == read.keys()
+    assert all(np.array_equal(weights[key], read[key]) for key in weights)
 
 
 def test_weights_that_cannot_be_used_say_what_to_do(tmp_path: Path) -> None:
     path = tmp_path / "broken.safetensors"
-    with pytest.raises(StorageError, match=r"detection\.training"):
-        shipped_detector(path)
-    path.write_bytes(PATH.read_bytes()[:1000])
-    with pytest.raises(StorageError, match="cannot be used"):
-        shipped_detector(path)
-    save_detector(GraspNetwork(8), path, {})
-    with pytest.raises(StorageError, match="cannot be used"):
-        shipped_detector(path)
+
+    def refused(content: bytes | None, words: str) -> None:
+        read_detector.cache_clear()
+        if content is not None:
+            path.write_bytes(content)
+        with pytest.raises(StorageError, match=words):
+            read_detector(path)
+
+    sound = dict(read_detector().weights)
+    refused(None, r"detection\.training")
+    refused(PATH.read_bytes()[:1000], "cannot be used")
+    refused(b"x" * 2**23, "more than 4194304 bytes")
+    save_weights({**sound, "0.bias": np.zeros(3)}, path, {})
+    refused(None, "of another network")
+    save_weights({**sound, "0.bias": np.full(16, np.nan, np.float32)}, path, {})
+    refused(None, "not finite")
+    read_detector.cache_clear()

@@ -12,8 +12,10 @@ from toy import toy_object, toy_scene
 
 from generator.errors import BundleError
 from tabletopgen_env.detection import training
+from tabletopgen_env.detection.detector import GraspDetector
 from tabletopgen_env.detection.labels import COLUMNS, Lesson, lesson, lessons
-from tabletopgen_env.detection.network import PLACES, TURNS, GraspNetwork
+from tabletopgen_env.detection.model import GraspNetwork
+from tabletopgen_env.detection.network import PLACES, TURNS, Rated
 from tabletopgen_env.detection.training import batch_of, gather, judged, loss_of, read, train
 from tabletopgen_env.expert.grasps import plan_grasps
 from tabletopgen_env.robot.panda import Panda
@@ -87,12 +89,10 @@ def test_the_loss_is_least_where_the_answer_is_right() -> None:
     batch = batch_of([taught()], PLAIN)
     rated = GraspNetwork()(batch.seen)
     shape = (1, TURNS, PLACES, PLACES)
-    right = rated._replace(
-        best=(batch.share.clamp(min=1e-9).log()).reshape(shape),
-        possible=(batch.possible * 20 - 10).reshape(shape),
-        at=batch.grasp[..., :3].reshape(*shape, 3),
-        width=batch.grasp[..., 3].reshape(shape),
-        room=batch.grasp[..., 4].reshape(shape),
+    right = Rated(
+        batch.share.clamp(min=1e-9).log().reshape(shape),
+        (batch.possible * 20 - 10).reshape(shape),
+        *(batch.grasp[..., k].reshape(shape) for k in range(5)),
     )
     least = float(loss_of(right, batch))
     assert least < float(loss_of(rated, batch).detach()) / 3
@@ -100,11 +100,15 @@ def test_the_loss_is_least_where_the_answer_is_right() -> None:
     assert least < float(loss_of(right._replace(best=-right.best), batch))
 
 
+def detector_of(network: GraspNetwork) -> GraspDetector:
+    return GraspDetector({k: v.float().numpy() for k, v in network.weights().items()})
+
+
 def test_it_learns_what_it_is_taught() -> None:
     network = train([taught(), taught(aside=True)], steps=240, seed=0, size=2)
-    marks = judged(network, [taught()])
+    marks = judged(detector_of(network), [taught()])
     assert marks.objects == 1 and marks.found == 1.0 and marks.worse < 0.3
-    assert judged(GraspNetwork(), [taught()]).found == 0.0
+    assert judged(detector_of(GraspNetwork()), [taught()]).found == 0.0
 
 
 def test_the_same_seed_trains_the_same_network() -> None:
@@ -133,14 +137,25 @@ def test_the_same_seed_gives_the_same_lessons() -> None:
 
 def test_damaged_lessons_say_so(tmp_path: Path) -> None:
     path = tmp_path / "train-000.npz"
-    path.write_bytes(b"nothing")
-    with pytest.raises(BundleError, match="Remove it"):
-        gather(tmp_path, "train", 0)
-    np.savez(
-        path, heights=np.zeros((1, 2, 8, 8)), facing=[0.0], grasps=np.zeros((1, 7)), counts=[1]
-    )
-    with pytest.raises(BundleError, match="holds no lessons"):
-        read(path)
+    sound = {
+        "heights": np.random.default_rng(0).integers(0, 255, (2, 2, 64, 64), np.uint8),
+        "facing": np.zeros(2),
+        "grasps": np.zeros((3, 7), np.float32), "counts": np.array([1, 2]),
+    }  # fmt: skip
+    np.savez_compressed(path, **sound)
+    assert [len(one.grasps) for one in read(path)] == [1, 2]
+    whole = path.read_bytes()
+    for broken in (b"nothing", whole[:300], whole[:-30], whole[:5000] + b"?!?!" + whole[5004:]):
+        path.write_bytes(broken)
+        with pytest.raises(BundleError, match="Remove it"):
+            gather(tmp_path, "train", 0)
+    for wrong in (
+        {"heights": np.zeros((2, 2, 8, 8), np.uint8)}, {"counts": np.array([4, -1])},
+        {"counts": np.array([1, 1])}, {"grasps": np.full((3, 7), np.nan)}, {"facing": ["a", "b"]},
+    ):  # fmt: skip
+        np.savez(path, **{**sound, **wrong})
+        with pytest.raises(BundleError, match="holds no lessons"):
+            read(path)
 
 
 def test_a_lessons_look_is_at_the_origin() -> None:

@@ -133,7 +133,7 @@ def test_a_drawer_made_before_the_fork_is_refused_in_it(drawn, gl) -> None:
 
 
 def test_a_forked_copy_detects_grasps(monkeypatch) -> None:
-    """The network keeps to one thread: a fork has none of the others."""
+    """The network wakes no threads of a library, of which a fork has none."""
     env = make_env(toy_scene(), task="Lift", grasp_hint="detected")
     monkeypatch.setattr(env.unwrapped._worlds, "get", anew(env.unwrapped._worlds.get))
     seen = env.reset(seed=0)[0]

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import pickle
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 from toy import toy_scene
 
-from generator.errors import InputError
+from generator.errors import InputError, SceneError
 from generator.geometry import wrap
-from tabletopgen_env.detection.detector import shipped_detector
+from tabletopgen_env.detection.detector import read_detector
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.choosing import choose
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.grasp_hint import HINT_BOUNDS, GraspHint
 from tabletopgen_env.randomization import Randomization
+from tabletopgen_env.vector import TabletopVectorEnv
 
 CUBE = {"target": "cube_1"}
 
@@ -246,7 +252,7 @@ def test_noise_moves_a_place_with_what_is_read_of_the_thing_in_the_hand() -> Non
 def test_a_detected_hint_is_the_detectors_grasp() -> None:
     env = lift(grasp_hint="detected")
     seen = env.reset(seed=0, options=CUBE)[0]
-    plan = shipped_detector()(env.world, "cube_1")
+    plan = read_detector()(env.world, "cube_1")
     assert plan is not None
     tool = env.world.data.site_xpos[env.world.tcp]
     assert np.allclose(
@@ -281,3 +287,53 @@ def test_an_unknown_hint_names_those_there_are() -> None:
 def test_planned_is_what_true_means() -> None:
     one, two = (lift(grasp_hint=kind).reset(seed=0, options=CUBE)[0] for kind in (True, "planned"))
     assert np.array_equal(one, two)
+
+
+def test_a_copy_carries_no_weights() -> None:
+    """It asks for those that are shipped where it is unpacked."""
+    planned, detected = (len(pickle.dumps(lift(grasp_hint=k))) for k in ("planned", "detected"))
+    assert detected < planned + 200
+    env = lift(grasp_hint="detected")
+    copy = pickle.loads(pickle.dumps(env))
+    assert copy.hint.choose is env.hint.choose
+
+
+def test_where_nothing_is_detected_the_hint_is_empty(monkeypatch) -> None:
+    monkeypatch.setattr("tabletopgen_env.detection.detector._POSSIBLE", np.inf)
+    env = lift(grasp_hint="detected")
+    assert not env.reset(seed=0, options=CUBE)[0][279:].any()
+    with pytest.raises(SceneError, match="no grasp"):
+        TaskExpert(env).reset()
+
+
+@pytest.mark.parametrize(
+    "randomization", [Randomization(table_height=0.05), Randomization(distractors=(0, 3))]
+)
+def test_detected_hints_follow_what_is_randomised(randomization) -> None:
+    env = lift(grasp_hint="detected", randomization=randomization)
+    for seed in range(3):
+        seen = env.reset(seed=seed, options=CUBE)[0]
+        plan = read_detector()(env.world, "cube_1")
+        assert plan is not None
+        away = plan.grasp.point - env.world.data.site_xpos[env.world.tcp]
+        assert np.allclose(seen[279:282], env.world.base_rotation.T @ away, atol=1e-5)
+
+
+def test_threads_see_what_one_does() -> None:
+    settings = {"task": "Lift", "grasp_hint": "detected", "max_episode_steps": 5}
+    several = TabletopVectorEnv(3, scenes=toy_scene(), **settings)
+    seen = several.reset(seed=[0, 1, 2])[0]
+    alone = [lift(grasp_hint="detected").reset(seed=k)[0] for k in range(3)]
+    assert np.array_equal(seen, alone)
+    several.close()
+
+
+def test_a_detected_hint_needs_no_torch() -> None:
+    code = (
+        "import sys; sys.path.insert(0, 'tests'); from toy import toy_scene; "
+        "from tabletopgen_env.env import make_env; "
+        "make_env(toy_scene(), task='Lift', grasp_hint='detected').reset(seed=0); "
+        "assert 'torch' not in sys.modules"
+    )
+    root = Path(__file__).parents[2]
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=root)

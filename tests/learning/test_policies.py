@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -267,3 +268,16 @@ def test_pictures_have_no_policy_files(small) -> None:
     space = observation_space("pixels", ObservationConfig(("front",), ("rgb",), 64, 64))
     with pytest.raises(InputError, match="states and goals"):
         inputs_of(space)
+
+
+def test_a_policy_says_which_detector_it_learned_with(small, tmp_path: Path, monkeypatch) -> None:
+    _, _, made = trained(small, env={"grasp_hint": "detected"})
+    digest = made.card.versions["grasp-detector"]
+    path = save_policy(made, tmp_path / "p.safetensors")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        load_policy(path)
+    monkeypatch.setattr("tabletopgen_env.detection.detector.shipped_digest", lambda: digest[::-1])
+    with pytest.warns(UserWarning, match="another grasp detector"):
+        load_policy(path)
+    assert "grasp-detector" not in trained(small)[2].card.versions
