@@ -123,6 +123,24 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ),
     ("generator.supplement", (*VALUES, "generator.layout")),
     (
+        "generator.editing",
+        (
+            *VALUES,
+            "generator.backends",
+            "generator.bundle",
+            "generator.catalogue",
+            "generator.editing",
+            "generator.figures",
+            "generator.layout",
+            "generator.physics",
+            "generator.pipeline",
+            "generator.provenance",
+            "generator.salvage",
+            "generator.stages",
+            "generator.supplement",
+        ),
+    ),
+    (
         "generator.training",
         (
             *VALUES,

@@ -37,6 +37,15 @@ def load_digest(path: str | Path) -> str:
     return _digest(payload)
 
 
+def load_fingerprint(path: str | Path) -> str:
+    """Return the sha256 of a bundle's ``scene.json``; its first 12 digits end the bundle's name.
+
+    Raises:
+        BundleError: there is no bundle, or its ``scene.json`` is damaged.
+    """
+    return hashlib.sha256(dumps(read_truth(Path(path)))).hexdigest()
+
+
 def load_kinds(path: str | Path) -> list[tuple[str, str]]:
     """Read the category and the label of each object of a bundle, without its meshes.
 
