@@ -14,4 +14,5 @@ from .identity import digest as digest
 from .identity import load_digest as load_digest
 from .identity import load_fingerprint as load_fingerprint
 from .identity import load_kinds as load_kinds
+from .identity import load_report as load_report
 from .segments import Segments as Segments

@@ -63,6 +63,19 @@ def load_kinds(path: str | Path) -> list[tuple[str, str]]:
         ) from error
 
 
+def load_report(path: str | Path) -> dict[str, Any]:
+    """Read the recorded gate of a bundle, field by field, and how many ``objects`` it judged.
+
+    Raises:
+        BundleError: there is no bundle, or its ``scene.json`` is damaged or holds no report.
+    """
+    payload = read_truth(Path(path))
+    try:
+        return {**payload["report"], "objects": len(payload["objects"])}
+    except (TypeError, KeyError) as error:
+        raise BundleError(f"{path}: scene.json holds no report. Make the bundle again.") from error
+
+
 def _digest(payload: Mapping[str, Any]) -> str:
     content = dumps({key: payload[key] for key in _CONTENT})
     return hashlib.sha256(content).hexdigest()[:12]
