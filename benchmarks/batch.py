@@ -15,8 +15,8 @@ import argparse
 import tempfile
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from posing import tables
 
@@ -25,8 +25,7 @@ from generator import batch
 HERE = Path(__file__).parent
 
 
-@dataclass(frozen=True)
-class Run:
+class Run(NamedTuple):
     """One batch: who made it, how long it took, and what it left."""
 
     who: str
