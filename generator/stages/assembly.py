@@ -137,15 +137,7 @@ def reassemble(
     """
     config = config or AssemblyConfig()
     rested, unstable = rest(arranged, config, fresh)
-    poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
-    moves, turns = shifted(*poses) > _STAYS[0], turned(*poses) > _STAYS[1]
-    objects = tuple(
-        after if after.name in fresh or moved else before
-        for before, after, moved in zip(
-            arranged.objects, rested.objects, moves | turns, strict=True
-        )
-    )
-    rested = rested.replace(objects=objects)
+    rested = _unmoved(arranged, rested, fresh)
     scene = _recorded(wanted, arranged, rested, (), unstable, set(), config, fresh)
     if scene.report is None or arranged.report is None:
         return scene
@@ -276,6 +268,15 @@ def _again(scene: Scene, config: AssemblyConfig) -> Scene:
     return scene.replace(objects=with_poses(scene.objects, poses))
 
 
+def _unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
+    """Return the scene at rest with what is not new, and has not moved, just as it was."""
+    poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
+    moved = (shifted(*poses) > _STAYS[0]) | (turned(*poses) > _STAYS[1])
+    triples = zip(arranged.objects, rested.objects, moved, strict=True)
+    objects = (b if b.name in fresh or far else a for a, b, far in triples)
+    return rested.replace(objects=tuple(objects))
+
+
 def _only(names: set[str], may: Collection[str] | None) -> set[str]:
     return names if may is None else names & {*may}
 
@@ -334,6 +335,8 @@ def _recorded(
         if report.passed:
             break
         scene = _again(_steadied(arranged, scene, config, may), config)
+        if may is not None:
+            scene = _unmoved(arranged, scene, may)
     else:
         report = judge(scene.replace(report=report), config.limits)
     warnings = (

@@ -15,6 +15,7 @@ from toy import cube_mesh, toy_object, toy_scene
 from generator import bundle, editing
 from generator.backends import Backends
 from generator.bundle import Segments
+from generator.editing import edited
 from generator.geometry import mask_box
 from generator.physics.gate import judge
 from generator.scene import (
@@ -89,6 +90,12 @@ class Painter:
     top_view = stacking_order
 
 
+@pytest.fixture(autouse=True)
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Previews of a few pixels."""
+    monkeypatch.setattr(edited, "preview", lambda scene: np.zeros((4, 4, 3), np.uint8))
+
+
 @pytest.fixture
 def pictured(tmp_path: Path) -> Path:
     """A bundle that keeps the picture it was made from, and what was found in it."""
@@ -113,10 +120,10 @@ def test_only_the_new_thing_is_asked_for(pictured: Path, tmp_path: Path) -> None
     painter = Painter()
     roles = ("reasoner", "imager", "segmenter", "modeler", "encoder")
     backends = Backends.select(**dict.fromkeys(roles, painter))
-    edited = editing.swap(pictured, "ukulele_1", "a banjo", 5, backends)
+    done = editing.swap(pictured, "ukulele_1", "a banjo", 5, backends)
     assert painter.asked == ["plan_scene", "draw", "complete table", "complete banjo",
                              "model banjo"]  # fmt: skip
-    path = edited.save(tmp_path / "after")
+    path = done.save(tmp_path / "after")
     assert kept(pictured, path) == {"can_1"}
     scene = bundle.load(path)
     banjo = scene.object("banjo_1")

@@ -11,6 +11,7 @@ from changed import kept
 from toy import toy_object, toy_scene
 
 from generator import bundle, editing
+from generator.editing import edited
 from generator.errors import SceneError
 from generator.physics.gate import judge
 from generator.scene import Object
@@ -20,6 +21,12 @@ TOP = 0.74
 
 def on(thing: Object, below: str, *, inside: bool = False) -> Object:
     return replace(thing, placement=replace(thing.placement, on=below, inside=inside))
+
+
+@pytest.fixture(autouse=True)
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Previews of a few pixels."""
+    monkeypatch.setattr(edited, "preview", lambda scene: np.zeros((4, 4, 3), np.uint8))
 
 
 @pytest.fixture(scope="module")
@@ -39,27 +46,27 @@ def loaded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_what_is_in_a_removed_thing_goes_along(loaded: Path) -> None:
-    edited = editing.remove(loaded, "mug_1")
-    assert [o.name for o in edited.scene.objects] == ["box_1", "block_1", "can_1"]
-    assert edited.scene.provenance.edits[-1].names == ("mug_1", "die_1")
-    assert "die_1 was removed with mug_1." in edited.scene.provenance.warnings
+    done = editing.remove(loaded, "mug_1")
+    assert [o.name for o in done.scene.objects] == ["box_1", "block_1", "can_1"]
+    assert done.scene.provenance.edits[-1].names == ("mug_1", "die_1")
+    assert "die_1 was removed with mug_1." in done.scene.provenance.warnings
 
 
 def test_what_stood_on_a_removed_thing_is_set_down(loaded: Path, tmp_path: Path) -> None:
-    edited = editing.remove(loaded, "box_1")
-    block = edited.scene.object("block_1")
+    done = editing.remove(loaded, "box_1")
+    block = done.scene.object("block_1")
     assert block.placement.on == "table"
     assert block.pose.position[2] == pytest.approx(TOP + 0.025, abs=1e-3)
     assert np.allclose(block.pose.position[:2], [0.12, 0.06], atol=5e-3)
-    assert any("block_1 was set down" in w for w in edited.scene.provenance.warnings)
-    assert kept(loaded, edited.save(tmp_path)) == {"mug_1", "die_1", "can_1"}
+    assert any("block_1 was set down" in w for w in done.scene.provenance.warnings)
+    assert kept(loaded, done.save(tmp_path)) == {"mug_1", "die_1", "can_1"}
 
 
 @pytest.mark.parametrize(("name", "load"), [("mug_1", "die_1"), ("box_1", "block_1")])
 def test_a_moved_thing_takes_its_load_along(loaded: Path, name: str, load: str) -> None:
     before = bundle.load(loaded)
-    edited = editing.move(loaded, name, (0.25, -0.2), np.pi / 2)
-    after = edited.scene
+    done = editing.move(loaded, name, (0.25, -0.2), np.pi / 2)
+    after = done.scene
     was = before.object(load).pose.position - before.object(name).pose.position
     now = after.object(load).pose.position - after.object(name).pose.position
     assert np.allclose(now, [-was[1], was[0], was[2]], atol=2e-3)
@@ -68,8 +75,8 @@ def test_a_moved_thing_takes_its_load_along(loaded: Path, name: str, load: str) 
 
 
 def test_a_vessel_in_place_of_a_vessel_takes_what_was_in_it(loaded: Path) -> None:
-    edited = editing.swap(loaded, "mug_1", "a bowl")
-    die, bowl = edited.scene.object("die_1"), edited.scene.object("bowl_1")
+    done = editing.swap(loaded, "mug_1", "a bowl")
+    die, bowl = done.scene.object("die_1"), done.scene.object("bowl_1")
     assert (die.placement.on, die.placement.inside) == ("bowl_1", True)
     assert die.pose.position[2] < bowl.pose.position[2] + bowl.scale[2] / 2
     assert np.linalg.norm((die.pose.position - bowl.pose.position)[:2]) < bowl.scale[0] / 2
@@ -77,7 +84,7 @@ def test_a_vessel_in_place_of_a_vessel_takes_what_was_in_it(loaded: Path) -> Non
 
 def test_the_same_edit_gives_the_same_scene(loaded: Path) -> None:
     edits = [editing.swap(loaded, "mug_1", "a bowl", seed) for seed in (3, 3, 4)]
-    first, again, other = (bundle.digest(edited.scene) for edited in edits)
+    first, again, other = (bundle.digest(done.scene) for done in edits)
     assert first == again != other
     assert edits[0].scene.provenance == edits[1].scene.provenance
 
@@ -88,8 +95,8 @@ def test_what_holds_nothing_does_not_replace_a_vessel(loaded: Path) -> None:
 
 
 def test_what_stands_on_a_swapped_thing_stands_on_the_other(loaded: Path) -> None:
-    edited = editing.swap(loaded, "box_1", "a large book")
-    block, book = edited.scene.object("block_1"), edited.scene.object("book_1")
+    done = editing.swap(loaded, "box_1", "a large book")
+    block, book = done.scene.object("block_1"), done.scene.object("book_1")
     assert block.placement.on == "book_1"
     top = book.pose.position[2] + book.scale[2] / 2
     assert block.pose.position[2] == pytest.approx(top + 0.025, abs=3e-3)
