@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
+from tyro import conf
 from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
@@ -32,7 +33,7 @@ FORMS = {
 def edit(
     bundle: Positional[str],
     action: Positional[Action],
-    words: Positional[tuple[str, ...]],
+    words: Annotated[Positional[tuple[str, ...]], conf.arg(metavar="[NAME] [WORDS]")],
     /,
     *,
     to: tuple[float, float] | None = None,
@@ -49,21 +50,17 @@ def edit(
 ) -> int:
     """Change one thing of a finished scene; everything else stays as it is, to the byte.
 
-    tabletopgen edit BUNDLE swap mug_1 "a teapot"
-    tabletopgen edit BUNDLE add "a red mug left of the laptop"
-    tabletopgen edit BUNDLE remove mug_1
-    tabletopgen edit BUNDLE move mug_1 "behind the laptop"
-    tabletopgen edit BUNDLE move mug_1 --to 0.2 -0.1 --turn 90
-    tabletopgen edit BUNDLE restyle cartoon mug_1
+    swap mug_1 "a teapot" · add "a red mug left of the laptop" · remove mug_1 · move mug_1 "behind
+    the laptop" · move mug_1 --to 0.2 -0.1 --turn 90 · restyle cartoon mug_1
 
     The scene is settled and judged again; one that fails its gate is not published. The bundle
-    edited stays, too.
+    edited stays, too. What is in a removed thing goes with it.
 
     Args:
         bundle: A bundle's name, digest, glob or path; `tabletopgen inspect` names its things.
         action: What is done.
         words: Name of the thing, what is asked for, or both. restyle takes plain, cartoon or
-            low-poly, and the names of the things, all if none is named.
+            low-poly, then names of things; all if none is named.
         to: With move: x and y of the thing's centre in metres from the table's, +x right, +y away.
         turn: With move: degrees it turns, counter-clockwise seen from above.
         out: Folder the new bundle goes into; the user cache if left out.
