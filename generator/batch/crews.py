@@ -6,7 +6,7 @@ import logging
 import os
 import signal
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
@@ -20,7 +20,8 @@ from .records import Outcome
 Task = Callable[[], Outcome]
 """A call of ``records.work``, picklable."""
 
-_ALONE = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
+_ALONE = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # threads of a process
+_UNWATCHED = "RAY_USAGE_STATS_ENABLED"  # else Ray tells its makers that it was started
 
 
 class Died(Exception):
@@ -82,7 +83,7 @@ class Processes:
 
     def give(self, task: Task) -> Future[Outcome]:
         """Have a task done."""
-        with _alone():
+        with _environment(dict.fromkeys(_ALONE, "1")):
             return self._pool.submit(task)
 
     def first(self, given: list[Future[Outcome]]) -> Future[Outcome]:
@@ -130,7 +131,8 @@ class OnRay:
         self._ray, self.width = ray, width
         cpus = {"num_cpus": width, "include_dashboard": False} if address == "local" else {}
         try:
-            ray.init(address=address, log_to_driver=False, logging_level=logging.ERROR, **cpus)
+            with _environment({_UNWATCHED: "0"}):
+                ray.init(address=address, log_to_driver=False, logging_level=logging.ERROR, **cpus)
         except (ConnectionError, ValueError, RuntimeError) as error:
             raise BackendError(f"No Ray at {address!r}: {error}") from error
         self._work = ray.remote(num_cpus=1, max_retries=0)(_done)
@@ -179,10 +181,10 @@ def _begin(line: Connection) -> None:
 
 
 @contextmanager
-def _alone() -> Iterator[None]:
-    """Meanwhile, processes that are started compute on one thread, unless told otherwise."""
-    added = [name for name in _ALONE if name not in os.environ]
-    os.environ.update(dict.fromkeys(added, "1"))
+def _environment(usual: Mapping[str, str]) -> Iterator[None]:
+    """Meanwhile, processes that are started find these variables, unless they are set already."""
+    added = {name: value for name, value in usual.items() if name not in os.environ}
+    os.environ.update(added)
     try:
         yield
     finally:

@@ -206,11 +206,12 @@ def test_ray_makes_the_same_bytes(
     pytest.importorskip("ray")
     path = os.pathsep.join([str(HERE), str(HERE.parent), *sys.path])
     monkeypatch.setenv("PYTHONPATH", path)  # what Ray's processes import from
-    monkeypatch.setenv("RAY_USAGE_STATS_ENABLED", "0")
+    monkeypatch.delenv("RAY_USAGE_STATS_ENABLED", raising=False)
     texts, out = ["a cube", "bad words", "deadly one", "another cube"], tmp_path / "ray"
     summary = batch.run(texts, out, ToyMaker(str(log)), workers=2, ray="local")
     assert [o.state for o in summary.outcomes] == ["made", "failed", "failed", "made"]
     assert [o.kind for o in summary.failures] == ["InputError", "Crash"]
+    assert "RAY_USAGE_STATS_ENABLED" not in os.environ
     batch.run(["a cube", "another cube"], tmp_path / "here", ToyMaker(str(log)))
     assert bundles(out) == bundles(tmp_path / "here")
 
