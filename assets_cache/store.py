@@ -96,10 +96,19 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
         names = ", ".join(p.name for p in found[:8])
         raise BundleError(f"{wanted!r} fits {len(found)} bundles: {names}. Name one.")
     path, root = found[0], user_root(cache)
-    if path.resolve().parent != root.resolve() or _ships(root):
-        raise StorageError(f"{path} is not in the store {root}; only what is there is removed.")
+    check_removable(path, root)
     _discard(path)
     return path
+
+
+def check_removable(path: Path, root: Path) -> None:
+    """Check that a bundle may be removed from the folder of bundles ``root``.
+
+    Raises:
+        StorageError: it is not there, or ships with the package.
+    """
+    if path.resolve().parent != root.resolve() or _ships(root):
+        raise StorageError(f"{path} is not in the store {root}; only what is there is removed.")
 
 
 def clear(cache: str | Path | None = None) -> int:

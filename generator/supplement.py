@@ -78,7 +78,7 @@ def supplement(
     missing = [planned for planned in plan.objects if planned.name not in shown]
     if not missing:
         return NOTHING
-    names = shown | _fresh(missing, {*placed, *(i.name for i in instances)})
+    names = shown | fresh_names(missing, {*placed, *(i.name for i in instances)})
     built = build_models(plan, seed)
     added = {names[planned.name]: built[planned.name] for planned in missing}
     there = {name: replace(models[name], size=p.scale) for name, p in placed.items()}
@@ -118,7 +118,7 @@ def matched(
     return pairs
 
 
-def _fresh(missing: Sequence[PlannedObject], taken: set[str]) -> dict[str, str]:
+def fresh_names(missing: Sequence[PlannedObject], taken: set[str]) -> dict[str, str]:
     """Return names for ``missing`` that no instance has."""
     names: dict[str, str] = {}
     for planned in missing:

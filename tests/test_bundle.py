@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import dataclasses
 import errno
 import hashlib
 import json
@@ -18,6 +19,7 @@ from generator.bundle.encoding import dumps
 from generator.errors import BundleError, SceneError, StorageError
 from generator.physics.gate import judge
 from generator.scene import (
+    Edit,
     PlannedObject,
     PlannedTable,
     Provenance,
@@ -95,6 +97,25 @@ def test_saving_again_gives_the_same_bytes(scene: Scene, path: Path, tmp_path: P
     loaded = bundle.save(bundle.load(path), tmp_path / "b", images={"preview": PREVIEW})
     assert path.name == other.name == loaded.name
     assert tree(path) == tree(other) == tree(loaded)
+
+
+def test_edits_come_back_and_are_not_written_where_there_are_none(
+    scene: Scene, path: Path, tmp_path: Path
+) -> None:
+    assert "edits" not in json.loads((path / "scene.json").read_bytes())["provenance"]
+    edit = Edit("0" * 64, "swap", ("can_1", "cup_1"), "a cup", 3, {"imager": {"class": "Toy"}})
+    past = dataclasses.replace(scene.provenance, edits=(edit, edit))
+    edited = bundle.save(scene.replace(provenance=past), tmp_path)
+    assert bundle.load(edited).provenance.edits == (edit, edit)
+
+
+def test_pictures_fingerprint_and_report_are_read_alone(path: Path) -> None:
+    assert bundle.load_pictures(path) == {"preview": (path / "preview.png").read_bytes()}
+    assert bundle.load_fingerprint(path)[:12] == path.name[-12:]
+    report, scene = bundle.load_report(path), bundle.load(path)
+    assert scene.report is not None
+    assert report["penetration"] == scene.report.penetration
+    assert report["objects"] == len(scene.objects)
 
 
 def test_the_folder_is_named_by_the_digest_of_scene_json(path: Path) -> None:

@@ -12,7 +12,15 @@ from shapely.geometry.base import BaseGeometry
 from generator.backends.embedded.planner import plan_scene
 from generator.errors import SceneError
 from generator.geometry import rotation_z
-from generator.layout import arrange, build_models, build_top, lay_out, table_size
+from generator.layout import (
+    arrange,
+    arrange_more,
+    build_models,
+    build_top,
+    lay_out,
+    table_size,
+    unmet,
+)
 from generator.layout.arranging import GAP, MARGIN
 from generator.layout.footprint import footprint, gaps, margins
 from generator.layout.furnishing import outline_of
@@ -214,3 +222,18 @@ def test_the_plans_style_is_how_its_objects_are_drawn() -> None:
     ).any()
     rustic = build_models(replace(plan, style="rustic"), 0)["mug_1"]
     np.testing.assert_array_equal(rustic.mesh.texture, plain.mesh.texture)
+
+
+def test_one_more_thing_faces_as_told_and_stands_where_it_was_asked_for() -> None:
+    plan = plan_scene("a mug left of a laptop on a desk", 0)
+    models = build_models(plan, 0)
+    table = build_top(plan, models, 0)
+    height = float(table.size[2] + models["laptop_1"].size[2] / 2)
+    laptop = Placement("laptop_1", 0.0, np.array([0, 0, height]), models["laptop_1"].size)
+    placed = {"laptop_1": laptop}
+    (mug,) = arrange_more(plan, placed, models, table, 0, {"mug_1": 1.25}).placements
+    assert mug.yaw == 1.25
+    planned = next(o for o in plan.objects if o.name == "mug_1")
+    assert unmet(planned, mug, placed, models, table) == ()
+    other = replace(mug, translation=mug.translation * [-1, 1, 1])
+    assert unmet(planned, other, placed, models, table) == planned.relations

@@ -15,6 +15,7 @@ from ..mjcf import encode_obj, encode_png, mesh_path, texture_path
 from ..provenance import plain
 from ..scene import (
     ConvexPart,
+    Edit,
     Mesh,
     Model,
     Object,
@@ -119,12 +120,18 @@ def encode_scene(scene: Scene) -> tuple[dict[str, Any], dict[str, bytes]]:
         "table": table,
         "objects": objects,
         "models": models,
-        "provenance": plain(scene.provenance),
+        "provenance": _encode_provenance(scene.provenance),
         "view": plain(scene.view),
         "report": plain(scene.report),
         "plan": plain(scene.plan),
     }
     return payload, files
+
+
+def _encode_provenance(provenance: Provenance) -> dict[str, Any]:
+    """Return it without ``edits`` where there are none."""
+    encoded = plain(provenance)
+    return encoded if provenance.edits else {k: v for k, v in encoded.items() if k != "edits"}
 
 
 def _encode_model(model: Model, files: dict[str, bytes]) -> dict[str, Any]:
@@ -196,13 +203,16 @@ def decode_scene(payload: Mapping[str, Any], file: Callable[[str], bytes]) -> Sc
             friction=float(table["friction"]),
         ),
         objects=tuple(_decode_object(entry, models) for entry in payload["objects"]),
-        provenance=Provenance(
-            **{**payload["provenance"], "warnings": tuple(payload["provenance"]["warnings"])}
-        ),
+        provenance=_decode_provenance(payload["provenance"]),
         view=View(**payload["view"]),
         report=_decode_report(payload["report"]),
         plan=_decode_plan(payload["plan"]),
     )
+
+
+def _decode_provenance(entry: Mapping[str, Any]) -> Provenance:
+    edits = tuple(Edit(**_tuples(edit)) for edit in entry.get("edits", ()))
+    return Provenance(**{**_tuples(entry), "edits": edits})
 
 
 def _decode_object(entry: Mapping[str, Any], models: Mapping[str, Model]) -> Object:

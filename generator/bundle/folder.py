@@ -147,6 +147,18 @@ def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | No
     return decode_png(_read_listed(folder, name, listed[name]), name)
 
 
+def load_pictures(path: str | Path) -> dict[str, bytes]:
+    """Read every picture of a bundle as the bytes of its PNG, by stem, checked.
+
+    Raises:
+        BundleError: there is no bundle, or a picture is damaged.
+    """
+    folder = Path(path)
+    listed = read_truth(folder)["files"]
+    names = [name for name in listed if "/" not in name and name.endswith(".png")]
+    return {n.removesuffix(".png"): _read_listed(folder, n, listed[n]) for n in names}
+
+
 def verify(path: str | Path) -> list[str]:
     """Return what is wrong with a bundle on disk: nothing, or one reason.
 

@@ -37,6 +37,15 @@ def load_digest(path: str | Path) -> str:
     return _digest(payload)
 
 
+def load_fingerprint(path: str | Path) -> str:
+    """Return the sha256 of a bundle's ``scene.json``; its first 12 digits end the bundle's name.
+
+    Raises:
+        BundleError: there is no bundle, or its ``scene.json`` is damaged.
+    """
+    return hashlib.sha256(dumps(read_truth(Path(path)))).hexdigest()
+
+
 def load_kinds(path: str | Path) -> list[tuple[str, str]]:
     """Read the category and the label of each object of a bundle, without its meshes.
 
@@ -52,6 +61,19 @@ def load_kinds(path: str | Path) -> list[tuple[str, str]]:
             f"{path}: scene.json does not list its objects ({type(error).__name__}: {error}). "
             "Make the bundle again."
         ) from error
+
+
+def load_report(path: str | Path) -> dict[str, Any]:
+    """Read the recorded gate of a bundle, field by field, and how many ``objects`` it judged.
+
+    Raises:
+        BundleError: there is no bundle, or its ``scene.json`` is damaged or holds no report.
+    """
+    payload = read_truth(Path(path))
+    try:
+        return {**payload["report"], "objects": len(payload["objects"])}
+    except (TypeError, KeyError) as error:
+        raise BundleError(f"{path}: scene.json holds no report. Make the bundle again.") from error
 
 
 def _digest(payload: Mapping[str, Any]) -> str:

@@ -7,7 +7,7 @@ import sys
 import tyro
 
 from ..errors import TabletopError, exit_code
-from . import cache, evaluating, interrupts, looking, making
+from . import batching, cache, editing, evaluating, interrupts, looking, making
 
 DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.
 
@@ -21,6 +21,8 @@ app = tyro.extras.SubcommandApp()
 for command in (
     making.generate,
     making.compose,
+    batching.batch,
+    editing.edit,
     looking.inspect,
     looking.verify,
     looking.view,

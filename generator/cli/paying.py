@@ -18,19 +18,24 @@ VARIABLE = "TABLETOPGEN_CALLS"
 """Environment variable naming the folder where answers of servers are kept."""
 
 
+def calls_folder(calls: Path | None) -> Path:
+    """Return where answers of servers are kept: in ``calls``, else where this user's are."""
+    import platformdirs
+
+    usual = os.environ.get(VARIABLE) or Path(platformdirs.user_cache_dir("tabletopgen")) / "calls"
+    return Path(calls or usual)
+
+
 def open_session(
     calls: Path | None, prices: Path | None, budget: float | None, dry: bool
 ) -> Session:
-    """Return a session that keeps answers in ``calls``, else where this user's are kept."""
-    import platformdirs
-
+    """Return a session that keeps answers in ``calls_folder(calls)``."""
     from ..running import Session
     from ..running.prices import Prices
     from ..running.store import CallStore
 
-    usual = os.environ.get(VARIABLE) or Path(platformdirs.user_cache_dir("tabletopgen")) / "calls"
     return Session(
-        store=CallStore(calls or usual),
+        store=CallStore(calls_folder(calls)),
         prices=Prices.shipped() if prices is None else Prices.load(prices),
         budget=budget,
         dry=dry,

@@ -1,6 +1,7 @@
 """Where planned objects go: relations into free, natural places on the tabletop."""
 
-from .arranging import Layout, arrange, arrange_more
+from .arranging import Layout, arrange, arrange_more, unmet
+from .facing import natural_yaw
 from .fitting import lay_out
 from .furnishing import build_models, build_top, table_size
 
@@ -11,5 +12,7 @@ __all__ = [
     "build_models",
     "build_top",
     "lay_out",
+    "natural_yaw",
     "table_size",
+    "unmet",
 ]

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from types import MappingProxyType
 
 import numpy as np
 from jaxtyping import Float
 
 from ..errors import SceneError
 from ..geometry import rotation_z
-from ..scene import TABLE, Model, Placement, PlannedObject, ScenePlan
+from ..scene import TABLE, Model, Placement, PlannedObject, Relation, ScenePlan
 from . import stacking
 from .facing import natural_yaw
 from .footprint import Footprint, footprint, gaps, margins
 from .furnishing import outline_of
-from .scoring import Neighbour, Request, proposals, score
+from .scoring import Neighbour, Request, broken, proposals, score
 
 MARGIN = 0.02
 """Least distance from a footprint to the table's edge, metres."""
@@ -81,23 +82,51 @@ def arrange_more(
     models: Mapping[str, Model],
     table: Model,
     seed: int,
+    yaws: Mapping[str, float] = MappingProxyType({}),
 ) -> Layout:
     """Place what of a plan is not among ``placed``, which stays where it is.
 
-    ``placed`` may hold things the plan does not know; ``models`` have all the sizes. What finds no
-    free place is left out, with a warning. Returns the new placements only.
+    ``placed`` may hold things the plan does not know; ``models`` have all the sizes; ``yaws`` says
+    which way some things face (radians), where that is not left open. What finds no free place is
+    left out, with a warning. Returns the new placements only.
     """
     outline = outline_of(table)
     rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 5])
     warnings: list[str] = []
     while True:
         state = _State(dict(placed), {n: _standing(models[n], p) for n, p in placed.items()})
-        stuck = _place_all(plan, models, table, outline, rng, state)
+        stuck = _place_all(plan, models, table, outline, rng, state, yaws)
         if stuck is None:
             new = tuple(p for name, p in state.places.items() if name not in placed)
             return Layout(new, (*warnings, *state.warnings))
         warnings.append(f"{stuck} finds no free place on the table.")
         plan = _without(plan, stuck, placed)
+
+
+BROKEN = 1.5
+"""From this cost on (see ``scoring.broken``) a relation does not hold."""
+
+
+def unmet(
+    planned: PlannedObject,
+    placement: Placement,
+    placed: Mapping[str, Placement],
+    models: Mapping[str, Model],
+    table: Model,
+) -> tuple[Relation, ...]:
+    """Return which of an object's relations to places and sides do not hold where it was put.
+
+    What it stands on or in is not looked at.
+    """
+    own = _standing(models[planned.name], placement)
+    near = {r.target: _standing(models[r.target], placed[r.target])
+            for r in planned.relations if r.target in placed}  # fmt: skip
+    request = Request(planned.relations, own.shape, near, outline_of(table))
+    return tuple(
+        r
+        for r in planned.relations
+        if r.kind not in ("on", "in") and broken(request, r, own.center[None])[0] >= BROKEN
+    )
 
 
 def _standing(model: Model, placement: Placement) -> Neighbour:
@@ -124,6 +153,7 @@ def _place_all(
     outline: Float[np.ndarray, "k 2"],
     rng: np.random.Generator,
     state: _State,
+    yaws: Mapping[str, float] = MappingProxyType({}),
 ) -> str | None:
     """Place everything not yet placed; return the name of the first that finds no place."""
     supports = {o.name: support_of(o) for o in plan.objects}
@@ -131,10 +161,8 @@ def _place_all(
     standing = _ordered([o for o in missing if supports[o.name] is None], models, rng)
     above = [o for o in missing if supports[o.name] is not None]
     shapes = {name: there.shape for name, there in state.neighbours.items()}
-    shapes |= {
-        o.name: footprint(models[o.name], natural_yaw(o, models[o.name], plan, rng))
-        for o in missing
-    }
+    facing = {o.name: natural_yaw(o, models[o.name], plan, rng) for o in missing} | {**yaws}
+    shapes |= {o.name: footprint(models[o.name], facing[o.name]) for o in missing}
     for planned in standing:
         if not _stand(planned, models, table, outline, rng, state, shapes, above):
             return planned.name
@@ -296,14 +324,14 @@ def _put(
         )
         if best is None or cost < best[0]:
             best = cost, placement
-    if best is None or (inside and not _sunk(best[1], top, heaped=bool(siblings))):
+    if best is None or (inside and not sunk(best[1], top, heaped=bool(siblings))):
         return False
     state.places[planned.name] = best[1]
     state.neighbours[planned.name] = Neighbour(shape, best[1].translation[:2])
     return True
 
 
-def _sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
+def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
     """Tell whether something is in a vessel, or ``heaped`` on what is in it, not on its rim."""
     bottom = placement.translation[2] - placement.scale[2] / 2
     return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))

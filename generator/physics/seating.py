@@ -25,8 +25,10 @@ def seat_on_table(thing: Object, height: float) -> Object:
     return replace(thing, pose=Pose(np.array([x, y, z]), thing.pose.quaternion))
 
 
-def seat_stacked(scene: Scene) -> Scene:
+def seat_stacked(scene: Scene, names: Collection[str] | None = None) -> Scene:
     """Lower each stacked object onto, or into, its support; lowest supports first.
+
+    ``names`` says which; None is all.
 
     It is let down from above at its own place; if that is taken, or an object meant to go *into*
     a container would stay on its rim, at the nearest place on the support that does better.
@@ -34,7 +36,7 @@ def seat_stacked(scene: Scene) -> Scene:
     chains = ancestry(scene.objects)
     order = sorted(range(len(chains)), key=lambda i: (len(chains[i]), i))
     for i in order:
-        if len(chains[i]) > 1:
+        if len(chains[i]) > 1 and (names is None or scene.objects[i].name in names):
             scene = _seat(scene, i, chains)
     return scene
 

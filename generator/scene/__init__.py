@@ -21,6 +21,8 @@ from .model import ConvexPart, Mesh, Model, PartKind, Physics, SizePrior
 from .picture import USUAL_VIEW, Detection, Instance, Intrinsics, Reference, TopView, View
 from .plan import TABLE, OutlineKind, PlannedObject, PlannedTable, Relation, RelationKind, ScenePlan
 from .result import (
+    Edit,
+    EditKind,
     LayoutBox,
     Object,
     Placement,
@@ -39,6 +41,8 @@ __all__ = [
     "USUAL_VIEW",
     "ConvexPart",
     "Detection",
+    "Edit",
+    "EditKind",
     "Instance",
     "Intrinsics",
     "LayoutBox",

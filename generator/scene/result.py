@@ -257,9 +257,34 @@ class Report:
         return not self.failures
 
 
+EditKind = Literal["swap", "add", "remove", "move", "restyle"]
+
+
+@dataclass(frozen=True)
+class Edit:
+    """One change made to a finished scene.
+
+    ``edited`` is the sha256 of the ``scene.json`` that was edited; its first 12 digits are in that
+    bundle's name. ``names`` are the things that were made, moved or taken away, ``asked`` what was
+    asked for. ``backends`` says who made what is new.
+    """
+
+    edited: str
+    kind: EditKind
+    names: tuple[str, ...]
+    asked: str
+    seed: int = 0
+    backends: Mapping[str, Any] = field(default_factory=dict)
+    config: Mapping[str, Any] = field(default_factory=dict)
+    versions: Mapping[str, str] = field(default_factory=dict)
+
+
 @dataclass(frozen=True)
 class Provenance:
-    """Where a scene comes from, enough to make it again. Holds no secret, path or clock time."""
+    """Where a scene comes from, enough to make it again. Holds no secret, path or clock time.
+
+    ``edits`` are the changes made to it since, the first one first.
+    """
 
     kind: Literal["text", "image", "compose", "manual"]
     seed: int
@@ -269,6 +294,7 @@ class Provenance:
     config: Mapping[str, Any] = field(default_factory=dict)
     versions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
+    edits: tuple[Edit, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

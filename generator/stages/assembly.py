@@ -8,7 +8,7 @@ and a gate that records whether the result is sound.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -22,7 +22,7 @@ from ..physics.parts import body_parts, lowest, model_parts
 from ..physics.seating import carried, relocate, seat_on_table, seat_stacked
 from ..physics.separation import ancestry, separate, with_poses
 from ..physics.settling import has_toppled, settle
-from ..physics.simulation import Simulation, shifted
+from ..physics.simulation import Simulation, shifted, turned
 from ..scene import (
     TABLE,
     ConvexPart,
@@ -40,6 +40,7 @@ from ..scene import (
 
 _SHAKE = 1.5  # in leans of the gate
 _FOOT = 0.25, 0.75  # the least and the largest share of its weight that a thing has in its foot
+_STAYS = 1e-4, 1e-3  # metres, radians: what moves less as a scene settles again has not moved
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,7 @@ def assemble(
     """
     config = config or AssemblyConfig()
     table = _table(table_model, np.asarray(table_scale, float))
-    objects = tuple(_object(_model(models, p.name), p) for p in _checked(placements))
+    objects = tuple(body(_model(models, p.name), p) for p in _checked(placements))
     scene = Scene(name, table, objects, provenance, plan=plan)
     if view is not None:
         scene = scene.replace(view=view)
@@ -118,6 +119,29 @@ def assemble(
     else:
         dropped = set()
     return _recorded(scene, arranged, rested, stuck, unstable, dropped, config)
+
+
+def reassemble(
+    wanted: Scene, arranged: Scene, fresh: Collection[str], config: AssemblyConfig | None = None
+) -> Scene:
+    """Settle and judge a scene again of which some things are new, or elsewhere.
+
+    What is not new stays as it is: no foot is put under it, and where settling does not move it,
+    it keeps its pose to the bit.
+
+    Args:
+        wanted: the scene with everything where it was asked to be.
+        arranged: the same, free of overlaps, everything on or just above what it stands on.
+        fresh: the names of what is new.
+        config: settings.
+    """
+    config = config or AssemblyConfig()
+    rested, unstable = rest(arranged, config, fresh)
+    rested = _unmoved(arranged, rested, fresh)
+    scene = _recorded(wanted, arranged, rested, (), unstable, set(), config, fresh)
+    if scene.report is None or arranged.report is None:
+        return scene
+    return scene.replace(report=replace(scene.report, dropped=arranged.report.dropped))
 
 
 def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
@@ -135,19 +159,23 @@ def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...
     return relocate(scene, stuck, {o.name: o.pose for o in standing})
 
 
-def rest(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
+def rest(
+    scene: Scene, config: AssemblyConfig, may: Collection[str] | None = None
+) -> tuple[Scene, tuple[str, ...]]:
     """Settle a scene; what topples is stood up again on a weighted foot and settled once more.
 
-    Returns the scene at rest and the names of objects that would not stand.
+    ``may`` names what may get a foot; None is everything. Returns the scene at rest and the names
+    of objects that would not stand.
     """
     footed: set[str] = set()
     while True:
         poses = settle(scene, config.settle_seconds)
         down = _toppled(scene, poses, config.topple)
-        if down <= footed or len(footed) >= len(scene.objects):
+        able = _only(down, may)
+        if able <= footed or len(footed) >= len(scene.objects):
             return scene.replace(objects=with_poses(scene.objects, poses)), tuple(sorted(down))
-        footed |= down
-        objects = tuple(on_foot(o) if o.name in down else o for o in scene.objects)
+        footed |= able
+        objects = tuple(on_foot(o) if o.name in able else o for o in scene.objects)
         scene = scene.replace(objects=objects)
 
 
@@ -182,7 +210,8 @@ def _table(model: Model, scale: Float[np.ndarray, "3"]) -> Table:
     return Table(model, scale, parts, convex_outline(top[:, :2]), model.physics.friction)
 
 
-def _object(model: Model, placement: Placement) -> Object:
+def body(model: Model, placement: Placement) -> Object:
+    """Return a model as a body of its placement's scale, with convex parts, mass and inertia."""
     parts = body_parts(model, placement.scale)
     weighed = body_mass(model.mesh, placement.scale, model.physics, parts)
     pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
@@ -239,12 +268,27 @@ def _again(scene: Scene, config: AssemblyConfig) -> Scene:
     return scene.replace(objects=with_poses(scene.objects, poses))
 
 
-def _steadied(arranged: Scene, rested: Scene, config: AssemblyConfig) -> Scene:
+def _unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
+    """Return the scene at rest with what is not new, and has not moved, just as it was."""
+    poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
+    moved = (shifted(*poses) > _STAYS[0]) | (turned(*poses) > _STAYS[1])
+    triples = zip(arranged.objects, rested.objects, moved, strict=True)
+    objects = (b if b.name in fresh or far else a for a, b, far in triples)
+    return rested.replace(objects=tuple(objects))
+
+
+def _only(names: set[str], may: Collection[str] | None) -> set[str]:
+    return names if may is None else names & {*may}
+
+
+def _steadied(
+    arranged: Scene, rested: Scene, config: AssemblyConfig, may: Collection[str] | None
+) -> Scene:
     """Return the scene at rest with a foot under what topples as the gate leans."""
     if not config.limits.lean:
         return rested
     known = {*_footed(arranged, rested), *(o.name for o in rested.objects if o.placement.inside)}
-    down = set(overturned(rested, config.limits, config.topple)) - known
+    down = _only(set(overturned(rested, config.limits, config.topple)) - known, may)
     objects = tuple(on_foot(o) if o.name in down else o for o in rested.objects)
     return rested.replace(objects=objects) if down else rested
 
@@ -272,10 +316,11 @@ def _recorded(
     unstable: Sequence[str],
     dropped: set[str],
     config: AssemblyConfig,
+    may: Collection[str] | None = None,
 ) -> Scene:
     """Judge the scene; where something does not hold, let it settle on from there, shaken.
 
-    What stands, but topples as gravity leans, gets a weighted foot.
+    What stands, but topples as gravity leans, gets a weighted foot if it ``may``.
     """
     poses = [[o.pose for o in scene.objects] for scene in (wanted, arranged)]
     moved = [np.linalg.norm((b.position - a.position)[:2]) for a, b in zip(*poses, strict=True)]
@@ -289,7 +334,9 @@ def _recorded(
         report = judge(scene.replace(report=report), config.limits)
         if report.passed:
             break
-        scene = _again(_steadied(arranged, scene, config), config)
+        scene = _again(_steadied(arranged, scene, config, may), config)
+        if may is not None:
+            scene = _unmoved(arranged, scene, may)
     else:
         report = judge(scene.replace(report=report), config.limits)
     warnings = (

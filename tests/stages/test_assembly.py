@@ -10,8 +10,9 @@ from toy import toy_object
 from generator.errors import InputError
 from generator.geometry import quaternion_matrix
 from generator.physics.gate import judge
+from generator.physics.seating import seat_on_table
 from generator.scene import ConvexPart, Model, Placement, PlannedTable, Scene, ScenePlan, View
-from generator.stages.assembly import AssemblyConfig, assemble, on_foot
+from generator.stages.assembly import AssemblyConfig, assemble, body, on_foot, reassemble
 
 
 def build(things: dict[str, tuple[Model, Placement]], **options) -> Scene:
@@ -142,6 +143,23 @@ def test_a_thing_that_cannot_stand_gets_a_weighted_foot() -> None:
     assert len(scene.object("club_1").parts) == 2
     assert any("club_1 stands on a weighted foot" in w for w in scene.provenance.warnings)
     assert scene.object("club_1").pose.position[2] == pytest.approx(0.74 + 0.125, abs=2e-3)
+
+
+def test_a_scene_settled_again_changes_only_what_is_new() -> None:
+    """Two clubs on their thin ends, one of them new, beside a box at rest."""
+    top = [[x, y, 0.5] for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
+    parts = (ConvexPart(np.array([[0.3, 0, -0.5], [0.4, 0.1, -0.5], [0.4, -0.1, -0.5], *top])),)
+    club = dataclasses.replace(box(), parts=parts, mesh=drawn(parts))
+    size = (0.06, 0.06, 0.25)
+    before = build({"box_1": (box(), put("box_1", (0.3, 0), (0.1,) * 3))})
+    new = [body(club, put(name, (x, 0), size)) for name, x in (("club_1", 0), ("club_2", -0.3))]
+    seated = [seat_on_table(thing, TABLE_SIZE[2]) for thing in new]
+    arranged = before.replace(objects=(*before.objects, *seated))
+    after = reassemble(arranged, arranged, ["club_1"])
+    assert after.object("box_1") is arranged.object("box_1")
+    assert len(after.object("club_1").parts) == 2
+    assert len(after.object("club_2").parts) == 1  # it lies, and nothing is made up to prevent it
+    assert any("club_2 would not stand" in w for w in after.provenance.warnings)
 
 
 def test_a_foot_has_its_share_of_weight_and_inertia() -> None:

@@ -1,0 +1,86 @@
+"""Scenes a minute by ``generator.batch``: one worker against several, and whether bytes agree.
+
+    python benchmarks/batch.py --cases 40
+    python benchmarks/batch.py --cases 40 --route compose --ray local
+
+Makes the first texts of ``benchmarks/table78.json`` with one worker, then with ``--workers``, each
+time into a new folder, and takes the time by the clock, the starting of processes included. Writes
+the table to ``batch_<route>.md``. The folders must hold the same bundles, else the exit code is 1.
+Run it alone on the machine; ``--note`` is added to the table's head, for instance that it was not.
+"""
+
+from __future__ import annotations
+
+import argparse
+import tempfile
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from posing import tables
+
+from generator import batch
+
+HERE = Path(__file__).parent
+
+
+class Run(NamedTuple):
+    """One batch: who made it, how long it took, and what it left."""
+
+    who: str
+    workers: int
+    seconds: float
+    made: int
+    bundles: frozenset[str]
+
+
+def timed(texts: Sequence[str], make: batch.Maker, workers: int, ray: str | None) -> Run:
+    """Make a batch into a new folder, which is removed; return how it went."""
+    with tempfile.TemporaryDirectory(prefix="tabletopgen-batch-") as folder:
+        start = time.perf_counter()
+        summary = batch.run(texts, folder, make, workers=workers, ray=ray)
+        seconds = time.perf_counter() - start
+    bundles = frozenset(o.bundle for o in summary.outcomes if o.bundle)
+    who = "processes" if ray is None else f"Ray ({ray})"
+    return Run(who, workers, seconds, summary.counts()["made"], bundles)
+
+
+def table(runs: Sequence[Run], head: str) -> str:
+    """Return the runs as Markdown, each against the first."""
+    rows = [
+        f"| {r.who} | {r.workers} | {r.made} | {r.seconds:.1f} | {60 * r.made / r.seconds:.1f} | "
+        f"{runs[0].seconds / r.seconds:.2f} | {'yes' if r.bundles == runs[0].bundles else 'NO'} |"
+        for r in runs
+    ]
+    titles = "| by | workers | scenes | seconds | scenes a minute | faster | same bytes |"
+    return "\n".join([head, "", titles, "|---|---|---|---|---|---|---|", *rows, ""])
+
+
+def main() -> int:
+    """Time the batches, print and write the table; 1 if the bundles differ."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--texts", type=Path, default=HERE / "table78.json")
+    parser.add_argument("--cases", type=int, default=40)
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--route", choices=("generate", "compose"), default="generate")
+    parser.add_argument("--ray", help="also on Ray at this address")
+    parser.add_argument("--out", type=Path, default=HERE / "results")
+    parser.add_argument("--note", default="")
+    args = parser.parse_args()
+
+    texts = tables.texts_in(args.texts)[: args.cases]
+    make = batch.Composing() if args.route == "compose" else batch.Generating()
+    runs = [timed(texts, make, 1, None), timed(texts, make, args.workers, None)]
+    if args.ray is not None:
+        runs.append(timed(texts, make, args.workers, args.ray))
+    head = f"`{tables.command_line('--out', '--note')}`, {tables.where()}. {args.note}".rstrip()
+    text = table(runs, head)
+    args.out.mkdir(parents=True, exist_ok=True)
+    (args.out / f"batch_{args.route}.md").write_text(text, encoding="utf-8")
+    print(text)
+    return 0 if len({r.bundles for r in runs}) == 1 else 1
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

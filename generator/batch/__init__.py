@@ -1,0 +1,16 @@
+"""Many scenes into one folder: by several processes or on Ray, resumed after any end.
+
+The same text and seed give the same bytes, whatever makes them and however many at a time. A scene
+is done or absent: whoever holds its lock makes it, in a folder of its own, writes down what came of
+it, and only then puts it among the others. So several batches may share a folder.
+"""
+
+from .jobs import Job as Job
+from .jobs import jobs_of as jobs_of
+from .jobs import read_prompts as read_prompts
+from .making import Composing as Composing
+from .making import Generating as Generating
+from .making import Maker as Maker
+from .records import Outcome as Outcome
+from .running import run as run
+from .summary import Summary as Summary

@@ -1,0 +1,90 @@
+"""Which scenes are asked for: texts and seeds, from a file or a list."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..errors import InputError, require_number
+
+MOST = 100_000
+"""No batch has more scenes."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """One scene to make: a text, or the path of a picture, and a seed."""
+
+    text: str
+    seed: int = 0
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.text, str):
+            raise InputError(f"A prompt is a text, got {self.text!r}.")
+        require_number("A batch needs seeds", self.seed, least=0, whole=True)
+
+
+def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:
+    """Return the jobs of texts: each with ``variants`` seeds, from ``seed`` on.
+
+    A ``Job`` has a seed of its own to begin with. What is asked for twice is one job.
+
+    Raises:
+        InputError: none, too many, or a number out of range.
+    """
+    require_number("A batch needs variants", variants, least=1, most=MOST, whole=True)
+    first = [p if isinstance(p, Job) else Job(p, seed) for p in prompts]
+    jobs = tuple(dict.fromkeys(Job(j.text, j.seed + k) for j in first for k in range(variants)))
+    if not 0 < len(jobs) <= MOST:
+        raise InputError(f"A batch needs 1 to {MOST:,} scenes, got {len(jobs):,}.")
+    return jobs
+
+
+def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:
+    """Read texts from a file.
+
+    A ``.json`` file is an array of texts, or of objects with a ``text`` and maybe a ``seed``; any
+    other has a text a line, those that are empty or begin with ``#`` left out.
+
+    Raises:
+        InputError: there is no such file, or it holds something else.
+    """
+    path = Path(path)
+    try:
+        content = path.read_text(encoding="utf-8")
+    except FileNotFoundError as error:
+        raise InputError(f"There is no file of prompts at {path}.") from error
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path} cannot be read as text: {error}.") from error
+    if path.suffix.lower() != ".json":
+        lines = (line.strip() for line in content.splitlines())
+        return [Job(line, seed) for line in lines if line and not line.startswith("#")]
+    try:
+        entries = json.loads(content)
+    except ValueError as error:
+        raise InputError(f"{path} is not JSON: {error}.") from error
+    if not isinstance(entries, list):
+        raise InputError(f"{path} must be an array of texts, or of objects with a text.")
+    return [_job(entry, seed, path) for entry in entries]
+
+
+def key(job: Job, maker: dict[str, Any], picture: bytes | None) -> str:
+    """Return 24 hexadecimal digits that tell a job, and how it is made, from all others.
+
+    ``picture`` is the content of the file that the job's text names, if it names one.
+    """
+    seen = None if picture is None else hashlib.sha256(picture).hexdigest()
+    told = {"text": job.text, "seed": job.seed, "maker": maker, "picture": seen}
+    return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()[:24]
+
+
+def _job(entry: Any, seed: int, path: Path) -> Job:
+    if isinstance(entry, str):
+        return Job(entry, seed)
+    if not isinstance(entry, dict) or "text" not in entry:
+        raise InputError(f"{path} holds {entry!r}, which is no text and no object with a text.")
+    return Job(entry["text"], entry.get("seed", seed))

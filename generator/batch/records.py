@@ -1,0 +1,193 @@
+"""What came of each job, kept in the batch's folder; and the one way to make a scene there.
+
+``.batch/<key>.json`` is the record of a job, ``.batch/<key>.lock`` is held by who makes it, in
+``.batch/<key>/``. The record is written when the bundle is whole, before it is put in its place: a
+process that dies in between leaves the rest to who comes next.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import json
+import shutil
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from filelock import FileLock, Timeout
+
+from ..bundle import load_fingerprint, load_report
+from ..errors import BackendError, BundleError, StorageError, TabletopError
+from ..files import write_whole
+from .jobs import Job, key
+from .making import Maker
+
+PLACE = ".batch"
+"""Where a batch's folder keeps its records."""
+
+KEPT = frozenset({"InputError", "SceneError"})
+"""Failures that the same job meets again: they are not tried anew unless asked for."""
+
+CRASH = "Crash"
+"""The kind of failure of a job whose process died."""
+
+State = Literal["made", "there", "failed", "busy"]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a job.
+
+    Attributes:
+        job: the job.
+        state: "made" now, "there" already, "failed", or "busy": someone else is at it.
+        bundle: the name of its bundle, if there is one.
+        kind: the class of the error, if it failed.
+        error: what it says.
+        seconds: how long it took whoever made it.
+        gate: figures of the recorded gate: see ``summary``.
+    """
+
+    job: Job
+    state: State
+    bundle: str | None = None
+    kind: str | None = None
+    error: str | None = None
+    seconds: float = 0.0
+    gate: Mapping[str, float] = field(default_factory=dict)
+
+
+def key_of(job: Job, make: Maker) -> str:
+    """Return what names a job's record. Of a picture, its content counts, if it can be read."""
+    from ..stages.reference import is_picture_name
+
+    picture = None
+    if is_picture_name(job.text):
+        with contextlib.suppress(OSError):
+            picture = Path(job.text).read_bytes()
+    return key(job, make.identity(), picture)
+
+
+def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
+    """Make a job's scene in ``folder``, unless that is done, or someone else is at it.
+
+    Args:
+        job: what to make.
+        folder: where the bundle goes; it is there.
+        make: how it is made.
+        retry: try again what failed in a way that was kept.
+
+    Raises:
+        StorageError: the folder cannot be written, or the disk is full.
+    """
+    name = key_of(job, make)
+    place = folder / PLACE
+    try:
+        place.mkdir(exist_ok=True)
+        with FileLock(place / f"{name}.lock", timeout=0):
+            _put_in_place(folder, name)
+            return recorded(job, folder, name, retry) or _made(job, folder, name, make)
+    except Timeout:
+        return Outcome(job, "busy")
+    except StorageError:
+        raise
+    except OSError as error:
+        raise StorageError(
+            f"The batch's folder {folder} cannot be written: {error.strerror or error}. Free "
+            "space there, or choose another folder."
+        ) from error
+
+
+def recorded(job: Job, folder: Path, name: str, retry: bool = False) -> Outcome | None:
+    """Return what came of a job before, its bundle in place; None if it is to be made."""
+    facts = _read(folder, name)
+    if facts is None:
+        return None
+    if facts.get("bundle") is None:
+        kept = facts.get("kind") in KEPT and not retry
+        return Outcome(job, "failed", **facts) if kept else None
+    there = _sound(folder / str(facts["bundle"]))
+    return Outcome(job, "there", **facts) if there else None
+
+
+def failed(job: Job, folder: Path, name: str, error: str, kind: str, seconds: float) -> Outcome:
+    """Write down that a job failed; return that."""
+    outcome = Outcome(job, "failed", None, kind, error, round(seconds, 2))
+    _write(outcome, folder, name)
+    return outcome
+
+
+def _made(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
+    """Make a job's scene; whatever goes wrong with it is written down."""
+    own = folder / PLACE / name
+    shutil.rmtree(own, ignore_errors=True)
+    start = time.perf_counter()
+    try:
+        made = make(job, own)
+        report = load_report(made)
+    except StorageError:
+        raise
+    except TabletopError as error:
+        kind = "BackendError" if isinstance(error, BackendError) else type(error).__name__
+        return failed(job, folder, name, str(error), kind, time.perf_counter() - start)
+    except Exception as error:  # one scene must not end the batch
+        spent = time.perf_counter() - start
+        return failed(job, folder, name, str(error), type(error).__name__, spent)
+    spent = round(time.perf_counter() - start, 2)
+    outcome = Outcome(job, "made", made.name, seconds=spent, gate=_figures(report))
+    _write(outcome, folder, name)
+    _put_in_place(folder, name)
+    return outcome
+
+
+def _put_in_place(folder: Path, name: str) -> None:
+    """Put a recorded bundle that lies where it was made among the others."""
+    own = folder / PLACE / name
+    facts = _read(folder, name) if own.is_dir() else None
+    bundle = str((facts or {}).get("bundle") or "")
+    if bundle and (own / bundle).is_dir() and not _sound(folder / bundle):
+        shutil.rmtree(folder / bundle, ignore_errors=True)
+        (own / bundle).replace(folder / bundle)
+    shutil.rmtree(own, ignore_errors=True)
+
+
+def _sound(bundle: Path) -> bool:
+    """Tell whether a bundle is there: published by one rename, it is then whole."""
+    try:
+        load_fingerprint(bundle)
+    except BundleError:
+        return False
+    return True
+
+
+def _read(folder: Path, name: str) -> dict[str, Any] | None:
+    """Return the record of a job, without the job; None if there is none."""
+    known = {f.name for f in dataclasses.fields(Outcome)} - {"job", "state"}
+    try:
+        told = json.loads((folder / PLACE / f"{name}.json").read_bytes())
+        return {k: v for k, v in told.items() if k in known}
+    except (OSError, ValueError, AttributeError):
+        return None
+
+
+def _figures(report: Mapping[str, Any]) -> dict[str, float]:
+    """Return what is summed up of a bundle's recorded gate, in millimetres and degrees."""
+    lengths = ("penetration", "drift", "leaning", "settling", "moved")
+    return {
+        "objects": report["objects"],
+        **{f"{name}_mm": round(1e3 * report[name], 4) for name in lengths},
+        "tilt_deg": round(float(np.rad2deg(report["tilt"])), 4),
+        "left_out": len(report["dropped"]),
+    }
+
+
+def _write(outcome: Outcome, folder: Path, name: str) -> None:
+    facts = dataclasses.asdict(outcome)
+    told = {**facts.pop("job"), **{k: v for k, v in facts.items() if k != "state"}}
+    text = json.dumps(told, indent=1, sort_keys=True) + "\n"
+    path = folder / PLACE / f"{name}.json"
+    write_whole(path, text, "The record of a scene", "Free space there, or choose another folder.")

@@ -1,0 +1,142 @@
+"""The command that changes finished scenes: ``edit``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import numpy as np
+from tyro import conf
+from tyro.conf import Positional
+
+from ..errors import DryRunError, InputError
+from .paying import answering, open_session, paid, told
+from .printing import print_scene, progress
+from .store import one, store
+
+if TYPE_CHECKING:
+    from ..backends import Backends
+    from ..editing import Edited
+
+Action = Literal["swap", "add", "remove", "move", "restyle"]
+
+FORMS = {
+    "swap": 'swap NAME "a banjo"',
+    "add": 'add "a red mug left of the laptop"',
+    "remove": "remove NAME",
+    "move": 'move NAME "left of the laptop", or move NAME --to X Y, or move NAME --turn DEGREES',
+    "restyle": "restyle STYLE [NAME ...]",
+}
+"""What each action is given."""
+
+
+def edit(
+    bundle: Positional[str],
+    action: Positional[Action],
+    words: Annotated[Positional[tuple[str, ...]], conf.arg(metavar="[NAME] [WORDS]")],
+    /,
+    *,
+    to: tuple[float, float] | None = None,
+    turn: float | None = None,
+    out: Path | None = None,
+    replace: bool = False,
+    seed: int = 0,
+    backend: str | None = None,
+    budget: float | None = None,
+    dry_run: bool = False,
+    calls: Path | None = None,
+    prices: Path | None = None,
+    json: bool = False,
+) -> int:
+    """Change one thing of a finished scene; everything else stays as it is, to the byte.
+
+    swap mug_1 "a teapot" · add "a red mug left of the laptop" · remove mug_1 · move mug_1 "behind
+    the laptop" · move mug_1 --to 0.2 -0.1 --turn 90 · restyle cartoon mug_1
+
+    The scene is settled and judged again; one that fails its gate is not published. The bundle
+    edited stays, too. What is in a removed thing goes with it.
+
+    Args:
+        bundle: A bundle's name, digest, glob or path; `tabletopgen inspect` names its things.
+        action: What is done.
+        words: Name of the thing, what is asked for, or both. restyle takes plain, cartoon or
+            low-poly, then names of things; all if none is named.
+        to: With move: x and y of the thing's centre in metres from the table's, +x right, +y away.
+        turn: With move: degrees it turns, counter-clockwise seen from above.
+        out: Folder the new bundle goes into; the user cache if left out.
+        replace: Put the new bundle in the place of the one edited, which is removed.
+        seed: The same bundle, edit and seed give the same scene.
+        backend: Who draws and models what is new; the catalogue if left out.
+        budget: With a backend that asks servers: stop before the calls cost more than this.
+        dry_run: Send nothing to servers; print the first calls that would be made.
+        calls: Folder where answers of servers are kept; as for generate.
+        prices: Table of what calls cost (TOML); as for generate.
+        json: Print one JSON object instead of text.
+    """
+    import assets_cache
+
+    from ..backends import Backends
+
+    path = one(bundle)
+    _check_form(action, words, to, turn)
+    if replace:
+        if out is not None:
+            raise InputError("--replace puts the bundle where the old one is; leave out --out.")
+        assets_cache.check_removable(path, path.parent)
+    session = open_session(calls, prices, budget, dry_run)
+    chosen = None if backend is None else Backends.select(backend, session=session)
+    yaw = 0.0 if turn is None else float(np.deg2rad(turn))
+    try:
+        with answering(session), progress(quiet=json) as shown:
+            if shown is not None:
+                shown(action, 1, 1)
+            edited = _edited(path, action, words, to, yaw, seed, chosen)
+            made = edited.save(path.parent if replace else store(out))
+    except DryRunError as error:
+        return told(error, json)
+    if paid(session):
+        session.account.save(made, session.prices)
+    if replace and made.resolve() != path.resolve():
+        assets_cache.remove(path, path.parent)
+    return print_scene(made, edited.scene, json, session=session)
+
+
+def _check_form(
+    action: Action,
+    words: tuple[str, ...],
+    to: tuple[float, float] | None,
+    turn: float | None,
+) -> None:
+    counts = {"swap": (2, 2), "add": (1, 1), "remove": (1, 1), "move": (1, 2), "restyle": (1, 99)}
+    fewest, most = counts[action]
+    fits = fewest <= len(words) <= most
+    if action == "move":
+        fits = fits and (len(words) == 2) + (to is not None) <= 1
+        fits = fits and (len(words) == 2 or to is not None or turn is not None)
+    elif to is not None or turn is not None:
+        raise InputError(f"--to and --turn go with move, not with {action}.")
+    if not fits:
+        raise InputError(f"Say tabletopgen edit BUNDLE {FORMS[action]}; got {' '.join(words)!r}.")
+
+
+def _edited(
+    path: Path,
+    action: Action,
+    words: tuple[str, ...],
+    to: tuple[float, float] | None,
+    yaw: float,
+    seed: int,
+    backends: Backends | None,
+) -> Edited:
+    from .. import editing
+
+    if action == "swap":
+        return editing.swap(path, words[0], words[1], seed, backends)
+    if action == "add":
+        return editing.add(path, words[0], seed, backends)
+    if action == "remove":
+        return editing.remove(path, words[0])
+    if action == "move":
+        where = words[1] if len(words) == 2 else to
+        return editing.move(path, words[0], where, yaw, seed, backends)
+    return editing.restyle(path, words[0], words[1:], seed, backends)

@@ -1,0 +1,17 @@
+"""Finished scenes changed in one place (Sec. 4.4, Fig. 7): swap, add, remove, move, restyle.
+
+Only what an edit touches is made anew. Every other thing keeps its mesh, texture, collision parts
+and mass to the byte, and its pose to the bit unless settling moves it. The scene is settled and
+judged again; its provenance names what it was edited from, and the edit.
+
+What stands on or in a thing: it goes where the thing is moved; it is set down on what takes the
+thing's place, if that holds it, else the edit is refused; where a thing is removed, what is in it
+goes with it, and what stood on it stands on what that stood on.
+"""
+
+from .actions import add as add
+from .actions import move as move
+from .actions import remove as remove
+from .actions import restyle as restyle
+from .actions import swap as swap
+from .edited import Edited as Edited

@@ -1,0 +1,343 @@
+"""The five edits of a finished scene; each opens a bundle and returns what to publish."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from ..backends import Backends
+from ..backends.embedded.planner import plan_scene
+from ..errors import InputError, SceneError
+from ..pipeline import Config
+from ..provenance import plain, versions
+from ..salvage import without
+from ..scene import TABLE, Edit, EditKind, Model, Object, Placement, PlannedObject, Relation, Scene
+from ..stages.assembly import body
+from . import planning
+from .asking import Planner, as_planned, understood, whereabouts
+from .edited import Edited, Opened
+from .making import check_known, check_style, make, restyled
+from .moving import moved_by, moved_to
+from .placing import beneath, loads, posed, related, set_down
+from .settling import settled, tried
+
+ATTEMPTS = 4
+"""Places tried until one holds."""
+
+ASIDE = 0.02
+"""From this distance on, metres, it is said that something could not take the very place."""
+
+LONG = 1.3
+"""From this ratio of length to width on, one sees which way a thing lies."""
+
+
+def swap(
+    bundle: str | Path,
+    name: str,
+    text: str,
+    seed: int = 0,
+    backends: Backends | None = None,
+    config: Config | None = None,
+) -> Edited:
+    """Put another thing in the place of one (Fig. 7): ``swap(bundle, "ukulele_1", "a banjo")``.
+
+    It has its own usual size, and lies as the other did if both are long. Where it finds no room
+    there, it stands at the nearest free place, which a warning says. What stood on or in the other
+    is set down on or in it.
+
+    Args:
+        bundle: a bundle's folder.
+        name: which thing goes.
+        text: what comes.
+        seed: the same bundle, edit and seed give the same scene.
+        backends: who draws and models it; None takes it from the catalogue.
+        config: settings of the stages.
+
+    Raises:
+        InputError: no such thing in the scene, or nothing to put there.
+        BackendError: a backend could not answer.
+        SceneError: no room, something is left without support, or the gate fails.
+        BundleError: the bundle is damaged.
+    """
+    opened, config = Opened.read(bundle), config or Config()
+    scene, old = opened.scene, opened.thing(name)
+    asked = understood(scene, text, _planner(backends), seed)
+    if asked.planned.relations:
+        raise InputError(
+            f"{text!r} says a place, but what is swapped in takes {name}'s. Name the thing alone, "
+            "and move it afterwards."
+        )
+    support = old.placement.on
+    kind = "in" if old.placement.inside else "on"
+    relations = (Relation(kind, support),) if support != TABLE else ()
+    planned = replace(asked.planned, relations=relations)
+    made = make(planned, asked.style, beneath(scene, planned, (name,)), backends, config, seed)
+    inside = [o.name for o in scene.objects if o.placement.on == name and o.placement.inside]
+    if inside and not made.model.container:
+        raise SceneError(
+            f"{name} holds {', '.join(inside)}, and {asked.planned.noun} holds nothing. Move or "
+            "remove that first, or choose a vessel."
+        )
+    yaw = _facing(old, made.model.size, made.yaw)
+    new = _body(planned.name, made.model, old, yaw)
+    wanted = _exchanged(scene, name, new)
+    arranged = set_down(wanted, [new.name])
+    done = settled(wanted, arranged, [new.name], config)
+    done = planning.swapped(done, name, asked.planned)
+    edit = _edit(opened, "swap", (name, new.name), text, seed, backends, config)
+    told = (f"{new.name} was put in the place of {name}.", *_aside(wanted, done, new.name))
+    return Edited.of(opened, done, edit, asked.warnings + told)
+
+
+def add(
+    bundle: str | Path,
+    text: str,
+    seed: int = 0,
+    backends: Backends | None = None,
+    config: Config | None = None,
+) -> Edited:
+    """Put one more thing on the table: ``add(bundle, "a red mug left of the laptop")``.
+
+    Args:
+        bundle: a bundle's folder.
+        text: the thing, and where it goes if that is not left open; things of the scene are meant
+            by their words, or by their names where several are alike.
+        seed: as for ``swap``.
+        backends: as for ``swap``.
+        config: as for ``swap``.
+
+    Raises:
+        InputError: nothing to put there, or a place beside what is not on the table.
+        BackendError, SceneError, BundleError: as for ``swap``.
+    """
+    opened, config = Opened.read(bundle), config or Config()
+    scene = opened.scene
+    asked = understood(scene, text, _planner(backends), seed)
+    planned = asked.planned
+    made = make(planned, asked.style, beneath(scene, planned), backends, config, seed)
+
+    def placed(attempt: int) -> Scene:
+        placement = related(scene, planned, made.model, made.yaw, (), seed + attempt)
+        new = body(made.model, placement)
+        return scene.replace(objects=(*scene.objects, new))
+
+    done = tried(placed, planned.name, [planned.name], config, attempts=ATTEMPTS)
+    done = planning.added(done, planned)
+    edit = _edit(opened, "add", (planned.name,), text, seed, backends, config)
+    return Edited.of(opened, done, edit, asked.warnings)
+
+
+def remove(bundle: str | Path, name: str, config: Config | None = None) -> Edited:
+    """Take a thing off the table: what is in it goes along, what stood on it is set down.
+
+    Args:
+        bundle: a bundle's folder.
+        name: which thing goes.
+        config: settings of the assembly.
+
+    Raises:
+        InputError: no such thing in the scene.
+        SceneError: it is the last one, or what is left fails the gate.
+        BundleError: the bundle is damaged.
+    """
+    opened, config = Opened.read(bundle), config or Config()
+    scene = opened.scene
+    opened.thing(name)
+    left = {p.name: p for p in without([o.placement for o in scene.objects], name)}
+    if not left:
+        raise SceneError(f"{name} is the last thing on the table; a scene needs at least one.")
+    gone = tuple(o.name for o in scene.objects if o.name not in left)
+    loose = [o.name for o in scene.objects if o.name in left and o.placement.on in gone]
+    kept = [replace(o, placement=left[o.name]) for o in scene.objects if o.name in left]
+    wanted = scene.replace(objects=tuple(kept))
+    done = settled(wanted, set_down(wanted, loose), (), config, loose)
+    done = planning.removed(done, gone)
+    told = tuple(f"{n} was removed with {name}." for n in gone if n != name)
+    told += tuple(f"{n} was set down as {name} was removed." for n in loose)
+    edit = _edit(opened, "remove", (name, *(n for n in gone if n != name)), name, 0, None, config)
+    return Edited.of(opened, done, edit, told)
+
+
+def move(
+    bundle: str | Path,
+    name: str,
+    where: str | tuple[float, float] | None = None,
+    turn: float = 0.0,
+    seed: int = 0,
+    backends: Backends | None = None,
+    config: Config | None = None,
+) -> Edited:
+    """Put a thing elsewhere, with what stands on and in it.
+
+    Args:
+        bundle: a bundle's folder.
+        name: which thing moves.
+        where: words ("left of the laptop", "on book_2"); or x and y of its centre in metres from
+            the table's, +x right and +y away; None turns it where it stands.
+        turn: by how much it turns, radians, counter-clockwise seen from above.
+        seed: of the choice among places.
+        backends: whose reasoner reads the words; None is the embedded one.
+        config: settings of the assembly.
+
+    Raises:
+        InputError: no such thing, or no place.
+        BackendError: a backend could not answer.
+        SceneError: the place is taken or off the table, or the gate fails.
+        BundleError: the bundle is damaged.
+    """
+    opened, config = Opened.read(bundle), config or Config()
+    scene, thing = opened.scene, opened.thing(name)
+    _check_move(where, turn)
+    told: tuple[str, ...] = ()
+    planned = PlannedObject(name, thing.label, thing.model.category)
+    if isinstance(where, str):
+        heard = whereabouts(scene, thing, where, _planner(backends), seed)
+        planned, told = heard.planned, heard.warnings
+    above = loads(scene, name)
+    under = sorted({r.target for r in planned.relations} & {name, *above})
+    if under:
+        raise InputError(f"{name} cannot be put relative to {under[0]}, which moves with it.")
+
+    def placed(attempt: int) -> Scene:
+        if not isinstance(where, str):
+            return moved_to(scene, thing, where, turn)
+        model = replace(thing.model, size=thing.scale)
+        yaw = thing.placement.yaw + turn
+        place = related(scene, planned, model, yaw, (name, *above), seed + attempt)
+        return moved_by(scene, thing, place)
+
+    attempts = ATTEMPTS if isinstance(where, str) else 1
+    done = tried(placed, name, (), config, (name, *above), attempts)
+    done = planning.moved(done, name, planned.relations)
+    asked = where if isinstance(where, str) else _metres(where, turn)
+    edit = _edit(opened, "move", (name, *above), asked, seed, backends, config)
+    return Edited.of(opened, done, edit, told)
+
+
+def restyle(
+    bundle: str | Path,
+    style: str,
+    names: Sequence[str] = (),
+    seed: int = 0,
+    backends: Backends | None = None,
+    config: Config | None = None,
+) -> Edited:
+    """Make things again in another style, as large as they are and where they are.
+
+    Args:
+        bundle: a bundle's folder.
+        style: "plain", "cartoon" or "low-poly"; with backends, any word that they understand.
+        names: which things; none means all. The table stays as it is.
+        seed: as for ``swap``.
+        backends: as for ``swap``.
+        config: as for ``swap``.
+
+    Raises:
+        InputError: no such style or thing, or a thing that the catalogue does not know.
+        BackendError, SceneError, BundleError: as for ``swap``.
+    """
+    opened, config = Opened.read(bundle), config or Config()
+    scene = opened.scene
+    chosen = list(dict.fromkeys(opened.thing(n).name for n in names))
+    chosen = chosen or [o.name for o in scene.objects]
+    planned = {n: as_planned(scene, scene.object(n)) for n in chosen}
+    if backends is None:
+        check_style(style)
+        for thing in planned.values():
+            check_known(thing)
+    models = {n: restyled(scene, p, style, backends, config, seed) for n, p in planned.items()}
+    fresh = {
+        n: _body(n, m, scene.object(n), scene.object(n).placement.yaw) for n, m in models.items()
+    }
+    objects = tuple(fresh.get(o.name, o) for o in scene.objects)
+    wanted = scene.replace(objects=objects)
+    done = settled(wanted, set_down(wanted, chosen), chosen, config)
+    edit = _edit(opened, "restyle", tuple(chosen), style, seed, backends, config)
+    told = tuple(w for n in chosen for w in _aside(wanted, done, n))
+    return Edited.of(opened, planning.restyled(done, chosen, style), edit, told)
+
+
+# ------------------------------------------------------------------------------------------ parts
+
+
+def _planner(backends: Backends | None) -> Planner:
+    return plan_scene if backends is None else backends.reasoner.plan_scene
+
+
+def _edit(
+    opened: Opened,
+    kind: EditKind,
+    names: tuple[str, ...],
+    asked: str,
+    seed: int,
+    backends: Backends | None,
+    config: Config,
+) -> Edit:
+    makers = {} if backends is None else backends.identity()
+    return Edit(opened.sha256, kind, names, asked, seed, makers, plain(config), versions())
+
+
+def _body(name: str, model: Model, old: Object, yaw: float) -> Object:
+    """Return a model as a body where ``old`` rests, on or in the same thing, upright."""
+    x, y, z = old.pose.position
+    bottom = z - old.scale[2] / 2
+    center = np.array([x, y, bottom + model.size[2] / 2])
+    below = old.placement
+    return body(model, Placement(name, yaw, center, model.size, below.on, below.inside))
+
+
+def _facing(old: Object, size: np.ndarray, natural: float) -> float:
+    """Return the yaw of what takes a thing's place: as that lay if both are long, else its own."""
+    was, now = np.log(old.scale[0] / old.scale[1]), np.log(size[0] / size[1])
+    if min(abs(was), abs(now)) < np.log(LONG):
+        return natural
+    yaw = old.placement.yaw + (np.pi / 2 if was * now < 0 else 0.0)
+    return float(min((yaw, yaw + np.pi), key=lambda a: -np.cos(a - natural)))
+
+
+def _exchanged(scene: Scene, name: str, new: Object) -> Scene:
+    """Return the scene with another thing in the place of one, what stood on it now on the other.
+
+    What was in it starts upright over its middle.
+    """
+    objects = []
+    for thing in scene.objects:
+        below = thing.placement
+        if thing.name == name:
+            objects.append(new)
+        elif below.on != name:
+            objects.append(thing)
+        else:
+            there = replace(below, on=new.name)
+            if below.inside:
+                middle = np.array([*new.pose.position[:2], thing.pose.position[2]])
+                objects.append(posed(thing, replace(there, translation=middle)))
+            else:
+                objects.append(replace(thing, placement=there))
+    return scene.replace(objects=tuple(objects))
+
+
+def _check_move(where: object, turn: float) -> None:
+    place = () if where is None or isinstance(where, str) else np.asarray(where, float)
+    if len(place) not in (0, 2) or not np.isfinite([*place, turn]).all():
+        raise InputError(f"A place is x and y in finite metres, or words; got {where!r}, {turn!r}.")
+    if where is None and turn == 0:
+        raise InputError("Say where it goes, in words or metres, or by how much it turns.")
+
+
+def _aside(wanted: Scene, done: Scene, name: str) -> tuple[str, ...]:
+    """Return a warning if something stands elsewhere than it was to."""
+    places = [s.object(name).pose.position[:2] for s in (wanted, done)]
+    aside = float(np.linalg.norm(places[1] - places[0]))
+    if aside < ASIDE:
+        return ()
+    return (f"{name} stands {100 * aside:.0f} cm aside, where there is room for it.",)
+
+
+def _metres(where: tuple[float, float] | None, turn: float) -> str:
+    place = "" if where is None else f"to {where[0]:g} {where[1]:g} m"
+    yaw = f"turned by {np.rad2deg(turn):g} deg" if turn else ""
+    return " ".join(word for word in (place, yaw) if word)

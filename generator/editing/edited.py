@@ -1,0 +1,89 @@
+"""A bundle opened to be edited, and what it becomes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from ..bundle import (
+    Segments,
+    load,
+    load_fingerprint,
+    load_pictures,
+    load_segments,
+    save,
+)
+from ..errors import InputError, SceneError
+from ..figures import preview
+from ..scene import TABLE, Edit, Object, Scene
+
+
+@dataclass(frozen=True, eq=False)
+class Opened:
+    """A bundle's scene, the sha256 of its ``scene.json``, and what it keeps beside the scene."""
+
+    scene: Scene
+    sha256: str
+    pictures: Mapping[str, bytes]
+    segments: Segments | None
+
+    @classmethod
+    def read(cls, bundle: str | Path) -> Opened:
+        """Read a bundle, every file checked.
+
+        Raises:
+            BundleError: there is none, or it is damaged.
+        """
+        pictures = load_pictures(bundle)
+        return cls(load(bundle), load_fingerprint(bundle), pictures, load_segments(bundle))
+
+    def thing(self, name: str) -> Object:
+        """Return the thing called ``name``.
+
+        Raises:
+            InputError: there is none, or it is the table.
+        """
+        if name == TABLE:
+            raise InputError("The table cannot be edited, only what is on it.")
+        return self.scene.object(name)
+
+
+@dataclass(frozen=True, eq=False)
+class Edited:
+    """An edited scene, which passed its gate, and what goes with it into its bundle.
+
+    The pictures of the bundle that was edited are kept; they show it as it was.
+    """
+
+    scene: Scene
+    pictures: Mapping[str, bytes]
+    segments: Segments | None
+
+    @classmethod
+    def of(cls, opened: Opened, scene: Scene, edit: Edit, warnings: tuple[str, ...]) -> Edited:
+        """Return a settled and judged scene with the edit written into its provenance.
+
+        Raises:
+            SceneError: it failed its gate.
+        """
+        if scene.report is None or not scene.report.passed:
+            failures = () if scene.report is None else scene.report.failures
+            raise SceneError(
+                f"Edited so, {scene.name!r} fails its physical gate: {'; '.join(failures)}. "
+                "Nothing was published. Try another seed, or make room first."
+            )
+        past = scene.provenance
+        told = past.warnings + tuple(w for w in warnings if w not in past.warnings)
+        provenance = replace(past, edits=(*past.edits, edit), warnings=told)
+        pictures = {stem: png for stem, png in opened.pictures.items() if stem != "preview"}
+        return cls(scene.replace(provenance=provenance), pictures, opened.segments)
+
+    def save(self, folder: str | Path) -> Path:
+        """Publish the scene as a bundle under ``folder``; return the bundle's path.
+
+        Raises:
+            StorageError: the folder cannot be written, or the disk is full.
+        """
+        images = {**self.pictures, "preview": preview(self.scene)}
+        return save(self.scene, folder, images=images, segments=self.segments)

@@ -1,0 +1,196 @@
+"""Where what an edit touches comes to stand: at a place, beside another thing, on it or in it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..errors import SceneError
+from ..geometry import rotation_z, yaw_quaternion
+from ..layout import arrange_more, unmet
+from ..layout.arranging import sunk
+from ..physics.parts import highest, lowest
+from ..physics.seating import carried, nearest_free, seat_on_table, seat_stacked
+from ..physics.separation import ancestry
+from ..physics.simulation import Simulation
+from ..scene import (
+    TABLE,
+    Model,
+    Object,
+    Placement,
+    PlannedObject,
+    PlannedTable,
+    Pose,
+    Scene,
+    ScenePlan,
+)
+from .asking import as_planned
+
+_TOUCH = 1e-3  # metres: things nearer than this touch
+
+
+def loads(scene: Scene, name: str) -> tuple[str, ...]:
+    """Return what stands on or in a thing, and on that, lowest first."""
+    chains = sorted(ancestry(scene.objects), key=len)
+    names = [[scene.objects[k].name for k in chain] for chain in chains]
+    return tuple(chain[0] for chain in names if name in chain[1:])
+
+
+def set_down(scene: Scene, names: Sequence[str]) -> Scene:
+    """Set things down, with what stands on and in them, at the free places nearest to theirs.
+
+    Raises:
+        SceneError: there is no room for one, or something does not go into what it is to be in.
+    """
+    for name in names:
+        thing = scene.object(name)
+        if thing.placement.on != TABLE:
+            continue
+        thing = seat_on_table(thing, scene.table.height)
+        place = nearest_free(scene, name, thing.pose)
+        if place is None:
+            width, depth = (100 * float(v) for v in thing.scale[:2])
+            raise SceneError(
+                f"There is no room on the table for {name} ({width:.0f} x {depth:.0f} cm). Remove "
+                "or move something first."
+            )
+        scene = carried(scene, {name: place})
+    above = {n for name in names for n in loads(scene, name)}
+    stacked = above | {n for n in names if scene.object(n).placement.on != TABLE}
+    scene = seat_stacked(scene, stacked)
+    for name in sorted(stacked):
+        _check_inside(scene, scene.object(name))
+    return scene
+
+
+def related(
+    scene: Scene, planned: PlannedObject, model: Model, yaw: float, away: Sequence[str], seed: int
+) -> Placement:
+    """Return a free place for a thing by its relations.
+
+    Args:
+        scene: what is there; ``away`` names what is not to be minded.
+        planned: the thing, its relations to things of the scene.
+        model: its model, at its size.
+        yaw: which way it faces on the table, radians.
+        away: things in hand.
+        seed: of the choice among places.
+
+    Raises:
+        SceneError: there is no room where it was asked for.
+    """
+    there = [o for o in scene.objects if o.name not in away]
+    placed = {o.name: _placed(o) for o in there}
+    models = {o.name: replace(o.model, size=o.scale) for o in there} | {planned.name: model}
+    table = replace(scene.table.model, size=scene.table.scale)
+    plan = ScenePlan(
+        planned.noun, PlannedTable(), (planned, *beneath(scene, planned, away)), "plain"
+    )
+    layout = arrange_more(plan, placed, models, table, seed, {planned.name: yaw})
+    if layout.warnings or not layout.placements:
+        told = layout.warnings or (f"{planned.name} finds no free place on the table.",)
+        raise SceneError(
+            f"{' '.join(told).split(';')[0].rstrip('.')}. Remove or move something first, or ask "
+            "for another place."
+        )
+    (placement,) = layout.placements
+    wrong = unmet(planned, placement, placed, models, table)
+    if wrong and placement.on == TABLE:
+        asked = " and ".join(f"{r.kind.replace('_', ' ')} {r.target}" for r in wrong)
+        raise SceneError(
+            f"There is no room for {planned.name} {asked}. Remove or move something first, or ask "
+            "for another place."
+        )
+    return placement
+
+
+def beneath(
+    scene: Scene, planned: PlannedObject, away: Sequence[str] = ()
+) -> tuple[PlannedObject, ...]:
+    """Return the things a planned one is related to, and what is on or in these already."""
+    targets = {r.target: r for r in planned.relations if r.target != TABLE}
+    found = []
+    for thing in scene.objects:
+        if thing.name in targets:
+            found.append(as_planned(scene, thing))
+        elif thing.placement.on in targets and thing.name not in away:
+            near = targets[thing.placement.on]
+            if near.kind in ("on", "in"):
+                found.append(replace(as_planned(scene, thing), relations=(near,)))
+    return tuple(found)
+
+
+def posed(thing: Object, placement: Placement) -> Object:
+    """Return an object upright at a placement."""
+    pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
+    return replace(thing, placement=placement, pose=pose)
+
+
+def carried_to(scene: Scene, name: str, pose: Pose, turn: float) -> Scene:
+    """Put a thing at a pose, turned by ``turn`` (radians) from its own; its load goes along."""
+    start = scene.object(name).pose.position
+    above = {*loads(scene, name)}
+
+    def moved(thing: Object) -> Object:
+        if thing.name == name:
+            return replace(thing, pose=pose)
+        if thing.name not in above:
+            return thing
+        aside = rotation_z(turn) @ (thing.pose.position - start)
+        placement = replace(thing.placement, yaw=thing.placement.yaw + turn)
+        there = Pose(pose.position + aside, turned(thing.pose.quaternion, turn))
+        return replace(thing, placement=placement, pose=there)
+
+    return scene.replace(objects=tuple(moved(o) for o in scene.objects))
+
+
+def turned(quaternion: np.ndarray, yaw: float) -> np.ndarray:
+    """Return an orientation (wxyz) turned about the vertical by ``yaw`` radians."""
+    w, x, y, z = quaternion
+    c, _, _, s = yaw_quaternion(yaw)
+    return np.array([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w])
+
+
+def check_held(scene: Scene, names: Sequence[str]) -> None:
+    """Check that things rest on what they were set on.
+
+    Raises:
+        SceneError: one fell off.
+    """
+    simulation = Simulation(scene)
+    simulation.place([o.pose for o in scene.objects])
+    touching = simulation.contacts(margin=_TOUCH).deepest()
+    index = {o.name: k for k, o in enumerate(scene.objects)}
+    for name in names:
+        below = scene.object(name).placement.on
+        if below == TABLE:
+            continue
+        near = {k for pair in touching for k in pair if index[name] in pair} - {index[name]}
+        beside = {index[o.name] for o in scene.objects if o.placement.on == below}
+        if not near & {index[below], *beside}:
+            raise SceneError(
+                f"{name} does not stay on {below}. Move or remove it first, or choose another "
+                "thing or place."
+            )
+
+
+def _placed(thing: Object) -> Placement:
+    """Return a thing's placement where it rests."""
+    return replace(thing.placement, translation=thing.pose.position)
+
+
+def _check_inside(scene: Scene, thing: Object) -> None:
+    if not thing.placement.inside:
+        return
+    vessel = scene.object(thing.placement.on)
+    rim = float(vessel.pose.position[2]) + highest(vessel)
+    beside = [o for o in scene.objects if o.placement.on == vessel.name and o is not thing]
+    rise = lowest(thing) + thing.scale[2] / 2
+    middle = thing.pose.position + np.array([0.0, 0.0, rise])
+    if not sunk(replace(thing.placement, translation=middle), rim, heaped=bool(beside)):
+        raise SceneError(
+            f"{thing.name} does not fit into {vessel.name}. Move or remove it first, or choose "
+            "another thing."
+        )

@@ -1,0 +1,74 @@
+"""A scene's plan after an edit: what it says of things is used to name them, and to size them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from ..scene import TABLE, PlannedObject, Relation, Scene
+
+
+def swapped(scene: Scene, old: str, new: PlannedObject) -> Scene:
+    """Return the scene, its plan with ``new`` for ``old``; without a plan, as it is."""
+    if scene.plan is None:
+        return scene
+    known = {o.name: o for o in scene.plan.objects}
+    if old not in known:
+        return added(scene, new)
+    took = replace(new, relations=known[old].relations)
+    objects = [took if o.name == old else _retold(o, {old: new.name}) for o in known.values()]
+    return _with(scene, objects)
+
+
+def added(scene: Scene, new: PlannedObject) -> Scene:
+    """Return the scene, its plan with ``new``, related to what the plan knows."""
+    if scene.plan is None:
+        return scene
+    return _with(scene, [*scene.plan.objects, new])
+
+
+def removed(scene: Scene, names: Collection[str]) -> Scene:
+    """Return the scene, its plan without ``names`` and what was said of places by them."""
+    if scene.plan is None:
+        return scene
+    return _with(scene, [o for o in scene.plan.objects if o.name not in names])
+
+
+def moved(scene: Scene, name: str, relations: Sequence[Relation]) -> Scene:
+    """Return the scene, its plan with other relations of a thing, and none to it."""
+    if scene.plan is None:
+        return scene
+    objects = [
+        replace(o, relations=tuple(relations))
+        if o.name == name
+        else replace(o, relations=tuple(r for r in o.relations if _held(r, name)))
+        for o in scene.plan.objects
+    ]
+    return _with(scene, objects)
+
+
+def restyled(scene: Scene, names: Collection[str], style: str) -> Scene:
+    """Return the scene, its plan in another style if everything is."""
+    if scene.plan is None or {o.name for o in scene.objects} - {*names}:
+        return scene
+    return scene.replace(plan=replace(scene.plan, style=style))
+
+
+def _held(relation: Relation, name: str) -> bool:
+    """Whether a relation is still told as ``name`` moves: what it carries comes along."""
+    return relation.target != name or relation.kind in ("on", "in")
+
+
+def _retold(planned: PlannedObject, names: dict[str, str]) -> PlannedObject:
+    relations = tuple(replace(r, target=names.get(r.target, r.target)) for r in planned.relations)
+    return replace(planned, relations=relations)
+
+
+def _with(scene: Scene, objects: Sequence[PlannedObject]) -> Scene:
+    """Return the scene with these objects planned, related to one another and the table alone."""
+    assert scene.plan is not None
+    names = {TABLE, *(o.name for o in objects)}
+    related = tuple(
+        replace(o, relations=tuple(r for r in o.relations if r.target in names)) for o in objects
+    )
+    return scene.replace(plan=replace(scene.plan, objects=related))

@@ -1,0 +1,75 @@
+"""An edited scene settled and judged again, at one place after the other until it holds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+
+from ..errors import SceneError
+from ..physics.seating import overlapping
+from ..pipeline import Config
+from ..scene import TABLE, Scene
+from ..stages.assembly import reassemble
+from .placing import check_held, loads, set_down
+
+
+def settled(
+    wanted: Scene,
+    arranged: Scene,
+    fresh: Collection[str],
+    config: Config,
+    loose: Collection[str] = (),
+) -> Scene:
+    """Settle and judge the scene again; check that what is new or was moved holds where it is."""
+    done = reassemble(wanted, arranged, fresh, config.assembly)
+    touched = [*fresh, *loose]
+    check_held(done, [*touched, *(n for name in touched for n in loads(done, name))])
+    return done
+
+
+def tried(
+    placed: Callable[[int], Scene],
+    name: str,
+    fresh: Sequence[str],
+    config: Config,
+    loose: Sequence[str] = (),
+    attempts: int = 1,
+) -> Scene:
+    """Return the first scene to pass its gate of those with ``name`` placed so or so.
+
+    Args:
+        placed: gives the scene with the thing at its place, by the number of the attempt.
+        name: the thing.
+        fresh: what is new.
+        config: settings.
+        loose: what is not new, but elsewhere.
+        attempts: how many places are tried.
+
+    Raises:
+        SceneError: none of the places is free, or holds the thing. Where they do, but no scene
+            passes, the last one is returned.
+    """
+    error: SceneError | None = None
+    done = None
+    for attempt in range(attempts):
+        try:
+            wanted = placed(attempt)
+            stacked = [n for n in (name,) if wanted.object(n).placement.on != TABLE]
+            arranged = set_down(wanted, stacked)
+            _check_free(arranged, (name, *loose))
+            done = settled(wanted, arranged, fresh, config, loose)
+        except SceneError as failed:
+            error = failed
+            continue
+        if done.report is not None and done.report.passed:
+            return done
+    if done is None:
+        raise error or SceneError(f"No place was tried for {name}.")
+    return done
+
+
+def _check_free(scene: Scene, names: Sequence[str]) -> None:
+    for name in names:
+        if overlapping(scene, name):
+            raise SceneError(
+                f"{name} would overlap another thing. Choose another place, or move that first."
+            )

@@ -1,0 +1,28 @@
+"""What an edit left as it was: entries and files of two bundles compared."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from generator.bundle.folder import read_truth
+
+
+def kept(before: Path, after: Path, *, poses: bool = True) -> set[str]:
+    """Return the names of the things whose entries and files are the same to the byte."""
+    old, new = entries(before, poses), entries(after, poses)
+    return {name for name, entry in old.items() if new.get(name) == entry}
+
+
+def entries(bundle: Path, poses: bool = True) -> dict[str, Any]:
+    """Return by name what a bundle says of each thing, its files' bytes among it."""
+    truth = read_truth(bundle)
+    found = {}
+    for listed in truth["objects"]:
+        entry = {**listed, "model": dict(truth["models"][listed["model"]])}
+        for key in ("mesh", "texture"):
+            entry[key] = (bundle / entry["model"][key]).read_bytes()
+        if not poses:
+            del entry["pose"]
+        found[entry["name"]] = entry
+    return found

@@ -1,0 +1,61 @@
+"""``tabletopgen edit`` as a user types it."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from command import command
+
+import assets_cache
+from generator import bundle
+
+
+@pytest.fixture(autouse=True)
+def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty store of its own for every test."""
+    monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
+    return tmp_path / "store"
+
+
+def test_remove_move_and_replace(
+    store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (vanity,) = assets_cache.find("vanity")
+    out = tmp_path / "out"
+    assert command("edit", "vanity", "remove", "cream_jar_1", "--out", str(out), "--json") == 0
+    first = Path(json.loads(capsys.readouterr().out)["bundle"])
+    assert first.parent == out
+    assert vanity.is_dir()
+
+    put = ("--to", "-0.1", "-0.15", "--turn", "30", "--replace", "--json")
+    assert command("edit", str(first), "move", "lipstick_1", *put) == 0
+    second = Path(json.loads(capsys.readouterr().out)["bundle"])
+    assert list(out.iterdir()) == [second]
+    lipstick = bundle.load(second).object("lipstick_1")
+    assert lipstick.pose.position[:2] == pytest.approx([-0.1, -0.15], abs=2e-3)
+    asked = [edit.asked for edit in bundle.load(second).provenance.edits]
+    assert asked == ["cream_jar_1", "to -0.1 -0.15 m turned by 30 deg"]
+
+
+@pytest.mark.parametrize(
+    ("args", "code", "words"),
+    [
+        (("vanity", "swap", "lipstick"), 2, 'swap NAME "a banjo"'),
+        (("vanity", "swap", "lipstick", "a mug"), 2, "Did you mean 'lipstick_1'"),
+        (("vanity", "add", "a mug", "--to", "0", "0"), 2, "--to and --turn go with move"),
+        (("vanity", "move", "lipstick_1"), 2, "--to X Y"),
+        (("vanity", "move", "lipstick_1", "on the mirror", "--to", "0", "0"), 2, "--to X Y"),
+        (("vanity", "remove", "lipstick_1", "--replace"), 5, "only what is there is removed"),
+        (("vanity", "swap", "lipstick_1", "a mug", "--backend", "clod"), 3, "cloud"),
+        (("no-such", "remove", "mug_1"), 4, "no-such"),
+        (("vanity", "polish", "mug_1"), 2, "polish"),
+    ],
+)
+def test_a_wrong_edit_is_one_clear_line(
+    store: Path, capsys: pytest.CaptureFixture[str], args: tuple[str, ...], code: int, words: str
+) -> None:
+    assert command("edit", *args) == code
+    assert words in capsys.readouterr().err
+    assert not store.exists()
