@@ -81,8 +81,9 @@ class PlayedGroundingDino(Player):
         logits, boxes = torch.full((40, 64), -6.0), torch.zeros(40, 4)
         for row, (word, box, _) in enumerate(self.there(tile)):
             spelt = tokenizer()(word, add_special_tokens=False)["input_ids"]
+            wanted = [*spelt, tiny_models.MARKS["."]]
             for k in range(len(ids) - len(spelt)):
-                if ids[k : k + len(spelt)] == spelt and ids[k + len(spelt)] == tiny_models.MARKS["."]:  # fmt: skip
+                if ids[k : k + len(wanted)] == wanted:
                     logits[row, k : k + len(spelt)] = 1.5 + 0.1 * (tile == self.tiles[0])
             x0, y0, x1, y1 = box
             boxes[row] = torch.tensor([(x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0])

@@ -130,13 +130,18 @@ class Segmenter:
     def _found(
         self, image: UInt8[np.ndarray, "h w 3"], words: tuple[str, ...], parts: Sequence[Tile]
     ) -> list[Find]:
-        """Return one find for each box, generic ones named by a second look at the whole."""
+        """Return one find for each box, generic ones named by a second look at the whole.
+
+        A table's box may be a thing's too: no other word for it takes the table away.
+        """
         finder = self._finder()
-        found = distinct(finder.find(image, words, parts))
-        if any(f.label == GENERIC for f in found):
+        found = finder.find(image, words, parts)
+        tables = distinct([f for f in found if f.label == TABLE])
+        things = distinct([f for f in found if f.label != TABLE])
+        if any(f.label == GENERIC for f in things):
             nouns = dict.fromkeys(c.noun for c in CATEGORIES.values())
-            found = named(found, GENERIC, finder.find(image, tuple(nouns), parts[:1]))
-        return found
+            things = named(things, GENERIC, finder.find(image, tuple(nouns), parts[:1]))
+        return [*tables, *things]
 
     @property
     def _alone(self) -> bool:
