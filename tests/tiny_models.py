@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import torch
+from safetensors.torch import save_file
 from tokenizers import Tokenizer, models, normalizers, pre_tokenizers, processors
 from transformers import (
     BertConfig,
@@ -23,13 +24,16 @@ from transformers import (
     GroundingDinoForObjectDetection,
     Sam2Config,
     Sam2Model,
+    Sam2VideoConfig,
+    Sam2VideoModel,
     Sam3Config,
     Sam3Model,
+    Sam3VideoConfig,
     SwinConfig,
 )
 
 from generator.backends.huggingface.folder import snapshot
-from generator.backends.huggingface.pins import pins
+from generator.backends.huggingface.pins import WEIGHTS, pins
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 MARKS = {"[PAD]": 0, "[UNK]": 100, "[CLS]": 101, "[SEP]": 102, ".": 1012, "?": 1029}
@@ -156,3 +160,24 @@ def clip() -> Any:
     return CLIPModel(CLIPConfig(
         text_config=text.to_dict(), vision_config=vision.to_dict(), projection_dim=8
     ))  # fmt: skip
+
+
+def save_for_video(folder: Path) -> Path:
+    """Save SAM 2 and SAM 3 with what they need for videos, too, as they are published."""
+    torch.manual_seed(0)
+    still = sam2().config.to_dict()
+    parts = {k: still[f"{k}_config"] for k in ("vision", "prompt_encoder", "mask_decoder")}
+    Sam2VideoModel(Sam2VideoConfig(
+        **{f"{k}_config": v for k, v in parts.items()}, memory_attention_hidden_size=32,
+        memory_attention_num_layers=1, memory_attention_feed_forward_hidden_size=16,
+        memory_attention_rope_feat_sizes=[4, 4], memory_encoder_hidden_size=32,
+        memory_encoder_output_channels=16, mask_downsampler_embed_dim=32,
+        memory_fuser_num_layers=1, memory_fuser_embed_dim=32, memory_fuser_intermediate_dim=16,
+    )).save_pretrained(snapshot(pins()["sam2"], folder))  # fmt: skip
+    detector, home = sam3(), snapshot(pins()["sam3"], folder)
+    home.mkdir(parents=True)
+    Sam3VideoConfig(detector_config=detector.config.to_dict()).save_pretrained(home)
+    weights = {f"detector_model.{k}": v for k, v in detector.state_dict().items()}
+    save_file(weights | {"tracker_model.a": torch.zeros(1)}, home / WEIGHTS, {"format": "pt"})
+    letters_tokenizer().save(str(home / "tokenizer.json"))
+    return folder

@@ -44,9 +44,10 @@ def pull(pin: Pin, folder: Path) -> Path:
             "account."
         ) from error
     except Exception as error:  # of huggingface_hub, its client, or the disk
-        if isinstance(error, OSError) and error.errno is not None and error.filename:
+        if _of_the_disk(error):
             raise StorageError(
-                f"{what} {error.filename}: {error.strerror}. Choose another --folder."
+                f"{what} {folder} cannot be written: {error}. What was fetched is kept; make room, "
+                "or choose another --folder."
             ) from error
         said = " ".join(str(error).split())[:300]
         raise BackendError(
@@ -58,6 +59,12 @@ def pull(pin: Pin, folder: Path) -> Path:
         raise BackendError(f"{what} the server has no {', '.join(absent)} at {pin.revision}.")
     _check(pin, home, what)
     return home
+
+
+def _of_the_disk(error: Exception) -> bool:
+    """Tell the disk's errors from the network's, some of which are OSErrors, too."""
+    network = isinstance(error, ConnectionError | TimeoutError)
+    return isinstance(error, OSError) and (error.errno or 0) > 0 and not network
 
 
 def _writable(folder: Path) -> None:

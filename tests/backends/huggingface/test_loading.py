@@ -14,6 +14,7 @@ from types import ModuleType
 from typing import Any
 
 import pytest
+import tiny_models as tiny
 import torch
 from safetensors.torch import load_file, save_file
 
@@ -141,6 +142,22 @@ def test_reading_asks_no_network_and_is_silent(
         assert not any(p.requires_grad for p in model.parameters())
         assert {p.dtype for p in model.parameters()} == {torch.float32}
     load_tokenizer(pins()["sam3"], tiny_models, "who:")
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("name", ["sam2", "sam3"])
+def test_models_published_with_their_tracker_are_read_without_it(
+    name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    tiny.save_for_video(tmp_path)
+    capfd.readouterr()
+    model = load_model(pins()[name], tmp_path, "who:")
+    saved = load_file(snapshot(pins()[name], tmp_path) / WEIGHTS)
+    prefix = "detector_model." if name == "sam3" else ""
+    weights = model.state_dict()
+    assert len(weights) > 50
+    for key in weights.keys() & {k.removeprefix(prefix) for k in saved}:
+        assert torch.equal(weights[key], saved[prefix + key])
     assert capfd.readouterr() == ("", "")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import errno
 import hashlib
 import json
 from collections.abc import Iterator
@@ -148,6 +149,26 @@ def test_a_folder_that_cannot_be_made(hub: Hub, model: Pin, tmp_path: Path) -> N
     (tmp_path / "file").write_text("")
     with pytest.raises(StorageError, match="Choose another --folder"):
         pull(model, tmp_path / "file" / "models")
+
+
+def test_a_folder_that_cannot_be_written(hub: Hub, model: Pin, tmp_path: Path) -> None:
+    (tmp_path / "models--facebook--dinov2-base").write_text("in the way")
+    with pytest.raises(StorageError, match=r"pull of dinov2: .* cannot be written: .*--folder"):
+        pull(model, tmp_path)
+
+
+def test_a_full_disk_keeps_what_is_there(
+    hub: Hub, model: Pin, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_args: object, **_named: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("huggingface_hub.file_download.http_get", full)
+        with pytest.raises(StorageError, match="No space left on device"):
+            pull(model, tmp_path)
+    assert missing(model, tmp_path) == model.files
+    pull(model, tmp_path)
 
 
 # ------------------------------------------------------------------------------------ the command
