@@ -125,8 +125,9 @@ class PlayedSam3(Player):
         known = self.there(vision_embeds)
         ids = input_ids[0].tolist()
         right = [tokenizer()(word)["input_ids"] == ids for word, _, _ in known]
+        sure = right if any(right) else [True] * len(right)  # of nothing: "presence" says so
         return SimpleNamespace(
-            pred_logits=torch.where(torch.tensor([right]), 2.0, -6.0),
+            pred_logits=torch.where(torch.tensor([sure]), 2.0, -6.0),
             presence_logits=torch.tensor([[3.0 if any(right) else -6.0]]),
             pred_boxes=torch.tensor(np.stack([box for _, box, _ in known]))[None].float(),
             pred_masks=torch.stack([logits_of(mask) for _, _, mask in known])[None],
