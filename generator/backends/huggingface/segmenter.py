@@ -6,7 +6,6 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
@@ -17,9 +16,10 @@ from ...scene import TABLE, Detection, Intrinsics
 from ..modelers.installed import working
 from .finds import Find, Finder, Masker
 from .folder import models_folder
+from .ground import on_table
 from .grounding_dino import GroundingDino
 from .loading import Once, device_for, load_model, load_tokenizer
-from .merging import ALIKE, cleaned, distinct, named, separate
+from .merging import ALIKE, cleaned, distinct, named, separate, union_share
 from .pins import pin
 from .sam2 import Sam2
 from .sam3 import Sam3
@@ -34,7 +34,6 @@ GENERIC = "object"
 _WHAT = "huggingface, segment:"
 _KINDS = ("GroundingDinoForObjectDetection", "Sam3Model")
 _SMALLEST = 1e-4  # of the picture, a thing
-_FOOT = 1 / 6  # of a mask's height: what it stands on
 
 
 def usual_detector() -> str:
@@ -173,25 +172,5 @@ def _table_and_things(finds: Sequence[Find]) -> tuple[Bool[np.ndarray, "h w"], l
             "threshold."
         )
     table = max(tables, key=lambda f: f.score).mask
-    ground = _hull(table)
-    things = [f for f in finds if f.label != TABLE and not _same(f.mask, table)]
-    return table.copy(), [f for f in things if _stands(f.mask, ground)]
-
-
-def _same(mask: Bool[np.ndarray, "h w"], table: Bool[np.ndarray, "h w"]) -> bool:
-    return bool((mask & table).sum() > ALIKE * (mask | table).sum())
-
-
-def _hull(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
-    """Return the convex hull of a mask, which also covers what stands on the table."""
-    points = np.argwhere(mask)[:, ::-1].astype(np.int32)
-    made = np.zeros(mask.shape, np.uint8)
-    cv2.fillConvexPoly(made, cv2.convexHull(points), 1)
-    return made > 0
-
-
-def _stands(mask: Bool[np.ndarray, "h w"], ground: Bool[np.ndarray, "h w"]) -> bool:
-    """Tell whether most of the lowest part of a mask is over the table."""
-    rows = np.flatnonzero(mask.any(1))
-    foot = mask & (np.arange(len(mask))[:, None] >= rows[-1] - _FOOT * (rows[-1] - rows[0]))
-    return bool((foot & ground).sum() > 0.5 * foot.sum())
+    things = [f for f in finds if f.label != TABLE and union_share(f.mask, table) <= ALIKE]
+    return table.copy(), on_table(things, table)
