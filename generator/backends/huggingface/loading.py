@@ -10,7 +10,7 @@ from typing import Any, Generic, TypeVar
 
 from ...errors import BackendError
 from ..modelers.installed import module
-from .folder import found
+from .folder import found, snapshot
 from .pins import WEIGHTS, Pin
 
 T = TypeVar("T")
@@ -72,14 +72,14 @@ def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any
         said = " ".join(str(error).split())[:300]
         raise BackendError(
             f"{what} model {pin.name} in {home} cannot be read ({type(error).__name__}: {said}). "
-            f"Delete that folder and run: tabletopgen models pull {pin.name} --folder {folder}"
+            f"{_anew(pin, folder)}"
         ) from error
     wrong = sorted({str(k) for k in (*report["missing_keys"], *report["mismatched_keys"])})
     if wrong:
         some = ", ".join(wrong[:3])
         raise BackendError(
-            f"{what} {home / WEIGHTS} lacks {len(wrong)} weights of {pin.kind} ({some}). Delete "
-            f"that folder and run: tabletopgen models pull {pin.name} --folder {folder}"
+            f"{what} {home / WEIGHTS} lacks {len(wrong)} weights of {pin.kind} ({some}). "
+            f"{_anew(pin, folder)}"
         )
     return network.to(device).eval().requires_grad_(False)
 
@@ -96,9 +96,16 @@ def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
         return transformers.PreTrainedTokenizerFast(tokenizer_file=str(file))
     except Exception as error:  # tokenizers raises Exception itself
         raise BackendError(
-            f"{what} {file} cannot be read ({error}). Delete it and run: "
-            f"tabletopgen models pull {pin.name} --folder {folder}"
+            f"{what} {file} cannot be read ({error}). {_anew(pin, folder)}"
         ) from error
+
+
+def _anew(pin: Pin, folder: Path) -> str:
+    """Say how to fetch a damaged model anew: its files are links to others in the same folder."""
+    return (
+        f"Delete {snapshot(pin, folder).parents[1]} and run: "
+        f"tabletopgen models pull {pin.name} --folder {folder}"
+    )
 
 
 @contextlib.contextmanager

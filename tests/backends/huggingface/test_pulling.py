@@ -6,6 +6,8 @@ import dataclasses
 import errno
 import hashlib
 import json
+import re
+import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -17,6 +19,7 @@ from local_server import local_server
 from generator.backends.huggingface import pins as pins_module
 from generator.backends.huggingface.encoder import Encoder
 from generator.backends.huggingface.folder import missing, snapshot
+from generator.backends.huggingface.loading import load_model
 from generator.backends.huggingface.pins import WEIGHTS, Pin, pins
 from generator.backends.huggingface.pulling import pull
 from generator.errors import BackendError, StorageError
@@ -70,6 +73,20 @@ def test_what_is_there_is_not_fetched_again(hub: Hub, model: Pin, tmp_path: Path
     hub.asked.clear()
     pull(model, tmp_path)
     assert not [path for path in hub.asked if path.startswith("GET") and WEIGHTS in path]
+
+
+def test_a_damaged_model_is_fetched_anew_as_its_error_says(
+    hub: Hub, model: Pin, tmp_path: Path
+) -> None:
+    file = pull(model, tmp_path) / "config.json"
+    file.resolve().write_text("{")
+    with pytest.raises(BackendError) as told:
+        load_model(model, tmp_path, "who:")
+    advised = re.search(r"Delete (\S+) and run: tabletopgen models pull dinov2", str(told.value))
+    assert advised is not None
+    shutil.rmtree(advised[1])
+    pull(model, tmp_path)
+    assert load_model(model, tmp_path, "who:").config.hidden_size == 32
 
 
 def test_weights_other_than_the_pinned_ones_are_removed(
