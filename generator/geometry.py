@@ -105,6 +105,16 @@ def main_parts(mask: Bool[np.ndarray, "h w"], share: float = 0.1) -> Bool[np.nda
     return np.isin(numbers, np.flatnonzero(areas >= share * areas.max()) + 1)
 
 
+def fill_holes(mask: Bool[np.ndarray, "h w"], share: float) -> Bool[np.ndarray, "h w"]:
+    """Fill enclosed holes smaller than ``share`` of the mask's area."""
+    outside = (~mask).astype(np.uint8)
+    _, numbers, stats, _ = cv2.connectedComponentsWithStats(outside, connectivity=4)
+    border = np.unique(np.concatenate([numbers[0], numbers[-1], numbers[:, 0], numbers[:, -1]]))
+    small = np.flatnonzero(stats[:, cv2.CC_STAT_AREA] < share * max(int(mask.sum()), 1))
+    inner = np.setdiff1d(np.setdiff1d(small, border), [0])
+    return mask | np.isin(numbers, inner)
+
+
 # ------------------------------------------------------------------------------------- camera
 
 

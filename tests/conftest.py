@@ -1,1 +1,15 @@
 """Puts this folder on the path, so that tests can share the scenes of ``toy.py``."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+
+@pytest.fixture(scope="session")
+def tiny_models(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a tiny model in place of every pinned one; not to be changed."""
+    import tiny_models
+
+    return tiny_models.save_all(tmp_path_factory.mktemp("models"))

@@ -18,7 +18,7 @@ socket.socket.connect = refuse
 socket.create_connection = refuse
 socket.getaddrinfo = refuse
 {statement}
-heavy = ("torch", "stable_baselines3", "mujoco", "cv2", "httpx2", "openai")
+heavy = ("torch", "stable_baselines3", "mujoco", "cv2", "httpx2", "openai", "transformers")
 print(" ".join(m for m in heavy if m in sys.modules))
 """
 
@@ -54,6 +54,13 @@ def test_a_session_loads_no_client_until_one_is_asked_for() -> None:
     asked = "from generator.running import Session; session = Session()"
     assert loaded_by(asked) == []
     assert "httpx2" in loaded_by(f"{asked}; session.client('here', 'http://127.0.0.1:9')")
+
+
+def test_choosing_open_models_loads_none_until_one_is_asked() -> None:
+    chosen = "from generator.backends import Backends; Backends.select("
+    loaded = loaded_by(f"{chosen}segmenter='huggingface', encoder='huggingface')")
+    assert "transformers" not in loaded
+    assert "transformers" in loaded_by("import transformers")
 
 
 def test_the_probe_can_fail() -> None:

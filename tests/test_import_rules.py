@@ -62,6 +62,16 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.running",
         ),
     ),
+    (
+        "generator.backends.huggingface",
+        (
+            *VALUES,
+            "generator.backends.protocols",
+            "generator.backends.huggingface",
+            "generator.backends.modelers.installed",
+            "generator.catalogue",
+        ),
+    ),
     ("generator.backends", ("generator.backends.select",)),
     ("generator.catalogue.sheet", (*VALUES, "generator.catalogue", "generator.render")),
     ("generator.catalogue", (*VALUES, "generator.catalogue")),
@@ -91,7 +101,12 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ),
     (
         "generator.evaluation.perceptual",
-        (*VALUES, "generator.evaluation", "generator.backends.embedded"),
+        (
+            *VALUES,
+            "generator.evaluation",
+            "generator.backends.embedded",
+            "generator.backends.huggingface",
+        ),
     ),
     (
         "generator.evaluation",
@@ -291,7 +306,7 @@ def foreign(path: Path) -> set[str]:
 
 def test_what_is_imported_is_what_is_installed() -> None:
     """Every package imported is a dependency, and the other way round."""
-    used, learning, recording, cloud, many = set(), set(), set(), set(), set()
+    used, learning, recording, cloud, many, hub = set(), set(), set(), set(), set(), set()
     extras = {
         "tabletopgen_env.learning": learning,
         "tabletopgen_env.recording": recording,
@@ -299,15 +314,17 @@ def test_what_is_imported_is_what_is_installed() -> None:
         "generator.backends.cloud": cloud,
         "generator.backends.modelers": cloud,
         "generator.batch": many,
+        "generator.backends.huggingface": hub,
     }
     for name, path in modules():
         own = (packages for part, packages in extras.items() if within(name, part))
         next(own, used).update(foreign(path))
-    assert used | ((cloud | many) & declared()) | INDIRECT == declared()
+    assert used | ((cloud | many | hub) & declared()) | INDIRECT == declared()
     assert learning - declared() == declared("train")
     assert recording - declared() == declared("record")
     assert many - declared() == declared("ray")
     assert cloud - declared() <= declared("cloud")
+    assert hub - declared() <= declared("huggingface")
     assert {line.split("==")[0] for line in constraints()} >= declared()
 
 

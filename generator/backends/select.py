@@ -27,6 +27,7 @@ PROTOCOLS: Mapping[str, type] = {
 _EMBEDDED = "generator.backends.embedded"
 _MODELERS = "generator.backends.modelers"
 _CLOUD = "generator.backends.cloud"
+_HUGGINGFACE = "generator.backends.huggingface"
 
 TABLE: Mapping[str, Mapping[str, str]] = {
     "embedded": {
@@ -45,6 +46,10 @@ TABLE: Mapping[str, Mapping[str, str]] = {
     "cloud": {
         "reasoner": f"{_CLOUD}.reasoner:Reasoner",
         "imager": f"{_CLOUD}.imager:Imager",
+    },
+    "huggingface": {
+        "segmenter": f"{_HUGGINGFACE}.segmenter:Segmenter",
+        "encoder": f"{_HUGGINGFACE}.encoder:Encoder",
     },
 }
 """Backend name, then question set, to the class that answers; loaded when selected."""

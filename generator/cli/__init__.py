@@ -7,15 +7,19 @@ import sys
 import tyro
 
 from ..errors import TabletopError, exit_code
-from . import batching, cache, editing, evaluating, interrupts, looking, making
+from . import batching, cache, editing, evaluating, interrupts, looking, making, models
 
 DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.
 
-The store of finished tables has commands of its own: tabletopgen cache --help.
+The store of finished tables and the open models have commands of their own:
+tabletopgen cache --help, tabletopgen models --help.
 
 Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle, 5 storage, 6 scene,
 130 interrupted.
 """
+
+GROUPS = {"cache": cache.app, "models": models.app}
+"""Commands with commands of their own."""
 
 app = tyro.extras.SubcommandApp()
 for command in (
@@ -35,9 +39,9 @@ for command in (
 def run(arguments: list[str]) -> int:
     """Run the command line; every expected error becomes one line, and an exit code is returned."""
     try:
-        if arguments[:1] == ["cache"]:
-            return cache.app.cli(
-                prog="tabletopgen cache", args=arguments[1:], use_underscores=False
+        if arguments and (group := GROUPS.get(arguments[0])):
+            return group.cli(
+                prog=f"tabletopgen {arguments[0]}", args=arguments[1:], use_underscores=False
             )
         return app.cli(
             prog="tabletopgen", description=DESCRIPTION, args=arguments, use_underscores=False

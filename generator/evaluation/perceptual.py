@@ -1,9 +1,9 @@
 """How alike two pictures look, by learned features (Sec. 4.1): LPIPS, DINOv2, CLIP, and our own.
 
-The published metrics need packages (the ``huggingface`` extra) and weights that are already on
-this machine: nothing is ever downloaded from here. What is missing is told with the reason. The
-embedded scores need neither, are other figures, and have other names: no value of one may stand
-for a value of the other.
+The published metrics need packages (the extras ``huggingface`` and ``lpips``) and weights that are
+already on this machine: nothing is ever downloaded from here. What is missing is told with the
+reason. The embedded scores need neither, are other figures, and have other names: no value of one
+may stand for a value of the other.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ import cv2
 import numpy as np
 from jaxtyping import Float, UInt8
 
+from ..backends.huggingface.pixels import IMAGENET, Norm, normalised
 from ..errors import BackendError, choices
 from .sweep import Metric
 
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
 
 Picture = UInt8[np.ndarray, "h w 3"]
 
-_PIP = "Run: pip install 'tabletopgen[huggingface]'"
+_PIP = "Run: pip install 'tabletopgen[lpips]'"
 _BATCH = 16
 _SIDE = 224
 """Pixels a side that pictures are resized to before their features are taken."""
@@ -118,35 +119,28 @@ class Lpips:
 class HubSimilarity:
     """Cosine of a published vision model's image features; 1 is the same picture.
 
-    ``model`` is read from the local cache of Hugging Face, at ``revision``, and nowhere else.
+    ``name`` is the model's in the table of the ``huggingface`` backend, which pins its commit; it
+    is read from ``folder`` (see ``backends.huggingface.folder.models_folder``), and nowhere else.
     ``method`` says how features are taken: "pooled" (of ``Dinov2Model``) or "image" (of
-    ``CLIPModel``). ``mean`` and ``std`` normalise RGB in [0, 1].
+    ``CLIPModel``). ``norm`` is the mean and deviation of RGB in [0, 1].
     """
 
     name: str
-    kind: str
-    model: str
     method: str
-    mean: tuple[float, float, float]
-    std: tuple[float, float, float]
-    revision: str = "main"
+    norm: Norm
+    folder: str = ""
     higher_is_better: bool = True
 
     @cached_property
     def _network(self) -> Any:
-        kind = getattr(_package("transformers", self.name), self.kind, None)
-        if kind is None:
-            raise Missing(f"{self.name}: the installed transformers has no {self.kind}. {_PIP}")
+        from ..backends.huggingface.folder import models_folder
+        from ..backends.huggingface.loading import load_model
+        from ..backends.huggingface.pins import pin
+
         try:
-            loaded = kind.from_pretrained(
-                self.model, revision=self.revision, local_files_only=True, use_safetensors=True
-            )
-        except (OSError, ValueError, ImportError) as error:
-            raise Missing(
-                f"{self.name}: the weights of {self.model} are not in Hugging Face's cache. Fetch "
-                f"them once with: hf download {self.model}; nothing is downloaded here."
-            ) from error
-        return loaded.eval().requires_grad_(False)
+            return load_model(pin(self.name), models_folder(self.folder), f"{self.name}:")
+        except BackendError as error:
+            raise Missing(str(error)) from error
 
     def score(self, pictures: Sequence[Picture], reference: Picture) -> Float[np.ndarray, "n"]:
         """Return the similarity of each picture to the reference, in [-1, 1].
@@ -157,10 +151,9 @@ class HubSimilarity:
         import torch
 
         network = self._network
-        mean, std = (torch.tensor(v).view(1, 3, 1, 1) for v in (self.mean, self.std))
 
         def vectors(images: Tensor) -> Tensor:
-            values = (images - mean) / std
+            values = normalised(images, self.norm)
             if self.method == "image":
                 found = network.get_image_features(pixel_values=values)
                 return found if isinstance(found, torch.Tensor) else found.pooler_output
@@ -169,16 +162,14 @@ class HubSimilarity:
         return _vector_cosine(vectors, pictures, reference)
 
 
-DINOV2 = HubSimilarity(
-    "dinov2", "Dinov2Model", "facebook/dinov2-base", "pooled",
-    (0.485, 0.456, 0.406), (0.229, 0.224, 0.225),
-)  # fmt: skip
+DINOV2 = HubSimilarity("dinov2", "pooled", IMAGENET)
 """DINOv2 (M. Oquab et al., 2023)."""
 
 CLIP = HubSimilarity(
-    "clip", "CLIPModel", "openai/clip-vit-large-patch14", "image",
-    (0.48145466, 0.4578275, 0.40821073), (0.26862954, 0.26130258, 0.27577711),
-)  # fmt: skip
+    "clip",
+    "image",
+    ((0.48145466, 0.4578275, 0.40821073), (0.26862954, 0.26130258, 0.27577711)),
+)
 """CLIP (A. Radford et al., ICML 2021)."""
 
 EMBEDDED: Mapping[str, Metric] = MappingProxyType(

@@ -8,13 +8,11 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
-from jaxtyping import Bool
 
 from ..backends.protocols import Each, Imager, Reasoner, Segmenter, in_turn
 from ..errors import SceneError, require
-from ..geometry import main_parts, mask_box
+from ..geometry import fill_holes, main_parts, mask_box
 from ..scene import TABLE, Detection, Instance, Reference
 
 SPECK = 1e-4
@@ -129,16 +127,6 @@ def clean(detection: Detection) -> Detection | None:
     if mask.sum() < SPECK * mask.size:
         return None
     return dataclasses.replace(detection, mask=mask, box=mask_box(mask))
-
-
-def fill_holes(mask: Bool[np.ndarray, "h w"], share: float) -> Bool[np.ndarray, "h w"]:
-    """Fill enclosed holes smaller than ``share`` of the mask's area."""
-    outside = (~mask).astype(np.uint8)
-    _, numbers, stats, _ = cv2.connectedComponentsWithStats(outside, connectivity=4)
-    border = np.unique(np.concatenate([numbers[0], numbers[-1], numbers[:, 0], numbers[:, -1]]))
-    small = np.flatnonzero(stats[:, cv2.CC_STAT_AREA] < share * max(int(mask.sum()), 1))
-    inner = np.setdiff1d(np.setdiff1d(small, border), [0])
-    return mask | np.isin(numbers, inner)
 
 
 def unique_names(labels: Sequence[str]) -> list[str]:

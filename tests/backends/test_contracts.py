@@ -1,7 +1,8 @@
 """What the protocols promise, held against every backend that answers them.
 
-The cloud's models are played by a local server that answers from the truth of the painted table:
-what is checked is what the backend makes of right answers.
+The cloud's models are played by a local server that answers from the truth of the painted table,
+the open segmenting models by objects that do: what is checked is what the backend makes of right
+answers. The open encoder is the real class with random weights.
 """
 
 from __future__ import annotations
@@ -9,25 +10,34 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import openai_server
+import played_models
 import pytest
+import torch
 from openai_server import CHAT, IMAGES, KEY, Request
 from painted import paint
 
 from generator.backends.cloud.imager import Imager as CloudImager
 from generator.backends.cloud.reasoner import Reasoner as CloudReasoner
+from generator.backends.embedded.encoder import Encoder as EmbeddedEncoder
 from generator.backends.embedded.imager import Imager as EmbeddedImager
 from generator.backends.embedded.reasoner import Reasoner as EmbeddedReasoner
-from generator.backends.protocols import Imager, PoseGuesser, Reasoner
+from generator.backends.embedded.segmenter import Segmenter as EmbeddedSegmenter
+from generator.backends.huggingface.encoder import Encoder as OpenEncoder
+from generator.backends.huggingface.segmenter import Segmenter as OpenSegmenter
+from generator.backends.protocols import Encoder, Imager, PoseGuesser, Reasoner, Segmenter
 from generator.catalogue import build, build_table
 from generator.errors import InputError
 from generator.geometry import mask_box
 from generator.render.crop import in_reference, tight_box
-from generator.scene import TABLE, Detection, Instance, Model, Reference, SizePrior
+from generator.scene import TABLE, Detection, Instance, Model, Reference, SizePrior, View
+from generator.stages.extraction import extract
 from generator.stages.modeling import quarter_turn
+from generator.stages.rotation import RotationConfig, estimate_rotations
 
 ELEVATION = 52.0
 PLACES = [("mug", -0.3, -0.1, 0.0), ("book", 0.1, 0.0, 0.0), ("apple", 0.35, -0.15, 0.0)]
@@ -248,3 +258,108 @@ def test_top_view(imager: Any, desk: Desk, instances: Any, view: Any) -> None:
     assert 0 <= y0 < y1 <= height
     assert set(top.boxes) in (set(), set(NAMES[1:]))
     assert top.warnings == ()
+
+
+# -------------------------------------------------------------------------------------- segmenter
+
+
+@pytest.fixture(scope="module", params=["embedded", "grounding-dino-base", "sam3"])
+def segmenter(request: pytest.FixtureRequest, desk: Desk) -> Any:
+    if request.param == "embedded":
+        return EmbeddedSegmenter()
+    made = OpenSegmenter(request.param, side=played_models.SIDE)
+    truth = [(d.label, np.asarray(d.mask)) for d in desk.detections.values()]
+    played_models.play(made, desk.reference.image, truth)
+    return made
+
+
+@pytest.fixture(scope="module")
+def found(segmenter: Any, desk: Desk) -> tuple[Detection, ...]:
+    """Labels repeat for each expected thing, and what is not there is asked for, too."""
+    labels = (TABLE, "mug", "book", "book", "apple", "banana")
+    return segmenter.segment(desk.reference.image, labels)
+
+
+def test_segment(segmenter: Any, desk: Desk, found: tuple[Detection, ...]) -> None:
+    assert isinstance(segmenter, Segmenter)
+    assert [d.label for d in found].count(TABLE) == 1
+    assert {d.label for d in found} <= {TABLE, "mug", "book", "apple", "banana"}
+    shape = desk.reference.image.shape[:2]
+    for thing in found:
+        assert thing.mask.shape == shape
+        np.testing.assert_array_equal(thing.box, mask_box(thing.mask))
+        assert 0 <= thing.score <= 1
+    assert sum(d.mask.astype(int) for d in found if d.label == TABLE).max() == 1
+    assert not any((d.mask & found[0].mask).any() for d in found[1:])
+
+
+def test_segment_finds_what_is_there(desk: Desk, found: tuple[Detection, ...]) -> None:
+    def shared(right: Detection) -> float:
+        masks = [d.mask for d in found if d.label == right.label]
+        return max(((m & right.mask).sum() / (m | right.mask).sum() for m in masks), default=0)
+
+    assert {name: shared(d) > 0.7 for name, d in desk.detections.items()} == dict.fromkeys(
+        NAMES, True
+    )
+
+
+def test_segment_repeats_itself(segmenter: Any, desk: Desk, found: tuple[Detection, ...]) -> None:
+    again = segmenter.segment(
+        desk.reference.image, (TABLE, "mug", "book", "book", "apple", "banana")
+    )
+    for one, other in zip(found, again, strict=True):
+        assert (one.label, one.score) == (other.label, other.score)
+        np.testing.assert_array_equal(one.mask, other.mask)
+
+
+def test_segments_become_instances(segmenter: Any, desk: Desk) -> None:
+    """The mix that a picture takes without a key: everything but the segmenter is embedded."""
+    names = ("mug", "book", "apple")
+
+    class Lists(EmbeddedReasoner):
+        def list_objects(self, reference: Reference) -> tuple[str, ...]:
+            return (TABLE, *names)
+
+    _, instances = extract(desk.reference, Lists(), segmenter, EmbeddedImager())
+    assert instances[0].name == TABLE
+    assert {i.label for i in instances[1:]} == set(names)
+
+
+# ---------------------------------------------------------------------------------------- encoder
+
+
+@pytest.fixture(params=["embedded", "huggingface"])
+def encoder(request: pytest.FixtureRequest, tiny_models: Path) -> Any:
+    if request.param == "embedded":
+        return EmbeddedEncoder()
+    return OpenEncoder(side=56, folder=str(tiny_models), device="cpu")
+
+
+def test_features(encoder: Any) -> None:
+    assert isinstance(encoder, Encoder)
+    images = torch.rand(3, 3, 48, 48, generator=torch.Generator().manual_seed(0))
+    maps = encoder.features(images.requires_grad_())
+    singles = [encoder.features(i[None]) for i in images]
+    for level, each in zip(maps, zip(*singles, strict=True), strict=True):
+        assert level.ndim == 4
+        assert level.dtype == images.dtype
+        assert float(level.detach().norm(dim=1).max()) <= 1 + 1e-5
+        torch.testing.assert_close(level, torch.cat(each), atol=1e-5, rtol=1e-4)
+    weights = torch.linspace(0, 1, maps[0].shape[1])[None, :, None, None]
+    (gradient,) = torch.autograd.grad((maps[0] * weights).sum(), images)
+    assert (gradient.abs().sum((1, 2, 3)) > 0).all()
+
+
+def test_features_serve_the_rotation_stage(encoder: Any, desk: Desk) -> None:
+    detection = desk.detections["mug_1"]
+    x0, y0, x1, y1 = detection.box.astype(int)
+    crop = np.dstack([desk.reference.image, 255 * detection.mask.astype(np.uint8)])
+    mug = Instance("mug_1", "mug", detection.box, detection.mask, crop[y0:y1, x0:x1], detection.box)
+    view = View(0.0, float(np.deg2rad(ELEVATION)), float(np.deg2rad(36)))
+    config = RotationConfig(
+        candidates=2, rivals=1, finalists=1, coarse_steps=1, rival_steps=1, close_steps=0, steps=1,
+        coarse_step=float(np.deg2rad(45)), points=500, suspect=0.0,
+    )  # fmt: skip
+    turned = estimate_rotations(desk.reference, (mug,), desk.models, view, encoder, config)
+    assert set(turned) == {"mug_1"}
+    assert np.isfinite(turned["mug_1"].loss)

@@ -6,7 +6,7 @@ import dataclasses
 import sys
 from importlib.machinery import ModuleSpec
 from pathlib import Path
-from types import ModuleType, SimpleNamespace
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -19,6 +19,7 @@ from generator.evaluation.perceptual import (
     DINOV2,
     EMBEDDED,
     PUBLISHED,
+    HubSimilarity,
     Lpips,
     Missing,
     available,
@@ -41,6 +42,7 @@ def module(name: str, monkeypatch: pytest.MonkeyPatch, **members: Any) -> None:
 
 def absent(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("generator.evaluation.perceptual.find_spec", lambda name: None)
+    monkeypatch.setitem(sys.modules, "transformers", None)
 
 
 @pytest.mark.parametrize("name", sorted(EMBEDDED))
@@ -64,7 +66,7 @@ def test_what_is_not_installed_is_told_with_the_reason(monkeypatch: pytest.Monke
     assert {m.name for m in found.metrics} == set(EMBEDDED)
     assert set(found.missing) == set(PUBLISHED)
     assert all("pip install" in reason for reason in found.missing.values())
-    assert "transformers is not installed" in found.missing["clip"]
+    assert "transformers, which does not load" in found.missing["clip"]
 
 
 def test_an_unknown_metric_lists_the_choices() -> None:
@@ -72,44 +74,36 @@ def test_an_unknown_metric_lists_the_choices() -> None:
         available(["lpip"])
 
 
-def test_published_models_are_read_from_this_machine_only(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[tuple[str, dict[str, Any]]] = []
-
-    class Model:
-        @classmethod
-        def from_pretrained(cls, name: str, **options: Any) -> Any:
-            asked.append((name, options))
-            if name == CLIP.model:
-                raise OSError("not cached")
-            return cls()
-
-        def eval(self) -> Any:
-            return self
-
-        def requires_grad_(self, _: bool) -> Any:
-            return self
-
-        def __call__(self, pixel_values: torch.Tensor) -> Any:
-            return SimpleNamespace(pooler_output=pixel_values.mean((2, 3)))
-
-    module("transformers", monkeypatch, Dinov2Model=Model, CLIPModel=Model)
-    dino, clip = dataclasses.replace(DINOV2), dataclasses.replace(CLIP)
-    white, black = np.full((9, 9, 3), 255, np.uint8), np.zeros((9, 9, 3), np.uint8)
-    scores = dino.score([white, black], white)
-    assert scores[0] == pytest.approx(1)
-    assert scores[1] == pytest.approx(-1, abs=0.05)
-    with pytest.raises(Missing, match="hf download openai/clip"):
-        clip.score([white], white)
-    assert [name for name, _ in asked] == ["facebook/dinov2-base", CLIP.model]
-    for _, options in asked:
-        assert options["local_files_only"] is True
-        assert options["use_safetensors"] is True
+@pytest.mark.parametrize("metric", [DINOV2, CLIP], ids=lambda m: m.name)
+def test_published_models_are_the_pinned_ones_on_this_machine(
+    metric: HubSimilarity, tiny_models: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with pytest.raises(Missing, match=f"tabletopgen models pull {metric.name}"):
+        dataclasses.replace(metric, folder=str(tmp_path)).score([picture(0)], picture(0))
+    monkeypatch.setenv("TABLETOPGEN_MODELS", str(tiny_models))
+    same, other = dataclasses.replace(metric).score([picture(0), picture(1)], picture(0))
+    assert same == pytest.approx(1)
+    assert other < 0.99999
 
 
-def test_a_package_without_the_model_is_missing(monkeypatch: pytest.MonkeyPatch) -> None:
-    module("transformers", monkeypatch)
-    with pytest.raises(Missing, match="no Dinov2Model"):
-        dataclasses.replace(DINOV2).score([picture(0)], picture(0))
+def test_published_models_see_what_the_reference_implementation_sees(tiny_models: Path) -> None:
+    """A black picture: only mean and deviation are in the model's input."""
+    transformers = pytest.importorskip("transformers")
+    black = np.zeros((9, 9, 3), np.uint8)
+    for metric, norm in ((DINOV2, transformers.image_utils.IMAGENET_DEFAULT_MEAN),
+                         (CLIP, transformers.image_utils.OPENAI_CLIP_MEAN)):  # fmt: skip
+        made = dataclasses.replace(metric, folder=str(tiny_models))
+        seen: list[torch.Tensor] = []
+
+        def note(_module: Any, _args: Any, given: dict[str, torch.Tensor], seen=seen) -> None:
+            seen.append(given["pixel_values"])
+
+        network = made._network
+        vision = network.vision_model if metric is CLIP else network
+        vision.register_forward_pre_hook(note, with_kwargs=True)
+        made.score([black], black)
+        color = seen[0][0, :, 0, 0] * torch.tensor(metric.norm[1])
+        torch.testing.assert_close(color, -torch.tensor(norm))
 
 
 def test_lpips_wants_its_weights_on_this_machine_and_compares_in_its_range(

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError, SceneError
-from generator.geometry import mask_box
+from generator.geometry import fill_holes, mask_box
 from generator.scene import (
     Detection,
     Instance,
@@ -21,7 +21,6 @@ from generator.stages.extraction import (
     ExtractionConfig,
     clean,
     extract,
-    fill_holes,
     unique_names,
 )
 

@@ -1,0 +1,102 @@
+"""The Encoder by DINOv2 (M. Oquab et al., 2023): Phi of Eq. 4, as the paper has it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from jaxtyping import Float
+
+from ...errors import BackendError, require
+from ..modelers.installed import working
+from .folder import models_folder
+from .loading import Once, device_for, load_model
+from .pins import pin
+from .pixels import IMAGENET, normalised
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+_WHAT = "huggingface, features:"
+_KIND = "Dinov2Model"
+
+
+@dataclass(frozen=True)
+class Encoder:
+    """DINOv2's tokens as Phi of Eq. 4: one map of the patches, one of the whole image.
+
+    Each position's vector has length 1, so that squared distances are in [0, 4] as they are with
+    the embedded encoder, and lambda_a means the same.
+
+    Attributes:
+        weights: which model of the table.
+        side: shorter side that images are resized to, pixels; each patch is 14 of them.
+        batch: most images in the network at once.
+        exact: work in float32 on CUDA too, where bfloat16 is usual.
+        device: "cuda", "cpu" …; empty: "cuda" where there is one.
+        folder: where the model lies, see ``folder.models_folder``.
+        revision: the model and its commit.
+
+    Raises:
+        BackendError: there is no such model.
+        InputError: a number is out of range.
+    """
+
+    weights: str = "dinov2"
+    side: int = 224
+    batch: int = 64
+    exact: bool = False
+    device: str = ""
+    folder: str = field(default="", repr=False, compare=False)
+    revision: str = field(init=False)
+    _network: Once[Any] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        require(self, "side", least=14, most=2048, whole=True)
+        require(self, "batch", least=1, whole=True)
+        object.__setattr__(self, "revision", pin(self.weights, _KIND).stamp)
+        object.__setattr__(self, "_network", Once(self._load))
+
+    def features(self, images: Tensor) -> tuple[Tensor, ...]:
+        """Map (b, 3, h, w) images in [0, 1] to (b, c, h', w') patches and a (b, c, 1, 1) whole.
+
+        Differentiable in ``images``; the maps are of their type, where they are.
+
+        Raises:
+            BackendError: the images have another shape; the model is not there, damaged, or fails.
+        """
+        import torch
+
+        if images.ndim != 4 or images.shape[1] != 3:
+            raise BackendError(
+                f"{_WHAT} images are (b, 3, h, w) in [0, 1], got {tuple(images.shape)}."
+            )
+        with working(_WHAT):
+            network = self._network()
+            parts = [self._tokens(network, part) for part in images.split(self.batch)]
+            patches, wholes = (torch.cat(maps).to(images) for maps in zip(*parts, strict=True))
+        return patches, wholes
+
+    def _tokens(
+        self, network: Any, images: Float[Tensor, "b 3 h w"]
+    ) -> tuple[Float[Tensor, "b c i j"], Float[Tensor, "b c 1 1"]]:
+        """Return the maps of some images, computed where the network is."""
+        import torch
+        from torch.nn import functional
+
+        step = int(network.config.patch_size)
+        scale = self.side / min(images.shape[-2:])
+        rows, columns = (max(1, round(scale * n / step)) for n in images.shape[-2:])
+        here = images.to(network.device, torch.float32)
+        sized = functional.interpolate(
+            here, (step * rows, step * columns), mode="bilinear", antialias=True
+        )
+        fast = network.device.type == "cuda" and not self.exact
+        with torch.autocast(network.device.type, torch.bfloat16, enabled=fast):
+            tokens = network(pixel_values=normalised(sized, IMAGENET)).last_hidden_state
+        unit = functional.normalize(tokens.float(), dim=-1).mT
+        return unit[..., 1:].unflatten(-1, (rows, columns)), unit[..., :1, None]
+
+    def _load(self) -> Any:
+        folder = models_folder(self.folder)
+        return load_model(pin(self.weights, _KIND), folder, _WHAT, device=device_for(self.device))

@@ -1,0 +1,93 @@
+"""Words as Grounding DINO is asked about them, and its answer by word.
+
+Its answer gives each box a logit for each token of the text. Which tokens a word has is known
+from where it stands in the text, so an answer is always one of the words asked for, never a piece
+of one or two of them run together.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Float
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+
+@dataclass(frozen=True)
+class Question:
+    """One text that asks about some words; ``tokens`` has the positions of each word's tokens."""
+
+    words: tuple[str, ...]
+    text: str
+    tokens: tuple[tuple[int, ...], ...]
+    ids: tuple[int, ...]
+
+
+def questions(
+    words: Sequence[str], tokenizer: Any, most_words: int, most_tokens: int
+) -> tuple[Question, ...]:
+    """Return texts that together ask about all words, each with at most so many words and tokens.
+
+    The words keep their order. One word that is longer than a text may be is asked about by as
+    much of it as fits; one without any letters is not asked about.
+    """
+    made: list[Question] = []
+    group: list[str] = []
+    for word in (w for w in words if any(_question((w,), tokenizer).tokens)):
+        longer = _question((*group, word), tokenizer)
+        if group and (len(group) == most_words or len(longer.ids) > most_tokens):
+            made.append(_question(tuple(group), tokenizer))
+            group = []
+        group.append(word)
+    if group:
+        made.append(_question(tuple(group), tokenizer))
+    return tuple(_cut(q, most_tokens) for q in made)
+
+
+def best_words(
+    logits: Float[Tensor, "q t"], question: Question
+) -> tuple[Float[np.ndarray, "q"], np.ndarray]:
+    """Return each box's score, and the index of the word it fits best.
+
+    The word is the one whose tokens' probabilities are highest on average; the score is the
+    highest of its tokens'.
+    """
+    chances = logits.float().sigmoid().cpu().numpy()
+    means = np.stack([chances[:, list(t)].mean(1) for t in question.tokens], 1)
+    peaks = np.stack([chances[:, list(t)].max(1) for t in question.tokens], 1)
+    best = means.argmax(1)
+    return peaks[np.arange(len(best)), best].astype(float), best
+
+
+def plain(word: str) -> str:
+    """Return a word without what parts the words of a text: dots and question marks."""
+    return " ".join(re.sub(r"[.?]+", " ", word.lower()).split())
+
+
+def _question(words: tuple[str, ...], tokenizer: Any) -> Question:
+    text, spans = "", []
+    for word in words:
+        spans.append((len(text), len(text) + len(plain(word))))
+        text += f"{plain(word)}. "
+    text = text.strip()
+    coded = tokenizer(text, return_offsets_mapping=True)
+    places = [
+        tuple(k for k, (a, b) in enumerate(coded["offset_mapping"]) if low <= a < b <= high)
+        for low, high in spans
+    ]
+    return Question(words, text, tuple(places), tuple(coded["input_ids"]))
+
+
+def _cut(question: Question, most: int) -> Question:
+    """Shorten a text to ``most`` tokens, its last token kept: it ends the text."""
+    if len(question.ids) <= most:
+        return question
+    ids = (*question.ids[: most - 1], question.ids[-1])
+    tokens = tuple(tuple(k for k in t if k < most - 1) for t in question.tokens)
+    return Question(question.words, question.text, tokens, ids)

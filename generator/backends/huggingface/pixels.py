@@ -1,0 +1,53 @@
+"""Pictures as the models were trained to see them: resized, and normalised in torch.
+
+As the processors of transformers do it with Pillow; most of theirs need torchvision.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float, UInt8
+from PIL import Image
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+IMAGENET = ((0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
+"""Mean and deviation of RGB that Grounding DINO, SAM 2 and DINOv2 expect."""
+
+HALVES = ((0.5, 0.5, 0.5), (0.5, 0.5, 0.5))
+"""Those of SAM 3."""
+
+Norm = tuple[tuple[float, float, float], tuple[float, float, float]]
+
+
+def normalised(images: Float[Tensor, "b 3 h w"], norm: Norm) -> Float[Tensor, "b 3 h w"]:
+    """Return images in [0, 1] with a model's mean and deviation; differentiable."""
+    mean, deviation = (images.new_tensor(v).view(1, 3, 1, 1) for v in norm)
+    return (images - mean) / deviation
+
+
+def seen(
+    image: UInt8[np.ndarray, "h w 3"], width: int, height: int, norm: Norm
+) -> Float[Tensor, "1 3 b a"]:
+    """Return a picture stretched to ``width`` x ``height`` and normalised, as a batch of one."""
+    import torch
+
+    small = Image.fromarray(image).resize((width, height), Image.Resampling.BILINEAR)
+    pixels = torch.from_numpy(np.asarray(small, np.float32) / 255).permute(2, 0, 1)[None]
+    return normalised(pixels, norm)
+
+
+def bounded(width: int, height: int, shorter: int, longer: int) -> tuple[int, int]:
+    """Return a size of the same proportions with the shorter side given, the longer bounded.
+
+    Rounded as Grounding DINO's processor does.
+    """
+    low, high = min(width, height), max(width, height)
+    near = float(shorter)
+    if high / low * shorter > longer:
+        near = longer * low / high
+    close, far = round(near), int(near * high / low)
+    return (far, close) if width >= height else (close, far)

@@ -1,0 +1,176 @@
+"""The Segmenter by open models: Grounding DINO and SAM 2, or SAM 3 alone (Sec. 3.1)."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from ...catalogue import CATEGORIES
+from ...errors import SceneError, require
+from ...geometry import mask_box
+from ...scene import TABLE, Detection, Intrinsics
+from ..modelers.installed import working
+from .finds import Find, Finder, Masker
+from .folder import models_folder
+from .ground import on_table
+from .grounding_dino import GroundingDino
+from .loading import Once, device_for, load_model, load_tokenizer
+from .merging import ALIKE, cleaned, distinct, named, separate, union_share
+from .pins import pin
+from .sam2 import Sam2
+from .sam3 import Sam3
+from .tiles import Tile, tiles_of
+
+DETECTOR = "TABLETOPGEN_DETECTOR"
+"""The environment's name for the detector, where a segmenter is chosen by name."""
+
+GENERIC = "object"
+"""The label that asks for anything on the table."""
+
+_WHAT = "huggingface, segment:"
+_KINDS = ("GroundingDinoForObjectDetection", "Sam3Model")
+_SMALLEST = 1e-4  # of the picture, a thing
+
+
+def usual_detector() -> str:
+    """Return the environment's detector, else the larger Grounding DINO."""
+    return os.environ.get(DETECTOR) or "grounding-dino-base"
+
+
+@dataclass(frozen=True)
+class Segmenter:
+    """Finds things by words, and masks them.
+
+    The picture is looked at as a whole and in parts. Of one thing found several times the surest
+    find stays. What stands beside the table is left out.
+
+    Attributes:
+        detector: "grounding-dino-base", "grounding-dino-tiny", or "sam3", which needs no masker;
+            usually the environment's ``TABLETOPGEN_DETECTOR``.
+        masker: "sam2".
+        threshold: least score of a find.
+        tiles: parts along each side; 1 looks at the whole only.
+        overlap: share of a part's side that its neighbours see too.
+        side: shorter side at which Grounding DINO looks at each part, pixels.
+        words: most words that Grounding DINO is asked about at once.
+        device: "cuda", "cpu" …; empty: "cuda" where there is one.
+        folder: where the models lie, see ``folder.models_folder``.
+        revisions: the models and their commits.
+
+    Raises:
+        BackendError: there is no such model.
+        InputError: a number is out of range.
+    """
+
+    detector: str = field(default_factory=usual_detector)
+    masker: str = "sam2"
+    threshold: float = 0.25
+    tiles: int = 2
+    overlap: float = 0.25
+    side: int = 800
+    words: int = 24
+    device: str = ""
+    folder: str = field(default="", repr=False, compare=False)
+    revisions: str = field(init=False)
+    _finder: Once[Finder] = field(init=False, repr=False, compare=False)
+    _masker: Once[Masker] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        require(self, "threshold", above=0, most=1)
+        require(self, "tiles", least=1, most=8, whole=True)
+        require(self, "overlap", least=0, most=0.5)
+        require(self, "side", least=32, most=4096, whole=True)
+        require(self, "words", least=1, whole=True)
+        used = [pin(self.detector, *_KINDS)]
+        if not self._alone:
+            used.append(pin(self.masker, "Sam2Model"))
+        set_field = object.__setattr__
+        set_field(self, "revisions", ", ".join(p.stamp for p in used))
+        set_field(self, "_finder", Once(self._load_finder))
+        set_field(self, "_masker", self._finder if self._alone else Once(self._load_masker))
+
+    def segment(
+        self,
+        image: UInt8[np.ndarray, "h w 3"],
+        labels: tuple[str, ...],
+        depth: Float[np.ndarray, "h w"] | None = None,
+        intrinsics: Intrinsics | None = None,
+    ) -> tuple[Detection, ...]:
+        """Return the table first, then the things, nearest to the viewer last.
+
+        Every instance of a label is told, however often the label was given. What was found as an
+        "object" is called as the catalogue's categories, where it looks like one. Depth is not
+        used.
+
+        Raises:
+            BackendError: a model is not there, damaged, or fails.
+            SceneError: no table in the picture.
+        """
+        image = np.ascontiguousarray(image)
+        words = tuple(dict.fromkeys((TABLE, *labels)))
+        with working(_WHAT):
+            parts = tiles_of(image.shape[1], image.shape[0], self.tiles, self.overlap)
+            found = self._found(image, words, parts)
+            masked = self._masker().mask(image, found, parts)
+        table, things = _table_and_things([cleaned(f) for f in masked])
+        things = separate(things, _SMALLEST * table.size)
+        for thing in things:
+            table &= ~thing.mask
+        if not table.any():
+            raise SceneError("The things found hide the whole table. Show more of the tabletop.")
+        told = [Detection(f.label, f.box, f.mask, min(f.score, 1.0)) for f in things]
+        told.sort(key=lambda d: (d.box[3], d.box[0]))
+        return (Detection(TABLE, mask_box(table), table), *told)
+
+    def _found(
+        self, image: UInt8[np.ndarray, "h w 3"], words: tuple[str, ...], parts: Sequence[Tile]
+    ) -> list[Find]:
+        """Return one find for each box, generic ones named by a second look at the whole.
+
+        A table's box may be a thing's too: no other word for it takes the table away.
+        """
+        finder = self._finder()
+        found = finder.find(image, words, parts)
+        tables = distinct([f for f in found if f.label == TABLE])
+        things = distinct([f for f in found if f.label != TABLE])
+        if any(f.label == GENERIC for f in things):
+            nouns = dict.fromkeys(c.noun for c in CATEGORIES.values())
+            things = named(things, GENERIC, finder.find(image, tuple(nouns), parts[:1]))
+        return [*tables, *things]
+
+    @property
+    def _alone(self) -> bool:
+        return pin(self.detector, *_KINDS).kind == "Sam3Model"
+
+    def _load_finder(self) -> Finder:
+        model, folder = pin(self.detector, *_KINDS), models_folder(self.folder)
+        tokenizer = load_tokenizer(model, folder, _WHAT)
+        network = load_model(model, folder, _WHAT, device=device_for(self.device))
+        if self._alone:
+            return Sam3(network, tokenizer, self.threshold)
+        return GroundingDino(network, tokenizer, self.threshold, self.side, self.words)
+
+    def _load_masker(self) -> Masker:
+        model, folder = pin(self.masker, "Sam2Model"), models_folder(self.folder)
+        return Sam2(load_model(model, folder, _WHAT, device=device_for(self.device)))
+
+
+def _table_and_things(finds: Sequence[Find]) -> tuple[Bool[np.ndarray, "h w"], list[Find]]:
+    """Return the table's mask, and the finds that are other things and stand on it.
+
+    Raises:
+        SceneError: there is no table.
+    """
+    tables = [f for f in finds if f.label == TABLE]
+    if not tables:
+        raise SceneError(
+            "No table found in the picture. Show the whole tabletop, or lower the segmenter's "
+            "threshold."
+        )
+    table = max(tables, key=lambda f: f.score).mask
+    things = [f for f in finds if f.label != TABLE and union_share(f.mask, table) <= ALIKE]
+    return table.copy(), on_table(things, table)

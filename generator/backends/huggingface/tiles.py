@@ -1,0 +1,94 @@
+"""Parts of a picture that are looked at one by one, so that small things are seen large."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+_NEAR = 0.01  # of a tile's side: what comes as near to a cut goes on beyond it
+
+
+@dataclass(frozen=True)
+class Tile:
+    """A part of a picture of ``width`` x ``height`` pixels; its right and bottom are exclusive."""
+
+    x0: int
+    y0: int
+    x1: int
+    y1: int
+    width: int
+    height: int
+
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height of the part, pixels."""
+        return self.x1 - self.x0, self.y1 - self.y0
+
+    def cut(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "th tw 3"]:
+        """Return the part of a picture."""
+        return np.ascontiguousarray(image[self.y0 : self.y1, self.x0 : self.x1])
+
+    def to_picture(self, boxes: Float[np.ndarray, "n 4"]) -> Float[np.ndarray, "n 4"]:
+        """Return boxes given as shares of the part's sides in the picture's pixels, inside it."""
+        wide, high = self.size
+        moved = boxes * [wide, high, wide, high] + [self.x0, self.y0, self.x0, self.y0]
+        low, top = [self.x0, self.y0] * 2, [self.x1, self.y1] * 2
+        return np.clip(moved, low, top)
+
+    def to_part(self, boxes: Float[np.ndarray, "n 4"]) -> Float[np.ndarray, "n 4"]:
+        """Return boxes in the picture's pixels as shares of the part's sides."""
+        wide, high = self.size
+        return (boxes - [self.x0, self.y0, self.x0, self.y0]) / [wide, high, wide, high]
+
+    def whole(self, mask: Bool[np.ndarray, "th tw"]) -> Bool[np.ndarray, "h w"]:
+        """Return a mask of the part as one of the picture."""
+        made = np.zeros((self.height, self.width), bool)
+        made[self.y0 : self.y1, self.x0 : self.x1] = mask
+        return made
+
+    def cuts(self, boxes: Float[np.ndarray, "n 4"]) -> Bool[np.ndarray, "n"]:
+        """Tell which boxes touch a side of the part that is not one of the picture's."""
+        wide, high = self.size
+        near = np.array([wide, high, wide, high]) * _NEAR
+        sides = np.array([self.x0, self.y0, self.x1, self.y1])
+        inner = sides != [0, 0, self.width, self.height]
+        return ((np.abs(boxes - sides) <= near) & inner).any(1)
+
+    def holds(self, box: Float[np.ndarray, "4"], margin: float) -> bool:
+        """Tell whether a box and ``margin`` times its sides around it lie within.
+
+        Beyond the picture's own frame nothing is asked for.
+        """
+        wide, high = (box[2:] - box[:2]) * margin
+        margins = np.array([-wide, -high, wide, high])
+        low, top = np.zeros(4), np.array([self.width, self.height] * 2)
+        x0, y0, x1, y1 = np.clip(box + margins, low, top)
+        return bool(x0 >= self.x0 and y0 >= self.y0 and x1 <= self.x1 and y1 <= self.y1)
+
+
+def tiles_of(width: int, height: int, count: int, overlap: float) -> tuple[Tile, ...]:
+    """Return the whole picture, then ``count`` x ``count`` parts of its proportions.
+
+    Neighbours share ``overlap`` of their side; a count of 1 adds no parts.
+    """
+    whole = Tile(0, 0, width, height, width, height)
+    if count == 1:
+        return (whole,)
+    across, down = _spans(width, count, overlap), _spans(height, count, overlap)
+    parts = [Tile(x0, y0, x1, y1, width, height) for y0, y1 in down for x0, x1 in across]
+    return (whole, *parts)
+
+
+def closest(tiles: Sequence[Tile], box: Float[np.ndarray, "4"], margin: float) -> Tile:
+    """Return the smallest part that holds a box with its margin; the first if none does."""
+    holding = [t for t in tiles if t.holds(box, margin)] or [tiles[0]]
+    return min(holding, key=lambda t: t.size[0] * t.size[1])
+
+
+def _spans(length: int, count: int, overlap: float) -> list[tuple[int, int]]:
+    side = min(length, int(np.ceil(length / (count - (count - 1) * overlap))))
+    starts = np.round(np.linspace(0, length - side, count)).astype(int)
+    return [(int(s), int(s) + side) for s in starts]

@@ -1,0 +1,77 @@
+"""``tabletopgen models``: the open models of the ``huggingface`` backend, pinned and fetched."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import tyro
+from tyro.conf import Positional
+
+from ..backends.huggingface.folder import missing, models_folder, snapshot
+from ..backends.huggingface.pins import Pin, pin, pins
+from ..errors import InputError
+from .printing import emit
+
+app = tyro.extras.SubcommandApp()
+
+
+@app.command(name="list")
+def listed(*, folder: Path | None = None, json: bool = False) -> int:
+    """List the models: repository, commit, size of the weights, licence, whether it is here.
+
+    Args:
+        folder: Where they lie; TABLETOPGEN_MODELS or the user cache if left out.
+        json: Print one JSON array instead of lines.
+    """
+    home = models_folder(folder)
+    facts = [_facts(p, home) for p in pins().values()]
+
+    def lines() -> list[str]:
+        rows = [
+            f"{f['name']:<20} {f['repository']:<32} {f['revision'][:12]} {_size(f['bytes']):>9}  "
+            f"{f['licence'] + (', to be accepted' if f['gated'] else ''):<28} "
+            f"{'here' if f['here'] else 'not here'}"
+            for f in facts
+        ]
+        return [*rows, f"folder: {home}"]
+
+    emit(facts, json, lines)
+    return 0
+
+
+@app.command(name="pull")
+def fetch(names: Positional[tuple[str, ...]], /, *, folder: Path | None = None) -> int:
+    """Fetch models from Hugging Face: safetensors and configurations only, at their commits.
+
+    What is there already is not fetched again; an interrupted download goes on.
+
+    Args:
+        names: Names that `tabletopgen models list` shows.
+        folder: Where to put them; TABLETOPGEN_MODELS or the user cache if left out.
+    """
+    from ..backends.huggingface.pulling import pull
+
+    if not names:
+        raise InputError("Name at least one model; `tabletopgen models list` shows what there is.")
+    home = models_folder(folder)
+    for model in [pin(name) for name in names]:
+        print(f"{model.name}: {pull(model, home)}")
+    return 0
+
+
+def _facts(model: Pin, folder: Path) -> dict[str, Any]:
+    return {
+        "name": model.name,
+        "repository": model.repository,
+        "revision": model.revision,
+        "bytes": model.bytes or None,
+        "licence": model.licence,
+        "gated": model.gated,
+        "here": not missing(model, folder),
+        "path": str(snapshot(model, folder)),
+    }
+
+
+def _size(count: int | None) -> str:
+    return f"{count / 1e6:.0f} MB" if count else "unknown"

@@ -1,0 +1,230 @@
+"""Fetching models: the pinned commit, the named files, checked; over real HTTP."""
+
+from __future__ import annotations
+
+import dataclasses
+import errno
+import hashlib
+import json
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from command import command
+from hub_server import Hub
+from local_server import local_server
+
+from generator.backends.huggingface import pins as pins_module
+from generator.backends.huggingface.encoder import Encoder
+from generator.backends.huggingface.folder import missing, snapshot
+from generator.backends.huggingface.loading import load_model
+from generator.backends.huggingface.pins import WEIGHTS, Pin, pins
+from generator.backends.huggingface.pulling import pull
+from generator.errors import BackendError, StorageError
+
+
+@pytest.fixture
+def model(tiny_models: Path) -> Pin:
+    """The tiny DINOv2 as a pin of its own."""
+    weights = (snapshot(pins()["dinov2"], tiny_models) / WEIGHTS).read_bytes()
+    digest = hashlib.sha256(weights).hexdigest()
+    return dataclasses.replace(pins()["dinov2"], sha256=digest, bytes=len(weights))
+
+
+@pytest.fixture
+def hub(tiny_models: Path, model: Pin, monkeypatch: pytest.MonkeyPatch) -> Iterator[Hub]:
+    home = snapshot(model, tiny_models)
+    files = {name: (home / name).read_bytes() for name in model.files}
+    files |= {
+        "pytorch_model.bin": b"a pickle",
+        "modeling.py": b"raise SystemExit",
+        "README.md": b"",
+    }
+    served = Hub(model.repository, model.revision, files)
+    with local_server(served.handler()) as url:
+        monkeypatch.setenv("HF_ENDPOINT", url)
+        monkeypatch.setenv("HF_TOKEN", "hf_secret")
+        yield served
+
+
+def test_the_named_files_are_fetched_at_the_pinned_commit_and_no_others(
+    hub: Hub, model: Pin, tmp_path: Path
+) -> None:
+    home = pull(model, tmp_path)
+    assert home == snapshot(model, tmp_path)
+    assert sorted(p.name for p in home.iterdir()) == sorted(model.files)
+    assert (home / WEIGHTS).read_bytes() == hub.files[WEIGHTS]
+    assert all(model.revision in path for path in hub.asked)
+    assert not any(name in " ".join(hub.asked) for name in ("pytorch_model", "modeling", "README"))
+
+
+def test_what_was_fetched_answers(hub: Hub, model: Pin, tmp_path: Path) -> None:
+    import torch
+
+    pull(model, tmp_path)
+    patches, _ = Encoder(folder=str(tmp_path), side=28).features(torch.rand(1, 3, 28, 28))
+    assert patches.shape == (1, 32, 2, 2)
+
+
+def test_what_is_there_is_not_fetched_again(hub: Hub, model: Pin, tmp_path: Path) -> None:
+    pull(model, tmp_path)
+    hub.asked.clear()
+    pull(model, tmp_path)
+    assert not [path for path in hub.asked if path.startswith("GET") and WEIGHTS in path]
+
+
+def test_a_damaged_model_is_fetched_anew_as_its_error_says(
+    hub: Hub, model: Pin, tmp_path: Path
+) -> None:
+    file = pull(model, tmp_path) / "config.json"
+    file.resolve().write_text("{")
+    with pytest.raises(BackendError) as told:
+        load_model(model, tmp_path, "who:")
+    advised = re.search(r"Delete (\S+) and run: tabletopgen models pull dinov2", str(told.value))
+    assert advised is not None
+    shutil.rmtree(advised[1])
+    pull(model, tmp_path)
+    assert load_model(model, tmp_path, "who:").config.hidden_size == 32
+
+
+def test_weights_other_than_the_pinned_ones_are_removed(
+    hub: Hub, model: Pin, tmp_path: Path
+) -> None:
+    hub.files[WEIGHTS] = hub.files[WEIGHTS][:-1] + b"\x01"
+    with pytest.raises(BackendError, match=f"SHA-256 .*, not {model.sha256}; it was removed"):
+        pull(model, tmp_path)
+    assert missing(model, tmp_path) == (WEIGHTS,)
+    assert not [
+        p for p in tmp_path.rglob("*") if p.is_file() and p.read_bytes() == hub.files[WEIGHTS]
+    ]
+
+
+def test_weights_without_a_known_digest_have_to_be_safetensors(
+    hub: Hub, model: Pin, tmp_path: Path
+) -> None:
+    hub.files[WEIGHTS] = b"<html>busy</html>"
+    with pytest.raises(BackendError, match="is no safetensors file"):
+        pull(dataclasses.replace(model, sha256=""), tmp_path)
+
+
+def test_a_file_that_the_server_lacks_is_named(hub: Hub, model: Pin, tmp_path: Path) -> None:
+    del hub.files["config.json"]
+    with pytest.raises(BackendError, match=r"pull of dinov2: the server has no config.json at f9e"):
+        pull(model, tmp_path)
+
+
+def test_a_gated_model_says_where_to_accept_its_licence(
+    hub: Hub, model: Pin, tmp_path: Path
+) -> None:
+    hub.status, hub.code = 403, "GatedRepo"
+    with pytest.raises(BackendError, match=r"accepted at https://huggingface.co/facebook/dinov2"):
+        pull(model, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("status", "code"), [(404, "RepoNotFound"), (404, "RevisionNotFound"), (400, "")]
+)
+def test_a_server_that_refuses_is_told_without_the_token(
+    hub: Hub, model: Pin, tmp_path: Path, status: int, code: str
+) -> None:
+    hub.status, hub.code = status, code
+    with pytest.raises(BackendError, match=r"huggingface, pull of dinov2: .* could not be") as told:
+        pull(model, tmp_path)
+    assert "hf_secret" not in str(told.value)
+
+
+def test_a_download_that_breaks_off_leaves_no_model_and_goes_on(
+    hub: Hub, model: Pin, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hub.cut = 100
+    monkeypatch.setattr("time.sleep", lambda _: None)
+    with pytest.raises(BackendError, match="could not be fetched"):
+        pull(model, tmp_path)
+    assert missing(model, tmp_path)
+    hub.cut = 0
+    pull(model, tmp_path)
+    assert missing(model, tmp_path) == ()
+
+
+def test_no_server_at_all(model: Pin, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("HF_ENDPOINT", "http://127.0.0.1:9")
+    monkeypatch.setattr("time.sleep", lambda _: None)
+    with pytest.raises(BackendError, match="could not be fetched"):
+        pull(model, tmp_path)
+
+
+def test_a_pin_of_a_pickle_is_refused(hub: Hub, model: Pin, tmp_path: Path) -> None:
+    bad = dataclasses.replace(model, files=("config.json", "pytorch_model.bin"))
+    with pytest.raises(BackendError, match="a pickle; only safetensors are fetched"):
+        pull(bad, tmp_path)
+    assert hub.asked == []
+
+
+def test_a_folder_that_cannot_be_made(hub: Hub, model: Pin, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(StorageError, match="Choose another --folder"):
+        pull(model, tmp_path / "file" / "models")
+
+
+def test_a_folder_that_cannot_be_written(hub: Hub, model: Pin, tmp_path: Path) -> None:
+    (tmp_path / "models--facebook--dinov2-base").write_text("in the way")
+    with pytest.raises(StorageError, match=r"pull of dinov2: .* cannot be written: .*--folder"):
+        pull(model, tmp_path)
+
+
+def test_a_full_disk_keeps_what_is_there(
+    hub: Hub, model: Pin, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_args: object, **_named: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("huggingface_hub.file_download.http_get", full)
+        with pytest.raises(StorageError, match="No space left on device"):
+            pull(model, tmp_path)
+    assert missing(model, tmp_path) == model.files
+    pull(model, tmp_path)
+
+
+# ------------------------------------------------------------------------------------ the command
+
+
+def test_list_tells_what_is_pinned_and_what_is_here(
+    tiny_models: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert command("models", "list", "--folder", str(tiny_models), "--json") == 0
+    facts = {f["name"]: f for f in json.loads(capsys.readouterr().out)}
+    assert facts.keys() == pins().keys()
+    assert all(f["here"] for f in facts.values())
+    assert facts["sam3"]["gated"] is True
+    assert facts["sam3"]["bytes"] is None
+    assert facts["dinov2"] | {"path": ""} == {
+        "name": "dinov2", "repository": "facebook/dinov2-base", "path": "", "bytes": 346345912,
+        "revision": pins()["dinov2"].revision, "licence": "Apache-2.0", "gated": False,
+        "here": True,
+    }  # fmt: skip
+    assert command("models", "list", "--folder", str(tmp_path)) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == len(pins()) + 1
+    assert all(line.endswith("not here") for line in lines[:-1])
+    assert next(line for line in lines if line.startswith("sam3")).split()[3] == "unknown"
+    assert lines[-1] == f"folder: {tmp_path}"
+
+
+def test_pull_fetches_by_name(
+    hub: Hub, model: Pin, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    monkeypatch.setattr(pins_module, "pins", lambda: {"dinov2": model})
+    assert command("models", "pull", "dinov2", "--folder", str(tmp_path)) == 0
+    assert capsys.readouterr().out == f"dinov2: {snapshot(model, tmp_path)}\n"
+    assert missing(model, tmp_path) == ()
+
+
+def test_pull_of_nothing_and_of_an_unknown_name(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command("models", "pull") == 2
+    assert "models list" in capsys.readouterr().err
+    assert command("models", "pull", "sam2", "sam9") == 3
+    assert "no model 'sam9'" in capsys.readouterr().err
