@@ -337,3 +337,20 @@ def test_a_detected_hint_needs_no_torch() -> None:
     )
     root = Path(__file__).parents[2]
     subprocess.run([sys.executable, "-c", code], check=True, cwd=root)
+
+
+def test_the_experts_advice_follows_the_hint_at_once() -> None:
+    """No standing still where the hint already shows the way up, or to the place."""
+    env = lift(task="PickPlace")
+    seen = env.reset(seed=0, options={"target": "cube_1", "goal": "spot"})[0]
+    expert = TaskExpert(env)
+    expert.reset()
+    moved = {}
+    while expert.phase != "release":
+        before = expert.phase
+        advice = expert.act()
+        if expert.phase != before:
+            moved[expert.phase] = float(np.abs(advice[:3]).max())
+        seen = env.step(advice)[0]
+    assert moved["lift"] > 0.3 and moved["carry"] > 0.3
+    assert seen[286] == -1.0
