@@ -166,9 +166,9 @@ class Picker(Expert):
         self._last_gap = gap
         if (told and ((left and right) or still)) or late:
             self._held = self._in_hand()
-            still = self._enter("lift")
+            waiting = self._enter("lift")
             # The hint shows at once that it is held: to wait would be to advise against it.
-            return still if self._env.hint is None else self._lift(False)
+            return waiting if self._env.hint is None else self._lift(False)
         if np.linalg.norm(self._tool - grasp.point) > NEAR:
             return self._enter("approach")
         if gap < grasp.width - _EMPTY and not (left or right):
@@ -189,8 +189,8 @@ class Picker(Expert):
             drop = Drop(self._env.world, self._goal, self._yaw, let_go_at(self._plan.grasp))
         if drop is not None:
             self._drop = drop
-            still = self._enter("carry")
-            return still if hint is None else self._carry(False)
+            waiting = self._enter("carry")
+            return waiting if hint is None else self._carry(False)
         return self._go(target, 0.0, slow=0.7)
 
     def _hold(self, late: bool) -> Float[np.ndarray, "5"]:
