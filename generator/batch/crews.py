@@ -123,7 +123,7 @@ class OnRay:
 
     def __init__(self, address: str, width: int) -> None:
         try:
-            import ray
+            import ray  # pyright: ignore[reportMissingImports]
         except ImportError as error:
             raise BackendError(
                 "Ray is not installed. Run: pip install 'tabletopgen[ray]'"
