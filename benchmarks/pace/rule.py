@@ -11,9 +11,9 @@ import numpy as np
 from jaxtyping import Float
 
 from tabletopgen_env.actions import EE_STEP, EE_TURN
+from tabletopgen_env.grasp_hint import HINT_BOUNDS
 from tabletopgen_env.robot import franka
 
-_HINT = 8
 _OVER = 0.05  # metres above the end of its way at which the hand is aimed
 
 
@@ -31,7 +31,7 @@ class HintRule:
         self, observation: Float[np.ndarray, "n"], *, deterministic: bool
     ) -> tuple[Float[np.ndarray, "5"], Any]:
         """Return the action, as a policy does."""
-        *way, turn, opening, _, rise, kind = observation[-_HINT:]
+        *way, turn, opening, _, rise, kind = observation[-len(HINT_BOUNDS) :]
         holds = kind < 0
         aimed = np.hypot(way[0], way[1]) < (0.01 if holds else 0.006) and abs(turn) < 0.06
         there = bool(aimed and abs(way[2]) < 0.01)

@@ -54,7 +54,10 @@ LAYERS = (
 )
 """The network, a rectifier between each two. What its last channels mean: ``rated``."""
 
-_HEIGHT, _ROOM, _WIDTH = 0.05, 0.02, 0.04  # metres that are 1 to the network
+_HEIGHT = 0.05  # metres that are 1 to the network
+UNITS = (PLACE, PLACE, _HEIGHT, 0.04, 0.02)
+"""Metres that are 1 in its answers: along, across, height, width and room of ``Rated``."""
+
 _DEEPEST = 2.0  # of these heights below the object's top that are told apart
 
 
@@ -83,11 +86,9 @@ def rated(out: Any, middles: Any) -> Rated:
         out: its values (..., 7, i, j), an array or a tensor.
         middles: ``MIDDLES``, the same.
     """
-    best, possible, du, dv, height, width, room = (out[..., k, :, :] for k in range(7))
-    return Rated(
-        best, possible, middles[:, None] + du * PLACE, middles + dv * PLACE,
-        height * _HEIGHT, width * _WIDTH, room * _ROOM,
-    )  # fmt: skip
+    best, possible, *answers = (out[..., k, :, :] for k in range(7))
+    along, across, *rest = (part * unit for part, unit in zip(answers, UNITS, strict=True))
+    return Rated(best, possible, middles[:, None] + along, middles + across, *rest)
 
 
 def turned(

@@ -38,7 +38,7 @@ from .detector import GraspDetector, save_weights
 from .labels import COLUMNS, Lesson, lessons
 from .look import CELLS
 from .model import GraspNetwork
-from .network import PLACE, PLACES, TURNS, Rated, turned
+from .network import PLACE, PLACES, TURNS, UNITS, Rated, turned
 from .sheet import sheet
 
 CHUNK = 100
@@ -46,7 +46,6 @@ CHUNK = 100
 
 _SHARPNESS = 0.12  # of the planner's score, by which a grasp is e times as good
 _RARE = 50.0  # weight of telling whether there is a grasp: almost nowhere there is
-_UNITS = (PLACE, PLACE, 0.05, 0.04, 0.02)  # metres of error that count as one
 _DRAWN = 96  # objects on the sheet
 _NEAR = (0.004, 0.008, 0.008)  # metres along, across and up within which grasps are the same
 
@@ -118,7 +117,7 @@ def loss_of(rated: Rated, batch: Batch) -> Float[Tensor, ""]:
     best, possible, *grasp = (part.flatten(1) for part in rated)
     share = -(batch.share * functional.log_softmax(best, 1)).sum(1).mean()
     there = functional.binary_cross_entropy_with_logits(possible, batch.possible)
-    off = ((torch.stack(grasp, 2) - batch.grasp).abs() / torch.tensor(_UNITS)).sum(2)
+    off = ((torch.stack(grasp, 2) - batch.grasp).abs() / torch.tensor(UNITS)).sum(2)
     every = batch.possible / batch.possible.sum(1, keepdim=True).clamp(min=1)
     return share + _RARE * there + ((batch.share + every) / 2 * off).sum(1).mean()
 

@@ -130,6 +130,7 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     offset = (world.position(goal.target) - tool)[:2]
     region = goal.region(world)
     others = _room(world, goal.target, region, held)
+    hanging = -float(held.low.min())
     places = []
     for turn in (0.0, np.pi):
         spin = rotation_z(turn)[:2, :2].T
@@ -137,7 +138,6 @@ def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
         undersides = (Underside(under.at @ spin, under.low) for under in (held, hand))
         height = max(float(_touching(others, at, under).max()) for under in undersides)
         place = np.array([*at[0], height + RELEASE])
-        hanging = -float(held.low.min())
         places.append(Place(place, wrap(yaw + turn), region.center[:2], hanging, region.center))
     return next((place for place in places if _stretched(world, place.tool, place.yaw)), places[0])
 

@@ -61,8 +61,7 @@ class GroundingDino:
             [middles[:, :2] - middles[:, 2:] / 2, middles[:, :2] + middles[:, 2:] / 2]
         )
         boxes = tile.to_picture(shares)
-        kept = (scores >= self.threshold) & ~tile.cuts(boxes)
-        kept &= (boxes[:, 2:] - boxes[:, :2] >= 1).all(1)
+        kept = tile.told_by(boxes, scores, self.threshold)
         return [
             Find(question.words[best[k]], float(scores[k]), boxes[k]) for k in np.flatnonzero(kept)
         ]

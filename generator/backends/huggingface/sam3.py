@@ -66,9 +66,7 @@ class Sam3:
         there = answer.presence_logits[0].float().sigmoid()
         scores = (answer.pred_logits[0].float().sigmoid() * there).cpu().numpy().astype(float)
         boxes = tile.to_picture(answer.pred_boxes[0].double().cpu().numpy())
-        good = (scores >= self.threshold) & ~tile.cuts(boxes)
-        good &= (boxes[:, 2:] - boxes[:, :2] >= 1).all(1)
-        rows = np.flatnonzero(good)
+        rows = np.flatnonzero(tile.told_by(boxes, scores, self.threshold))
         masks = enlarged(answer.pred_masks[0][rows].sigmoid(), tile.size, 0.5)
         return [
             Find(word, float(scores[k]), boxes[k], tile.whole(mask))

@@ -57,6 +57,13 @@ class Tile:
         inner = sides != [0, 0, self.width, self.height]
         return ((np.abs(boxes - sides) <= near) & inner).any(1)
 
+    def told_by(
+        self, boxes: Float[np.ndarray, "n 4"], scores: Float[np.ndarray, "n"], threshold: float
+    ) -> Bool[np.ndarray, "n"]:
+        """Tell which boxes are finds: sure enough, not cut by the part, of a pixel at least."""
+        sized = (boxes[:, 2:] - boxes[:, :2] >= 1).all(1)
+        return (scores >= threshold) & ~self.cuts(boxes) & sized
+
     def holds(self, box: Float[np.ndarray, "4"], margin: float) -> bool:
         """Tell whether a box and ``margin`` times its sides around it lie within.
 
