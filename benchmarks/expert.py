@@ -4,18 +4,20 @@
     python benchmarks/expert.py --scenes composed --held-out --task Push --task Stack
     python benchmarks/expert.py --scenes starter --episodes 24
 
-An episode is a success once ``info["success"]`` has held for ``HOLD`` steps within the time limit
-of the task's id. ``--scenes composed`` composes scenes from the texts of ``texts.json`` and
-``table78.json``: every second text with seeds from 0 to develop with, the others with seeds from
-``HELD_OUT`` for ``--held-out``. Tidy and the presets of Sequence (``Sequence:kitchen``), which need
-certain things, have tables of their own texts, ``OWN``, in turn. Scenes that offer nothing to do
-have a row without a success. Rows go to ``expert_<which>.csv`` as they come (a second run resumes),
-the summary to the ``.md`` beside it.
+An episode starts perturbed, as those of certificates do (``certify.perturb``), since what follows
+is settled by scene, target, goal and start. It is a success once ``info["success"]`` has held for
+``HOLD`` steps within the time limit of the task's id. ``--scenes composed`` composes scenes from
+the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to develop
+with, the others with seeds from ``HELD_OUT`` for ``--held-out``. Tidy and the presets of Sequence
+(``Sequence:kitchen``), which need certain things, have tables of their own texts, ``OWN``, in turn.
+Scenes that offer nothing to do have a row without a success. Rows go to ``expert_<which>.csv`` as
+they come (a second run resumes), the summary to the ``.md`` beside it.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import partial
@@ -23,6 +25,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import gymnasium as gym
+import numpy as np
 from posing import tables
 from posing.tables import Row
 
@@ -31,6 +34,8 @@ from generator.bundle import load
 from generator.compose import compose
 from generator.errors import SceneError, TabletopError
 from generator.scene import Scene
+from tabletopgen_env.certify import perturb
+from tabletopgen_env.env import TabletopEnv
 from tabletopgen_env.episodes import HOLD, Held
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.statistics import wilson
@@ -39,9 +44,12 @@ from tabletopgen_env.tasks import NAMES
 HERE = Path(__file__).parent
 KEY = ("task", "scene", "seed", "episode")
 FIELDS = (
-    *KEY, "rows", "success", "steps", "attempts", "phase", "goals", "target", "category", "goal",
-    "instruction", "phases", "error",
+    *KEY, "rows", "start", "success", "steps", "attempts", "phase", "goals", "target", "category",
+    "goal", "instruction", "phases", "error",
 )  # fmt: skip
+INSTANCE = ("scene", "seed", "target", "goals", "goal", "instruction")
+"""What tells one thing to do from another; episodes of one differ in their start."""
+
 HELD_OUT = 1000
 """First seed of the scenes that nothing was developed on."""
 
@@ -107,6 +115,10 @@ def made(scene: Scene, task: str) -> gym.Env:
 def episode(env: gym.Env, seed: int, scene: Scene) -> Row:
     """Run one episode and return what it came to."""
     _, info = env.reset(seed=seed)
+    table = env.unwrapped
+    assert isinstance(table, TabletopEnv)
+    perturb(table, np.random.default_rng(seed))
+    start = hashlib.sha256(table.world.data.qpos.tobytes()).hexdigest()[:12]
     expert = TaskExpert(env)
     held, steps = Held(), 0
     solved = truncated = False
@@ -126,6 +138,7 @@ def episode(env: gym.Env, seed: int, scene: Scene) -> Row:
         steps += 1
     target = info["target"]
     return {
+        "start": start,
         "success": int(solved),
         "steps": steps,
         "attempts": expert.attempts if not error else "",
@@ -195,10 +208,12 @@ def summary(rows: Sequence[Row], command: str) -> str:
         f"`{command}`, {tables.where()}",
         "",
         f"Solved: success held for {HOLD} steps within the task's time limit. Feasible: scenes "
-        "that offer something to do. Interval: Wilson, 95 %.",
+        "that offer something to do. Instances: different scenes, targets and goals among "
+        "the episodes; each start is perturbed. Interval: Wilson, 95 %, as if episodes of one "
+        "instance were independent.",
         "",
-        "| task | solved | share | interval | median steps | feasible scenes |",
-        "|---|---|---|---|---|---|",
+        "| task | solved | share | interval | instances | median steps | feasible scenes |",
+        "|---|---|---|---|---|---|---|",
         *(_line(task, [r for r in rows if r["task"] == task]) for task in TASKS
           if any(r["task"] == task for r in rows)),
         "",
@@ -226,9 +241,10 @@ def _line(task: str, rows: Sequence[Row]) -> str:
     tables_, feasible = ({(r["scene"], r["seed"]) for r in some} for some in (rows, run))
     share = f"{100 * len(solved) / max(len(run), 1):.1f} %"
     middle = steps[len(steps) // 2] if steps else "-"
+    instances = {tuple(str(r[k]) for k in INSTANCE) for r in run}
     return (
         f"| {task} | {len(solved)} of {len(run)} | {share} | {100 * low:.0f} to {100 * high:.0f} % "
-        f"| {middle} | {len(feasible)} of {len(tables_)} |"
+        f"| {len(instances)} | {middle} | {len(feasible)} of {len(tables_)} |"
     )
 
 

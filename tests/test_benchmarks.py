@@ -308,8 +308,16 @@ def test_the_expert_summary_counts_what_was_run() -> None:
     empty = row | {"scene": "a shelf", "success": "", "error": "nothing to do"}
     text = bench.summary([row, failed, empty], "bench")
     assert "# Expert: 1 of 2 episodes" in text
-    assert "| Push | 1 of 2 | 50.0 % | 9 to 91 % | 50 | 1 of 2 |" in text
+    assert "| Push | 1 of 2 | 50.0 % | 9 to 91 % | 1 | 50 | 1 of 2 |" in text
     assert "| Push | stroke 1 |" in text and "| Push | mug 1 of 2 |" in text
+
+
+def test_the_experts_episodes_differ_where_there_is_one_thing_to_do() -> None:
+    bench = script("expert")
+    rows = bench.work(bench.Job("Lift", "A die.", 0, 2), composed=True)
+    assert [r["success"] for r in rows] == [1, 1]
+    assert len({r["instruction"] for r in rows}) == 1 and len({r["start"] for r in rows}) == 2
+    assert rows == bench.work(bench.Job("Lift", "A die.", 0, 2), composed=True)
 
 
 def test_a_table_without_anything_to_do_is_a_row() -> None:
