@@ -1,4 +1,4 @@
-"""Teach SB3's SAC to lift, at tables renewed meanwhile: python examples/train_lift.py."""
+"""Clone the expert's Lift into SB3, at tables renewed meanwhile: python examples/train_lift.py."""
 
 import sys
 
