@@ -178,13 +178,11 @@ class Pusher(Expert):
     # ---------------------------------------------------------------------------------- planning
 
     def _begin(self) -> Float[np.ndarray, "5"]:
-        """Choose the next stroke: to the spot; later on also beside it, with less and less room."""
+        """Choose the next stroke: to the spot; else also beside it, with less and less room."""
         world, name, spot = self._env.world, self._goal.target, self._goal.spot[:2]
+        spots = (spot, *(spot + _ASIDES))
         aims: list[tuple[Float[np.ndarray, "2"], Care]] = [(spot, "free")]
-        if self.attempts > 0:
-            spots = (spot, *(spot + _ASIDES))
-            for care in _LESS_ROOM:
-                aims.extend((at, care) for at in spots)
+        aims += [(at, care) for care in _LESS_ROOM for at in spots]
         self.attempts += 1
         others = beside(world, name)
         for self._choice, (self._aim, care) in enumerate(aims):

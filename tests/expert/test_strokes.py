@@ -58,6 +58,15 @@ def test_a_wall_beside_the_way_stops_the_palm_unless_room_is_tight() -> None:
     assert plan_stroke(world, "book", spot, care="tight") is not None
 
 
+def test_it_begins_with_little_room_where_there_is_no_more() -> None:
+    walls = [toy_object(f"wall_{k}", (0.3, 0.02, 0.2), (0.0, k * 0.09)) for k in (-1, 1)]
+    env = make_env(toy_scene((BOOK, *walls)), task="Push")
+    env.reset(seed=0, options={"target": "book", "goal": (0.12, 0.0)})
+    expert = TaskExpert(env)
+    expert.reset()
+    assert any(env.step(expert.act())[4]["success"] for _ in range(120)), expert.phase
+
+
 def test_the_fingers_meet_the_wall_of_a_hollow_thing_under_what_stands_out() -> None:
     bowl = toy_object("bowl", (0.12, 0.12, 0.05), (0.0, 0.0), wall=0.01)
     stick = toy_object("stick", (0.015, 0.015, 0.1), (0.0, 0.0))
