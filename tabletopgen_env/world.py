@@ -122,7 +122,6 @@ class World:
         self._base_reach = _FIXED_REACH + np.linalg.norm(self.half_extent, axis=1)
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
-        self._graspable: dict[str, bool] = {}
         self._plans: dict[tuple[Chooser, str], Plan | None] = {}
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
 
@@ -159,7 +158,6 @@ class World:
         """Take over the poses of the same objects in ``scene``; ``reset`` puts them there."""
         self.scene = scene
         self._start = self._start_qpos()
-        self._graspable = {}
         self._plans = {}
         self.__dict__.pop("footprints", None)
 
@@ -249,16 +247,13 @@ class World:
         return {o.name: why_not_graspable(o, self.openings[o.name]) for o in self.scene.objects}
 
     def has_grasp(self, name: str) -> bool:
-        """Return whether the hand finds room around an object where the scene puts it.
+        """Return whether the arm reaches a grasp of an object where the scene puts it.
 
-        Found by the expert's grasp planner when first asked, at the start of an episode, and
-        remembered.
+        Found by the expert's grasp planner, at the start of an episode; see ``first_plan``.
         """
-        if name not in self._graspable:
-            from .expert.grasps import is_graspable
+        from .expert.choosing import choose
 
-            self._graspable[name] = is_graspable(self, name)
-        return self._graspable[name]
+        return self.first_plan(name, choose) is not None
 
     def first_plan(self, name: str, choose: Chooser) -> Plan | None:
         """Return the grasp that ``choose`` takes of an object at the start of an episode.

@@ -65,11 +65,6 @@ def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> lis
     return sorted(found, key=lambda grasp: -grasp.score)
 
 
-def is_graspable(world: World, target: str) -> bool:
-    """Return whether ``plan_grasps`` finds any; stops at the first."""
-    return next(grasps_along(world, target, _angles(world, target)), None) is not None
-
-
 def _angles(world: World, target: str) -> list[float]:
     facing = rotation_yaw(world.rotation(target))
     return (facing + np.arange(_TURNS) * np.pi / _TURNS).tolist()

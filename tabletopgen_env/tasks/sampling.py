@@ -24,6 +24,9 @@ if TYPE_CHECKING:
 ROOM = 0.008
 """What the hollow of a container must be wider than what is put into it, however that is turned."""
 
+NO_GRASP = "the arm reaches no grasp of it, or its neighbours leave no room for the hand"
+"""Why what ``World.has_grasp`` denies cannot be moved."""
+
 Reasons = dict[str, str | None]
 """Why each object cannot be used, None where it can."""
 
@@ -63,7 +66,7 @@ def drawn(
         reasons: why objects cannot be targets; what is found on the way is added.
         make: returns an object's episode, or None if there is none.
         lacks: what it means that there is none.
-        held: whether the target must have room for the hand.
+        held: whether the arm must reach a grasp of the target.
 
     Raises:
         SceneError: no object will do; says why for each.
@@ -76,7 +79,7 @@ def drawn(
         names = [known(world, target, "to move")]
     for name in names:
         if target is None and held and not world.has_grasp(name):
-            reasons[name] = "its neighbours leave no room for the hand"
+            reasons[name] = NO_GRASP
             continue
         found = make(world.scene.object(name))
         if found is not None:

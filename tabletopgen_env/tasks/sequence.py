@@ -28,7 +28,7 @@ from generator.scene import Object
 
 from . import TaskName
 from .goals import SPOT, Goal
-from .sampling import containers, into, liftable, nothing, on_spot, spot_of
+from .sampling import NO_GRASP, blocked, containers, into, liftable, nothing, on_spot, spot_of
 from .stack import on_top, supports
 from .swap import Swap
 from .task import Episode, Task, episode
@@ -121,15 +121,10 @@ class Sequence(Task):
         if self.preset is None:
             return _drawn(world, rng, int(rng.integers(2, self.most + 1)))
         if self.preset.swap:
-            first, second = (_labelled(world, label) for label in self.preset.swap)
+            first, second = (_movable(world, label, broad=True) for label in self.preset.swap)
             return Swap().sample(world, rng, first.name, second.name)
-        reasons = liftable(world)
         for step in self.preset.steps:
-            name = _labelled(world, step.target).name
-            if reasons[name] is None and not world.has_grasp(name):
-                reasons[name] = "its neighbours leave no room for the hand"
-            if reasons[name] is not None:
-                raise nothing(world, {name: reasons[name]})
+            _movable(world, step.target)
         goals = tuple(_goal(world, step) for step in self.preset.steps)
         return episode(world, goals)
 
@@ -152,6 +147,20 @@ def _labelled(world: World, label: str) -> Object:
     )
 
 
+def _movable(world: World, label: str, broad: bool = False) -> Object:
+    """Return the object that a preset means, which the expert has to be able to take.
+
+    ``broad`` allows for what nearly fills the gripper, as mugs and apples do.
+    """
+    obj = _labelled(world, label)
+    reason = blocked(world, obj) if broad else liftable(world)[obj.name]
+    if reason is None and not world.has_grasp(obj.name):
+        reason = NO_GRASP
+    if reason is not None:
+        raise nothing(world, {obj.name: reason})
+    return obj
+
+
 def _goal(world: World, step: Step) -> Goal:
     obj, place = _labelled(world, step.target), _labelled(world, step.place)
     return into(world, obj, place) if step.relation == "into" else on_top(world, obj, place)
@@ -166,7 +175,7 @@ def _drawn(world: World, rng: np.random.Generator, count: int) -> Episode:
     for k in rng.permutation(len(names)):
         obj = world.scene.object(names[k])
         if obj.name in busy or not world.has_grasp(obj.name):
-            reasons[obj.name] = "its neighbours leave no room for the hand"
+            reasons[obj.name] = NO_GRASP
             continue
         goal = _step(world, obj, rng, busy, goals)
         if goal is None:
