@@ -50,7 +50,7 @@ FIELDS = (
 INSTANCE = ("scene", "seed", "target", "goals", "goal", "instruction")
 """What tells one thing to do from another; episodes of one differ in their start."""
 
-HELD_OUT = 2000
+HELD_OUT = 3000
 """First seed of the scenes that nothing was developed on."""
 
 PRESETS = ("Sequence:kitchen", "Sequence:coffee_table")
