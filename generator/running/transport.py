@@ -12,7 +12,8 @@ import httpx2
 from ..errors import BackendError, DryRunError, StorageError
 from .account import Entry, Outcome
 from .exchange import Reply, Trouble, exchange
-from .question import NOTHING, Question, Usage, failed, local, question, usage
+from .machine import local
+from .question import NOTHING, Question, Usage, failed, question, usage
 from .redaction import holds, redacted
 from .store import Answer
 from .waiting import retry_after

@@ -8,7 +8,7 @@ import httpx2
 import pytest
 
 from generator.running.prices import Price, Prices
-from generator.running.question import failed, local, question, usage
+from generator.running.question import failed, question, usage
 
 PRICES = Prices(models={"m": Price(input=1e6, output=1e6), "i": Price(image=1.0)})
 
@@ -44,15 +44,6 @@ def test_what_has_no_price_has_no_most() -> None:
     request = httpx2.Request("POST", "https://host/v1", json={"model": "other"})
     found = question(request, "cloud", PRICES)
     assert (found.price, found.most, found.money(usage({}))) == (None, None, None)
-
-
-@pytest.mark.parametrize(
-    ("host", "here"),
-    [("localhost", True), ("127.0.0.9", True), ("::1", True), ("10.0.0.1", False),
-     ("localhost.example.com", False)],
-)  # fmt: skip
-def test_this_machine_is_known(host: str, here: bool) -> None:
-    assert local(host) is here
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,6 @@ patience (``reading``) and checked without any.
 from __future__ import annotations
 
 import base64
-import io
 import json
 import threading
 from collections.abc import Callable, Sequence
@@ -21,6 +20,7 @@ from jaxtyping import UInt8
 from pydantic import ValidationError
 
 from ...errors import InputError
+from ...png import encode_png
 from .answers import Answer, strict_schema
 from .calling import Rejected, Server
 from .prompts import prompt
@@ -187,16 +187,7 @@ class Chat:
 
 def data_uri(picture: UInt8[np.ndarray, "h w c"]) -> str:
     """Return a picture as a PNG in a ``data:`` URI."""
-    return "data:image/png;base64," + base64.b64encode(png(picture)).decode()
-
-
-def png(picture: UInt8[np.ndarray, "h w c"]) -> bytes:
-    """Return a picture, RGB or RGBA, as a PNG."""
-    from PIL import Image
-
-    file = io.BytesIO()
-    Image.fromarray(np.ascontiguousarray(picture)).save(file, "PNG")
-    return file.getvalue()
+    return "data:image/png;base64," + base64.b64encode(encode_png(picture)).decode()
 
 
 def _shown(picture: Picture) -> dict[str, Any]:

@@ -22,6 +22,7 @@ from typing import Literal
 from urllib.parse import urlsplit
 
 from ...errors import BackendError
+from ...running.machine import local
 
 Purpose = Literal["chat", "image"]
 
@@ -43,8 +44,6 @@ _STORES = {
     "ark": (".volces.com", ".bytepluses.com"),
 }
 """Where a provider keeps the pictures whose addresses it answers with."""
-
-_LOCAL = ("localhost", "127.0.0.1", "::1")
 
 
 def base_url(purpose: Purpose) -> str:
@@ -132,7 +131,7 @@ def key(url: str, purpose: Purpose) -> str:
     """
     variables = key_variables(url, purpose)
     found = next(iter(keys(url, purpose)), None)
-    if found is None and host(url) in _LOCAL:
+    if found is None and local(host(url)):
         return "none-needed"
     if found is None:
         raise BackendError(

@@ -18,8 +18,9 @@ import numpy as np
 import openai
 from jaxtyping import UInt8
 
+from ...png import encode_png
 from . import configuration
-from .asking import data_uri, png
+from .asking import data_uri
 from .calling import Rejected, Server
 from .pictures import RGBA, NotAPicture, decoded
 
@@ -93,7 +94,7 @@ class Painter:
             if clear:
                 options["background"] = "transparent"
             if keep is not None:
-                options["mask"] = ("mask.png", png(keep), "image/png")
+                options["mask"] = ("mask.png", encode_png(keep), "image/png")
             request = self._edit(pictures, text)
         else:
             request = self._generation([], text)
@@ -127,7 +128,7 @@ class Painter:
     def _edit(
         self, pictures: Sequence[UInt8[np.ndarray, "h w 3"]], text: str
     ) -> Callable[..., Any]:
-        files = [(f"{k}.png", png(p), "image/png") for k, p in enumerate(pictures, start=1)]
+        files = [(f"{k}.png", encode_png(p), "image/png") for k, p in enumerate(pictures, start=1)]
 
         def request(client: openai.OpenAI, headers: dict[str, str], options: dict[str, Any]) -> Any:
             return client.images.with_raw_response.edit(

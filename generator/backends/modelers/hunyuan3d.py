@@ -10,9 +10,10 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from ...errors import BackendError, choices, require
+from ...png import encode_png
 from ...running.session import Session
 from ...scene import Instance, Model, SizePrior, View
-from .cutout import cutout, png
+from .cutout import cutout
 from .inspection import inspect_glb
 from .normalising import Normal, foreign_model, normal_mesh
 
@@ -85,7 +86,7 @@ class Hunyuan3D:
         """
         what = f"hunyuan3d, model of {instance.name!r}:"
         to = Normal(self.faces, self.texture)
-        body = self.body(png(cutout(instance, "hunyuan3d")))
+        body = self.body(encode_png(cutout(instance, "hunyuan3d")))
         raw = self._ask(body, what, "yes")
         try:
             inspect_glb(raw, f"{what} the answer")

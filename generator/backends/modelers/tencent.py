@@ -11,10 +11,12 @@ from typing import Any, Literal, get_args
 from urllib.parse import urlsplit
 
 from ...errors import BackendError, choices, require
+from ...png import encode_png
+from ...running.machine import local
 from ...running.session import Session
 from ...scene import Instance, Model, SizePrior, View
 from .ai3d import LostJob, Service, read_keys
-from .cutout import cutout, png
+from .cutout import cutout
 from .inspection import inspect_glb
 from .normalising import Normal, foreign_model, normal_mesh
 
@@ -78,7 +80,7 @@ class Tencent:
         what = f"tencent, model of {instance.name!r}:"
         to = Normal(self.faces, self.texture)
         body = {
-            "ImageBase64": base64.b64encode(png(cutout(instance, "tencent"))).decode(),
+            "ImageBase64": base64.b64encode(encode_png(cutout(instance, "tencent"))).decode(),
             "GenerateType": self.style,
             "EnablePBR": self.pbr,
             "FaceCount": self.asked_faces,
@@ -162,7 +164,7 @@ class Tencent:
     def _trusted(self, scheme: str, host: str) -> bool:
         """Return whether results may be fetched from there; plain http only from this machine."""
         ends = tuple("." + end.lstrip(".") for end in self.hosts)
-        safe = scheme == "https" or (scheme == "http" and host in ("127.0.0.1", "localhost"))
+        safe = scheme == "https" or (scheme == "http" and local(host))
         return safe and f".{host}".endswith(ends)
 
 

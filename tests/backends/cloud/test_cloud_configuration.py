@@ -86,8 +86,9 @@ def test_a_missing_key_names_its_variables(setting, url: str, names: str) -> Non
         configuration.key(url, "chat")
 
 
-def test_no_key_is_needed_here(setting) -> None:
-    assert configuration.key("http://localhost:11434/v1", "chat") == "none-needed"
+@pytest.mark.parametrize("host", ["localhost", "127.0.0.1", "127.0.0.2", "[::1]", "gpu.localhost"])
+def test_no_key_is_needed_here(setting, host: str) -> None:
+    assert configuration.key(f"http://{host}:11434/v1", "chat") == "none-needed"
 
 
 def test_keys_go_to_their_own_hosts_alone(setting) -> None:
