@@ -37,7 +37,8 @@ class Trouble:
     """Why there is no answer: a sentence.
 
     ``again``: another attempt may mend it. ``charged``: it may have been paid for. ``alive``: the
-    server works. ``wait``: what its Retry-After says.
+    server works. ``wait``: what its Retry-After says. ``unusable``: it answered, with nothing of
+    use.
     """
 
     reason: str
@@ -45,6 +46,7 @@ class Trouble:
     charged: bool = False
     alive: bool = False
     wait: str | None = None
+    unusable: bool = False
 
 
 def exchange(
@@ -127,7 +129,7 @@ def _body(response: httpx2.Response, deadline: float, most_bytes: int) -> Reply 
             wait = response.headers.get("retry-after")
             return Reply(response.status_code, kind, b"".join(pieces), wait=wait)
     told = f"Its answer has more than the {most_bytes} bytes that are read."
-    return Trouble(told, again=False, charged=response.is_success, alive=True)
+    return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
 
 
 def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
@@ -138,7 +140,7 @@ def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
         return Trouble(
             f"It answered with an HTML page (status {status}), not with JSON or a file: "
             f"{_excerpt(reply.body)}. Check the address; a proxy or a web site may answer there.",
-            again=again, alive=not again, wait=reply.wait,
+            again=again, alive=not again, wait=reply.wait, unusable=not again,
         )  # fmt: skip
     payload = None
     if "json" in reply.content_type and reply.body:
@@ -148,11 +150,22 @@ def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
             if reply.good:
                 told = f"Its answer is not whole JSON: {_excerpt(reply.body)}."
                 return Trouble(told, again=True, charged=paid)
+    passed_on = _code(payload) if reply.good else None
+    if passed_on in _AGAIN:
+        told = f"It passed on an error of code {passed_on}: {_excerpt(reply.body)}."
+        return Trouble(told, again=True, alive=passed_on == 429, wait=reply.wait)
     spent = status == 429 and b"insufficient_quota" in reply.body
     if again or status >= 500 or status < 200:
         told = f"It answered with status {status}: {_excerpt(reply.body)}."
         return Trouble(told, again=again and not spent, alive=status == 429, wait=reply.wait)
     return Reply(status, reply.content_type, reply.body, payload)
+
+
+def _code(payload: Any) -> int | None:
+    """Return the status of the error that an answer tells of, as routers pass it on."""
+    error = payload.get("error") if isinstance(payload, dict) else None
+    code = str(error.get("code")) if isinstance(error, dict) else ""
+    return int(code) if code.isdecimal() else None
 
 
 def _excerpt(body: bytes) -> str:

@@ -17,6 +17,7 @@ from .prices import Price, Prices
 from .redaction import plain_url
 
 QUESTION, MODEL, MEMO = "x-tabletopgen-question", "x-tabletopgen-model", "x-tabletopgen-memo"
+MEANT = "x-tabletopgen-meant"
 
 Memo = Literal["yes", "no", "renew"]
 
@@ -81,7 +82,8 @@ def question(request: httpx2.Request, server: str, prices: Prices) -> Question:
     if memo not in _MEMOS:
         raise BackendError(f"{server}, {name}: {MEMO} is {memo!r}." + choices(memo, _MEMOS))
     body = request.read()
-    key = _key(request, body, model)
+    meant = request.headers.pop(MEANT, "")
+    key = _key(request, meant.encode() or body, model)
     payload = _payload(request, body)
     model = model or str(payload.get("model", ""))
     price, most = _price(request, payload, body, prices.price(model))

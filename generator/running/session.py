@@ -20,6 +20,8 @@ from .waiting import Breakers, Patience
 if TYPE_CHECKING:
     import httpx2
 
+    from .transport import Sign
+
 T = TypeVar("T")
 R = TypeVar("R")
 
@@ -72,14 +74,17 @@ class Session:
         timeout: float = 120.0,
         most_bytes: int = 64 * 2**20,
         secrets: tuple[str, ...] = (),
+        sign: Sign | None = None,
     ) -> httpx2.Client:
         """Return an HTTP client whose calls this session keeps, counts, bounds and repeats.
 
         It speaks to the origin of ``base_url`` alone. A request says what it is for by headers that
         are not sent: ``x-tabletopgen-question`` (a protocol's method), ``x-tabletopgen-model``, and
         ``x-tabletopgen-memo``: "no" for an answer that changes (the state of a job), "renew" where
-        the kept answer is of no use any more. Answers of status 2xx, and 4xx that no wait would
-        mend, are returned; everything else raises BackendError.
+        the kept answer is of no use any more. ``x-tabletopgen-meant`` stands for the body where
+        requests that differ ask the same, or that are alike do not: what is kept, is kept by it.
+        Answers of status 2xx, and 4xx that no wait would mend, are returned, with the key that they
+        are kept under (``used.KEY``); everything else raises BackendError.
 
         Args:
             server: names the server in messages and in the ledger.
@@ -87,9 +92,11 @@ class Session:
             timeout: seconds that one attempt may take.
             most_bytes: what an answer may have at most.
             secrets: what no message may hold. Keys go into headers, never into a URL.
+            sign: gives the headers that sign a request, for each attempt anew.
 
         Raises:
             BackendError: the extra is not installed, or the URL is none.
+            UnusableError: by a call, of an answer that is a web page or too large.
         """
         try:
             import httpx2
@@ -108,7 +115,7 @@ class Session:
             raise BackendError(
                 f"{server}: its address must look like https://host/path, got {base_url!r}."
             )
-        transport = PaidTransport(self, server, base_url, timeout, most_bytes, secrets)
+        transport = PaidTransport(self, server, base_url, timeout, most_bytes, secrets, sign)
         return httpx2.Client(
             base_url=base_url, transport=transport, timeout=timeout, trust_env=False
         )

@@ -78,23 +78,22 @@ class CallStore:
         """Keep an answer; whoever reads sees it whole or not at all.
 
         Raises:
-            StorageError: the disk refuses. It is said once; from then on nothing is kept.
+            StorageError: it is larger than the store, or the disk refuses. That is said once; from
+                then on nothing is kept.
         """
         if self._broken:
             return
-        raw = _encoded(key, answer)
+        path, raw = self._path(key), _encoded(key, answer)
+        if len(raw) > self.most_bytes:
+            raise StorageError(
+                f"An answer of {len(raw)} bytes does not fit the call store {self.folder}, "
+                f"which holds {self.most_bytes}. Raise its most_bytes."
+            )
         try:
-            if len(raw) > self.most_bytes:
-                raise StorageError(
-                    f"An answer of {len(raw)} bytes does not fit the call store {self.folder}, "
-                    f"which holds {self.most_bytes}. Raise its most_bytes."
-                )
-            self._write(self._path(key), raw)
-            self._evict(self._path(key))
+            self._write(path, raw)
+            self._evict(path)
         except OSError as error:
             self._broken = True
-            if isinstance(error, StorageError):
-                raise
             raise StorageError(
                 f"The call store {self.folder} cannot be written ({error.strerror or error}): "
                 "answers of this run are used, but not kept. Free space or name another folder."

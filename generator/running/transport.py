@@ -5,17 +5,19 @@ from __future__ import annotations
 import contextlib
 import logging
 import time
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 import httpx2
 
-from ..errors import BackendError, DryRunError, StorageError
+from ..errors import BackendError, DryRunError, StorageError, UnusableError
 from .account import Entry, Outcome
 from .exchange import Reply, Trouble, exchange
 from .machine import local
 from .question import NOTHING, Question, Usage, failed, question, usage
 from .redaction import holds, redacted
 from .store import Answer
+from .used import KEY
 from .waiting import retry_after
 
 if TYPE_CHECKING:
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 
 _KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
 _LEAST = 6  # characters: shorter ones are no keys, and would redact words
+
+Sign = Callable[[httpx2.Request], Mapping[str, str]]
 
 
 class PaidTransport(httpx2.BaseTransport):
@@ -36,6 +40,7 @@ class PaidTransport(httpx2.BaseTransport):
         timeout: float,
         most_bytes: int,
         secrets: tuple[str, ...],
+        sign: Sign | None = None,
     ) -> None:
         """Speak to the origin of ``base_url``; the rest is as in ``Session.client``."""
         self._session = session
@@ -44,6 +49,7 @@ class PaidTransport(httpx2.BaseTransport):
         self._timeout = timeout
         self._most_bytes = most_bytes
         self._secrets = secrets
+        self._sign = sign
         origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
         self._breaker = session.breakers.of(server, origin, session.patience)
         self._client = httpx2.Client(
@@ -70,12 +76,12 @@ class PaidTransport(httpx2.BaseTransport):
             kept = store.get(asked.key) if store is not None and asked.memo == "yes" else None
             if kept is not None:
                 self._session.account.add(_entry(asked, "cached", 0.0, 0.0))
-                return _response(kept.status, kept.content_type, kept.body, request)
+                return _response(kept.status, kept.content_type, kept.body, request, asked.key)
             reply = self._ask(request, asked, secrets)
             if store is not None and reply.good and not failed(reply.payload):
                 self._keep(asked, reply)
         body = reply.body if reply.good else _clean(reply.body, secrets)
-        return _response(reply.status, reply.content_type, body, request)
+        return _response(reply.status, reply.content_type, body, request, asked.key)
 
     def _check_address(
         self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]
@@ -111,7 +117,8 @@ class PaidTransport(httpx2.BaseTransport):
             else:
                 self._breaker.failed(reason)
             if not told.again:
-                raise BackendError(f"{asked}: no answer. {reason}")
+                kind = UnusableError if told.unusable else BackendError
+                raise kind(f"{asked}: no answer. {reason}")
             if k + 1 < session.attempts:
                 session.pause(self._wait(told, k, asked))
         times = f"{session.attempts} times" if session.attempts > 1 else "once"
@@ -126,6 +133,8 @@ class PaidTransport(httpx2.BaseTransport):
         with session.account.reserving(
             asked.most, session.budget, str(asked), session.check
         ) as enter:
+            if self._sign is not None:
+                request.headers.update(self._sign(request))
             began = time.monotonic()
             told = exchange(self._client, request, self._timeout, self._most_bytes)
             seconds = time.monotonic() - began
@@ -172,10 +181,10 @@ def _entry(
 
 
 def _response(
-    status: int, content_type: str, body: bytes, request: httpx2.Request
+    status: int, content_type: str, body: bytes, request: httpx2.Request, key: str
 ) -> httpx2.Response:
     """Return a response as a client gets it, the same from the store as from the server."""
-    headers = {"content-type": content_type} if content_type else {}
+    headers = {KEY: key, **({"content-type": content_type} if content_type else {})}
     return httpx2.Response(status, headers=headers, content=body, request=request)
 
 

@@ -14,9 +14,10 @@ from typing import Any
 import pytest
 from paid_server import CHAT, KEY, Asked, Says, ask, serving, session
 
-from generator.errors import BackendError, BudgetError, DryRunError
+from generator.errors import BackendError, BudgetError, DryRunError, UnusableError
 from generator.running.prices import Prices
 from generator.running.store import CallStore
+from generator.running.used import Used
 from generator.running.waiting import Patience
 
 
@@ -95,7 +96,9 @@ def test_what_changes_is_not_kept_and_what_is_of_no_use_is_renewed(tmp_path: Pat
             ask(shared, server.url, memo="renw")
 
 
-@pytest.mark.parametrize("told", [{"error": {"message": "x"}}, {"Response": {"Error": {"C": 1}}}])
+@pytest.mark.parametrize(
+    "told", [{"error": {"code": 400}}, {"error": "x"}, {"Response": {"Error": {"C": 1}}}]
+)
 def test_an_error_told_with_status_200_is_not_kept(tmp_path: Path, told: dict) -> None:
     shared = session(store=CallStore(tmp_path))
     with serving([Says(told), Says()]) as server:
@@ -104,9 +107,54 @@ def test_an_error_told_with_status_200_is_not_kept(tmp_path: Path, told: dict) -
     assert outcomes(shared) == ["failed", "answered"]
 
 
+def test_requests_that_mean_the_same_have_one_answer(tmp_path: Path) -> None:
+    shared = session(store=CallStore(tmp_path))
+
+    def told(body: dict, meant: str, path: str = "/v1") -> int:
+        headers = {"x-tabletopgen-meant": meant}
+        with shared.client("cloud", server.url) as client:
+            return client.post(path, json=body, headers=headers).json()["k"]
+
+    with serving(lambda asked, k: Says({"k": k})) as server:
+        assert [told({"a": 1}, "x"), told({"b": 2}, "x"), told({"a": 1}, "y")] == [0, 0, 1]
+        assert told({"a": 1}, "x", "/v2") == 2
+    assert not any("x-tabletopgen-meant" in asked.headers for asked in server.asked)
+
+
+def test_an_attempt_is_signed_anew() -> None:
+    signed = iter(["first", "second", "third"])
+    with (
+        serving([Says(status=503), Says()]) as server,
+        session().client("cloud", server.url, sign=lambda r: {"x-stamp": next(signed)}) as client,
+    ):
+        assert client.post("/v1", json={}).json() == CHAT
+    assert [asked.headers["x-stamp"] for asked in server.asked] == ["first", "second"]
+
+
+def test_answers_of_no_use_are_dropped(tmp_path: Path) -> None:
+    store = CallStore(tmp_path)
+    shared = session(store=store)
+    with serving([Says()]) as server:
+        used, other = Used(store), Used(store)
+        for text in ("one", "two", "three"):
+            used.add(ask(shared, server.url, text).headers)
+        other.add(ask(shared, server.url, "other").headers)
+        used.drop(last=True)
+        assert len(store) == 3
+        with pytest.raises(BackendError), used.dropped_on(UnusableError):
+            raise BackendError("no answer came")
+        assert len(store) == 3
+        with pytest.raises(UnusableError), used.dropped_on(UnusableError):
+            raise UnusableError("nonsense came")
+    assert len(store) == 1 and store.get(other.keys[0]) is not None
+    assert shared.account.money == pytest.approx(4 * 0.021)
+
+
 @pytest.mark.parametrize(
     "first",
     [
+        Says({"error": {"message": "upstream", "code": 502}}),
+        Says({"error": {"message": "upstream", "code": "429"}}),
         Says(status=429),
         Says(status=500),
         Says(status=503, body=b"<html>busy</html>", kind="text/html"),
@@ -114,7 +162,16 @@ def test_an_error_told_with_status_200_is_not_kept(tmp_path: Path, told: dict) -
         Says(cut=5),
         Says(b'{"choices": [', kind="application/json"),
     ],
-    ids=["429", "500", "503 as HTML", "reset", "truncated", "half JSON"],
+    ids=[
+        "502 in 200",
+        "429 in 200",
+        "429",
+        "500",
+        "503 as HTML",
+        "reset",
+        "truncated",
+        "half JSON",
+    ],
 )
 def test_what_may_pass_is_tried_again(first: Says) -> None:
     shared = session()
@@ -208,7 +265,7 @@ def test_an_answer_that_is_too_large_is_not_read(announced: bool) -> None:
     plain = Says(body, kind="model/gltf-binary")
     with (
         serving([plain if announced else zipped]) as server,
-        pytest.raises(BackendError, match="more than the 100000 bytes"),
+        pytest.raises(UnusableError, match="more than the 100000 bytes"),
     ):
         ask(session(), server.url, most_bytes=100_000)
     assert len(server.asked) == 1
@@ -220,7 +277,7 @@ def test_a_page_is_no_answer(status: int, tmp_path: Path) -> None:
     store = CallStore(tmp_path)
     with (
         serving([page]) as server,
-        pytest.raises(BackendError, match=r"HTML page.*Log in.*address"),
+        pytest.raises(UnusableError, match=r"HTML page.*Log in.*address"),
     ):
         ask(session(store=store), server.url)
     assert len(server.asked) == 1 and len(store) == 0

@@ -4,11 +4,16 @@ A server is asked for an answer by schema (``json_schema``), then for any JSON (
 then for nothing but the prompt's own words; which of them it takes is learned from its first
 rejection and kept as long as the backend. Whatever it was asked for, the answer is read with
 patience (``reading``) and checked without any.
+
+Answers are kept by what was asked, not by the form that the server took in the end: a question that
+was answered once is not asked again to find that out. Those of a question that ends in an error for
+what they say are dropped.
 """
 
 from __future__ import annotations
 
 import base64
+import hashlib
 import json
 import threading
 from collections.abc import Callable, Sequence
@@ -19,8 +24,9 @@ import numpy as np
 from jaxtyping import UInt8
 from pydantic import ValidationError
 
-from ...errors import InputError
+from ...errors import InputError, UnusableError
 from ...png import encode_png
+from ...running.used import Used
 from .answers import Answer, strict_schema
 from .calling import Rejected, Server
 from .prompts import prompt
@@ -85,9 +91,22 @@ class Chat:
                 ``InputError`` goes back to the model.
 
         Raises:
-            BackendError: the call failed, the model refuses, or no answer after ``REASKS`` more
-                tries can be used.
+            UnusableError: the model refuses, or no answer after ``REASKS`` more tries can be used.
+            BackendError: the call failed.
         """
+        used = Used(self.server.session.store)
+        with used.dropped_on(UnusableError):
+            return self._asked(question, text, pictures, answer, accept, used)
+
+    def _asked(
+        self,
+        question: str,
+        text: str,
+        pictures: Sequence[Picture],
+        answer: type[A],
+        accept: Callable[[A], T],
+        used: Used,
+    ) -> T:
         schema = strict_schema(answer)
         tail = prompt("answer", schema=json.dumps(schema))
         content: list[dict[str, Any]] = [{"type": "text", "text": f"{text}\n\n{tail}"}]
@@ -95,7 +114,7 @@ class Chat:
         messages: list[dict[str, Any]] = [{"role": "user", "content": content}]
         problem = ""
         for _ in range(1 + REASKS):
-            said = self._said(question, messages, schema)
+            said = self._said(question, messages, schema, used)
             try:
                 return accept(answer.model_validate(read_object(said)))
             except ValidationError as error:
@@ -103,24 +122,26 @@ class Chat:
             except (Wrong, InputError) as error:
                 problem = str(error)
             if is_refusal(said):
-                raise self.server.failure(
+                raise self.server.unusable(
                     question, f"the model refuses: {self.server.quoted(said)}."
                 )
             messages += [
                 {"role": "assistant", "content": said or "(nothing)"},
                 {"role": "user", "content": prompt("again", problem=problem)},
             ]
-        raise self.server.failure(
+        raise self.server.unusable(
             question,
             f"{1 + REASKS} answers could not be used. What was wrong with the last: {problem} "
             "Try another model or seed.",
         )
 
-    def _said(self, question: str, messages: list[dict[str, Any]], schema: dict[str, Any]) -> str:
+    def _said(
+        self, question: str, messages: list[dict[str, Any]], schema: dict[str, Any], used: Used
+    ) -> str:
         form, seed = self.manners.form, self.manners.seed
         while True:
             try:
-                data = self._sent(question, messages, schema, form, seed)
+                data = self._sent(question, messages, schema, form, seed, used)
             except Rejected as error:
                 said = str(error).replace(self.server.model, "")  # whose name may hold "seed"
                 gentler = self.manners.gentler(form, seed, said)
@@ -138,6 +159,7 @@ class Chat:
         schema: dict[str, Any],
         form: int,
         seed: bool,
+        used: Used,
     ) -> dict[str, Any]:
         body: dict[str, Any] = {"seed": self.seed} if seed else {}
         if _FORMS[form] == "json_schema":
@@ -145,6 +167,7 @@ class Chat:
             body["response_format"] = {"type": "json_schema", "json_schema": strict}
         elif _FORMS[form] == "json_object":
             body["response_format"] = {"type": "json_object"}
+        meant = json.dumps([messages, schema, self.seed])
         return self.server.call(
             question,
             lambda client, headers: client.chat.completions.with_raw_response.create(
@@ -153,13 +176,15 @@ class Chat:
                 extra_headers=headers,
                 **body,
             ),
+            used,
+            hashlib.sha256(meant.encode()).hexdigest(),
         )
 
     def _content(self, question: str, data: dict[str, Any]) -> str:
         """Return the text of a chat completion.
 
         Raises:
-            BackendError: it is none; the model refused, or was cut off.
+            UnusableError: it is none; the model refused, or was cut off.
         """
         try:
             choice = data["choices"][0]
@@ -169,15 +194,15 @@ class Chat:
                 content = "".join(p.get("text") or "" for p in content if isinstance(p, dict))
             refusal, end = message.get("refusal"), choice.get("finish_reason")
         except (KeyError, IndexError, TypeError, AttributeError):
-            raise self.server.failure(
+            raise self.server.unusable(
                 question,
                 f"the answer is no chat completion: {self.server.quoted(json.dumps(data), 120)}.",
             ) from None
         if refusal or end == "content_filter":
             told = self.server.quoted(str(refusal or content or "no reason given"))
-            raise self.server.failure(question, f"the model refuses: {told}.")
+            raise self.server.unusable(question, f"the model refuses: {told}.")
         if end == "length":
-            raise self.server.failure(
+            raise self.server.unusable(
                 question,
                 "the answer was cut off at the server's limit of tokens. Raise that limit, or use "
                 "another model.",
@@ -185,13 +210,16 @@ class Chat:
         return str(content)
 
 
-def data_uri(picture: UInt8[np.ndarray, "h w c"]) -> str:
-    """Return a picture as a PNG in a ``data:`` URI."""
-    return "data:image/png;base64," + base64.b64encode(encode_png(picture)).decode()
+def data_uri(png: bytes) -> str:
+    """Return a PNG as a ``data:`` URI."""
+    return "data:image/png;base64," + base64.b64encode(png).decode()
 
 
 def _shown(picture: Picture) -> dict[str, Any]:
-    return {"type": "image_url", "image_url": {"url": data_uri(picture), "detail": "high"}}
+    return {
+        "type": "image_url",
+        "image_url": {"url": data_uri(encode_png(picture)), "detail": "high"},
+    }
 
 
 def _faults(error: ValidationError) -> str:

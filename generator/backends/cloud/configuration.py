@@ -123,8 +123,8 @@ def server_name(url: str) -> str:
     return known[0] if known else urlsplit(url).netloc.lower()
 
 
-def key(url: str, purpose: Purpose) -> str:
-    """Return the key that goes to a server.
+def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
+    """Return the key that goes to a server; ``what`` names who needs it, and what for.
 
     Raises:
         BackendError: there is none; the message names the variables.
@@ -135,7 +135,7 @@ def key(url: str, purpose: Purpose) -> str:
         return "none-needed"
     if found is None:
         raise BackendError(
-            f"cloud: no key for {server_name(url)} ({url}). Set {' or '.join(variables)}; the key "
+            f"{what}: no key for {server_name(url)} ({url}). Set {' or '.join(variables)}; the key "
             "stays in the environment and is written nowhere."
         )
     return found

@@ -12,6 +12,7 @@ from typing import Any, Literal
 from ...errors import BackendError, choices, require
 from ...png import encode_png
 from ...running.session import Session
+from ...running.used import Used
 from ...scene import Instance, Model, SizePrior, View
 from .cutout import cutout
 from .inspection import inspect_glb
@@ -79,7 +80,7 @@ class Hunyuan3D:
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return the server's mesh of one instance; see ``protocols.Modeler``.
 
-        An answer kept from an earlier run that turns out damaged is asked for once more.
+        A damaged answer is asked for once more. One of which no model can be made is not kept.
 
         Raises:
             BackendError: no server, no answer, or no usable GLB.
@@ -87,12 +88,15 @@ class Hunyuan3D:
         what = f"hunyuan3d, model of {instance.name!r}:"
         to = Normal(self.faces, self.texture)
         body = self.body(encode_png(cutout(instance, "hunyuan3d")))
-        raw = self._ask(body, what, "yes")
+        used = Used(self.session.store)
+        raw = self._ask(body, what, "yes", used)
         try:
             inspect_glb(raw, f"{what} the answer")
         except BackendError:
-            raw = self._ask(body, what, "renew")
-        return foreign_model(normal_mesh(raw, f"{what} the answer", to=to), instance, size)
+            raw = self._ask(body, what, "renew", used)
+        with used.dropped_on(BackendError):
+            mesh = normal_mesh(raw, f"{what} the answer", to=to)
+        return foreign_model(mesh, instance, size)
 
     def body(self, picture: bytes) -> Mapping[str, Any]:
         """Return what is asked about a PNG, as the server's version reads it."""
@@ -128,7 +132,7 @@ class Hunyuan3D:
     def _address(self) -> str:
         return self.url or os.environ.get(ADDRESS, "") or USUAL
 
-    def _ask(self, body: Mapping[str, Any], what: str, memo: str) -> bytes:
+    def _ask(self, body: Mapping[str, Any], what: str, memo: str, used: Used) -> bytes:
         client = self.session.client(
             "hunyuan3d", self._address(), timeout=self.timeout, most_bytes=_MOST_BYTES
         )
@@ -139,6 +143,7 @@ class Hunyuan3D:
         }
         with client:
             answer = client.post(_ROUTE, json=body, headers=headers)
+        used.add(answer.headers)
         if answer.status_code == 200:
             return answer.content
         raise BackendError(f"{what} {self._refusal(answer.status_code, answer.content)}")
