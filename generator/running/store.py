@@ -78,8 +78,8 @@ class CallStore:
         """Keep an answer; whoever reads sees it whole or not at all.
 
         Raises:
-            StorageError: it is larger than the store, or the disk refuses. That is said once; from
-                then on nothing is kept.
+            StorageError: it is larger than the store. Or the disk refuses: that is said once, and
+                from then on nothing is kept.
         """
         if self._broken:
             return

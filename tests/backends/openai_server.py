@@ -52,7 +52,7 @@ class Script:
     """
 
     chat: Callable[[Request], Any] = lambda request: "{}"
-    paint: Callable[[Request], np.ndarray] = lambda request: np.zeros((64, 64, 3), np.uint8)
+    paint: Callable[[Request], Any] = lambda request: np.zeros((64, 64, 3), np.uint8)
     forms: tuple[str, ...] = ("json_schema", "json_object")
     knows_seed: bool = True
     form: str = "openai"

@@ -36,6 +36,13 @@ _SIZES = ((1024, 1024), (1536, 1024), (1024, 1536))
 RATIOS: dict[Form, tuple[float, float]] = {"openai": (2 / 3, 1.5), "seedream": (0.4, 2.5)}
 """Least and greatest width over height that a picture may have."""
 
+_SEEDREAM = {
+    "response_format": "b64_json",
+    "watermark": False,
+    "sequential_image_generation": "disabled",
+}
+"""What Seedream is told beside text and size."""
+
 _LONG = 2048  # pixels of the longer side, in the form that takes any size
 _BLOCKED = ("moderation", "content_policy", "content policy", "safety system", "sensitive")
 
@@ -88,25 +95,14 @@ class Painter:
             UnusableError: the model refuses, or its answer is no picture.
             BackendError: the call failed.
         """
-        options: dict[str, Any] = {"size": self._size(ratio)}
         files = [encode_png(picture) for picture in pictures]
-        if self.form == "seedream":
-            extra = {
-                "response_format": "b64_json",
-                "watermark": False,
-                "sequential_image_generation": "disabled",
-            }
-            request = self._generation([data_uri(file) for file in files], text)
-            options |= extra
-        elif pictures:
-            options["input_fidelity"] = "high"
-            if clear:
-                options["background"] = "transparent"
-            if keep is not None:
-                options["mask"] = ("mask.png", encode_png(keep), "image/png")
+        options: dict[str, Any] = {"size": self._size(ratio)}
+        if self.form == "openai" and files:
+            options |= _editing(keep, clear)
             request = self._edit(files, text)
         else:
-            request = self._generation([], text)
+            options |= _SEEDREAM if self.form == "seedream" else {}
+            request = self._generation([data_uri(file) for file in files], text)
         meant, told = _meaning(text, options, files), ""
         used = used or Used(self.server.session.store)
         with used.dropped_on(UnusableError):
@@ -237,6 +233,16 @@ class Painter:
         if status != 200:
             raise _Unusable(f"the picture did not come: {host} answered with status {status}.")
         return data
+
+
+def _editing(keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -> dict[str, Any]:
+    """Return what OpenAI's image models are told of an edit; see ``Painter.paint``."""
+    options: dict[str, Any] = {"input_fidelity": "high"}
+    if clear:
+        options["background"] = "transparent"
+    if keep is not None:
+        options["mask"] = ("mask.png", encode_png(keep), "image/png")
+    return options
 
 
 def _meaning(text: str, options: Mapping[str, Any], pictures: Sequence[bytes]) -> str:

@@ -112,7 +112,9 @@ def test_content_in_parts_is_joined(server: Running, reasoner: Reasoner) -> None
     assert reasoner.list_objects(reference()) == NOUNS
 
 
-@pytest.mark.parametrize("failures", [["429"], ["500", "429"], ["truncated"], ["wrong json"]])
+@pytest.mark.parametrize(
+    "failures", [["429"], ["500", "429"], ["truncated"], ["wrong json"], ["error in 200"]]
+)
 def test_what_passes_is_waited_for(
     server: Running, reasoner: Reasoner, failures: list[str]
 ) -> None:

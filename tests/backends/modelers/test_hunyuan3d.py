@@ -8,6 +8,7 @@ import threading
 
 import numpy as np
 import pytest
+import trimesh
 from backends.modelers.foreign import glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
@@ -110,6 +111,16 @@ def test_a_damaged_answer_is_asked_for_once_more_then_refused(bad, tmp_path):
         for _ in range(2):
             assert ask(served.url, session=quick(CallStore(tmp_path))).name == "mug_1"
         assert len(served.calls) == 2
+
+
+def test_a_mesh_of_which_no_model_can_be_made_is_not_kept(tmp_path):
+    square = trimesh.Trimesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [1, 3, 2]])
+    answers = [Answer(body=glb(square)), Answer(body=GOOD)]
+    with serving(lambda call: answers[len(served.calls) - 1]) as served:
+        with pytest.raises(BackendError, match="hunyuan3d, model"):
+            ask(served.url, session=quick(CallStore(tmp_path)))
+        assert len(CallStore(tmp_path)) == 0
+        assert ask(served.url, session=quick(CallStore(tmp_path))).name == "mug_1"
 
 
 def test_answers_of_another_kind_are_refused():
