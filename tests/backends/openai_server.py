@@ -48,7 +48,8 @@ class Request:
 class Script:
     """How the server behaves. ``chat`` writes an answer, ``paint`` draws a picture.
 
-    ``forms`` are the response formats it knows; ``failures`` befall the next requests, one each.
+    ``urls``: pictures are answered as addresses, all as ``address`` if there is one. ``forms`` are
+    the response formats it knows; ``failures`` befall the next requests, one each.
     """
 
     chat: Callable[[Request], Any] = lambda request: "{}"
@@ -58,6 +59,7 @@ class Script:
     form: str = "openai"
     unknown: set[str] = field(default_factory=set)
     urls: bool = False
+    address: str = ""
     failures: deque[str] = field(default_factory=deque)
     requests: list[Request] = field(default_factory=list)
     lost: set[str] = field(default_factory=set)
@@ -218,7 +220,7 @@ class Handler(BaseHTTPRequestHandler):
         data = drawn if isinstance(drawn, bytes) else encoded(drawn)
         if not self.script.urls:
             return {"created": 1, "data": [{"b64_json": base64.b64encode(data).decode()}]}
-        path = f"/files/{len(self.script.requests)}.png"
+        path = self.script.address or f"/files/{len(self.script.requests)}.png"
         self.files[path] = data
         return {"created": 1, "data": [{"url": f"http://{self.headers['host']}{path}"}]}
 

@@ -170,15 +170,17 @@ def fit(request: Request) -> np.ndarray:
     return request.body["images"][0]
 
 
+@pytest.mark.parametrize("address", ["", "/out/latest.png"])
 def test_a_thing_that_was_never_drawn_is_drawn_by_the_next_run(
-    server: Running, tmp_path: Path
+    server: Running, tmp_path: Path, address: str
 ) -> None:
+    server.script.urls, server.script.address = bool(address), address
     server.script.paint = unfit
     with pytest.raises(UnusableError, match="3 drawings"):
         complete(tmp_path)
     server.script.paint = fit
     assert complete(tmp_path) == "pen"
-    assert len(server.script.requests) == 1 + REDRAWS + 1
+    assert len(server.script.asked("edits")) == 1 + REDRAWS + 1
 
 
 def test_a_drawing_that_was_made_again_is_replayed(server: Running, tmp_path: Path) -> None:

@@ -288,6 +288,17 @@ def test_a_submission_that_was_not_answered_is_made_again(first, tmp_path):
         assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
 
 
+def test_a_look_that_was_not_answered_loses_no_job(tmp_path):
+    cloud, told = Cloud(), [Answer.of({"x": 1})]
+    with serving(
+        lambda call: told.pop() if told and "query" in str(call.headers).lower() else cloud(call)
+    ) as served:
+        with pytest.raises(BackendError, match="Is http://127"):
+            ask(served.url, quick(CallStore(tmp_path)))
+        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+    assert cloud.jobs == 1
+
+
 def test_results_on_this_machine_may_come_over_plain_http():
     allowed = Tencent(hosts=("127.0.0.2", "localhost", "tencentcos.cn"))
     assert allowed._trusted("http", "127.0.0.2") and allowed._trusted("http", "localhost")
