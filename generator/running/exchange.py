@@ -37,7 +37,7 @@ class Trouble:
     """Why there is no answer: a sentence.
 
     ``again``: another attempt may mend it. ``charged``: it may have been paid for. ``alive``: the
-    server works. ``wait``: what its Retry-After says.
+    server works, or says when it will. ``wait``: what its Retry-After says.
     """
 
     reason: str
@@ -133,12 +133,13 @@ def _body(response: httpx2.Response, deadline: float, most_bytes: int) -> Reply 
 def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
     """Return the answer with its JSON, or why it is none."""
     status, again = reply.status, reply.status in _AGAIN
+    alive = status == 429 or (status == 503 and reply.wait is not None)
     head = reply.body[:_EXCERPT].lstrip().lower()
     if "text/html" in reply.content_type or head.startswith((b"<!doctype html", b"<html")):
         return Trouble(
             f"It answered with an HTML page (status {status}), not with JSON or a file: "
             f"{_excerpt(reply.body)}. Check the address; a proxy or a web site may answer there.",
-            again=again, alive=not again, wait=reply.wait,
+            again=again, alive=alive or not again, wait=reply.wait,
         )  # fmt: skip
     payload = None
     if "json" in reply.content_type and reply.body:
@@ -151,7 +152,7 @@ def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
     spent = status == 429 and b"insufficient_quota" in reply.body
     if again or status >= 500 or status < 200:
         told = f"It answered with status {status}: {_excerpt(reply.body)}."
-        return Trouble(told, again=again and not spent, alive=status == 429, wait=reply.wait)
+        return Trouble(told, again=again and not spent, alive=alive, wait=reply.wait)
     return Reply(status, reply.content_type, reply.body, payload)
 
 

@@ -97,6 +97,7 @@ class PaidTransport(httpx2.BaseTransport):
         if session.dry:
             raise DryRunError(_would(asked, session.prices.currency))
         _bound_times(request, self._timeout)
+        line = self._breaker.line()
         for k in range(session.attempts):
             session.check()
             self._breaker.check(str(asked))
@@ -108,7 +109,7 @@ class PaidTransport(httpx2.BaseTransport):
             if told.alive:
                 self._breaker.worked()
             else:
-                self._breaker.failed(reason)
+                self._breaker.failed(reason, line)
             if not told.again:
                 raise BackendError(f"{asked}: no answer. {reason}")
             if k + 1 < session.attempts:

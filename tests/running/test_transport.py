@@ -15,6 +15,7 @@ import pytest
 from paid_server import CHAT, KEY, Asked, Says, ask, serving, session
 
 from generator.errors import BackendError, BudgetError, DryRunError
+from generator.running import Session
 from generator.running.prices import Prices
 from generator.running.store import CallStore
 from generator.running.waiting import Patience
@@ -280,6 +281,31 @@ def test_a_server_that_fails_too_often_is_left_alone() -> None:
         assert len(server.asked) == 3
     with serving([Says()]) as other:
         assert ask(shared, other.url).json() == CHAT
+
+
+@pytest.mark.parametrize("wait", [(), (("retry-after", "0"),)], ids=["unsaid", "retry-after"])
+def test_a_bad_moment_befalls_calls_at_once_and_all_are_tried_again(wait: tuple) -> None:
+    usual = Session()
+    quick = Patience(first=0.01, longest=0.02, failures=usual.patience.failures)
+    shared = session(patience=quick, workers=usual.workers, attempts=usual.attempts)
+    busy = 2 * usual.workers  # answers: all fail twice
+
+    def script(asked: Asked, k: int) -> Says:
+        return Says(status=503, headers=wait) if k < busy else Says()
+
+    with serving(script) as server:
+        items = [str(k) for k in range(usual.workers)]
+        answers = shared.each(lambda text: ask(shared, server.url, text).json(), items)
+    assert answers == [CHAT] * len(items)
+
+
+def test_a_server_that_says_when_it_will_work_is_not_left_alone() -> None:
+    shared = session(attempts=2, patience=Patience(first=0.001, failures=2, rest=60))
+    later = Says(status=503, headers=(("retry-after", "0"),))
+    with serving([later, later, Says()]) as server:
+        with pytest.raises(BackendError, match="asked 2 times"):
+            ask(shared, server.url)
+        assert ask(shared, server.url).json() == CHAT
 
 
 def test_the_budget_ends_calls_before_it_is_exceeded() -> None:
