@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import logging
 import time
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import httpx2
@@ -12,6 +14,7 @@ import httpx2
 from ..errors import BackendError, DryRunError, StorageError
 from .account import Entry, Outcome
 from .exchange import Reply, Trouble, exchange
+from .flight import Flight
 from .question import NOTHING, Question, Usage, failed, local, question, usage
 from .redaction import holds, redacted
 from .store import Answer
@@ -21,6 +24,8 @@ if TYPE_CHECKING:
     from .session import Session
 
 _KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
+_LATE = 1  # how often a call is sent again that was waited for in vain: each may have been paid for
+_CONNECT = 30.0  # seconds in which a server takes a call, however long it may work on it
 _LEAST = 6  # characters: shorter ones are no keys, and would redact words
 
 
@@ -70,7 +75,8 @@ class PaidTransport(httpx2.BaseTransport):
             if kept is not None:
                 self._session.account.add(_entry(asked, "cached", 0.0, 0.0))
                 return _response(kept.status, kept.content_type, kept.body, request)
-            reply = self._ask(request, asked, secrets)
+            interrupted = held.enter_context(_raised_later())
+            reply = self._ask(request, asked, secrets, interrupted)
             if store is not None and reply.good and not failed(reply.payload):
                 self._keep(asked, reply)
         body = reply.body if reply.good else _clean(reply.body, secrets)
@@ -91,20 +97,29 @@ class PaidTransport(httpx2.BaseTransport):
                 "Send it in a header."
             )
 
-    def _ask(self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]) -> Reply:
-        """Send a request until it is answered."""
+    def _ask(
+        self,
+        request: httpx2.Request,
+        asked: Question,
+        secrets: tuple[str, ...],
+        interrupted: list[BaseException],
+    ) -> Reply:
+        """Send a request until it is answered; ``interrupted`` gets what to raise thereafter."""
         session = self._session
         if session.dry:
             raise DryRunError(_would(asked, session.prices.currency))
         _bound_times(request, self._timeout)
-        line = self._breaker.line()
-        for k in range(session.attempts):
+        line, k, late = self._breaker.line(), 0, 0
+        while True:
             session.check()
             self._breaker.check(str(asked))
-            told = self._attempt(request, asked)
+            told, interrupt = self._attempt(request, asked)
             if isinstance(told, Reply):
                 self._breaker.worked()
+                interrupted.extend(filter(None, [interrupt]))
                 return told
+            if interrupt is not None:
+                raise interrupt
             reason = redacted(told.reason, secrets)
             if told.alive:
                 self._breaker.worked()
@@ -112,22 +127,36 @@ class PaidTransport(httpx2.BaseTransport):
                 self._breaker.failed(reason, line)
             if not told.again:
                 raise BackendError(f"{asked}: no answer. {reason}")
-            if k + 1 < session.attempts:
-                session.pause(self._wait(told, k, asked))
-        times = f"{session.attempts} times" if session.attempts > 1 else "once"
+            k, late = k + 1, late + told.late
+            if k >= session.attempts or late > _LATE:
+                break
+            session.pause(self._wait(told, k - 1, asked))
+        times = f"{k} times" if k > 1 else "once"
         raise BackendError(
             f"{asked}: no answer, asked {times}. {reason} What was answered before is kept; see "
             "whether the server runs, and try again."
         )
 
-    def _attempt(self, request: httpx2.Request, asked: Question) -> Reply | Trouble:
-        """Send a request once, within the budget, and enter it in the ledger."""
+    def _attempt(
+        self, request: httpx2.Request, asked: Question
+    ) -> tuple[Reply | Trouble, BaseException | None]:
+        """Send a request once, within the budget, and enter it in the ledger.
+
+        Returns the answer, and the interrupt that came while it was waited for.
+        """
         session = self._session
         with session.account.reserving(
             asked.most, session.budget, str(asked), session.check
         ) as enter:
             began = time.monotonic()
-            told = exchange(self._client, request, self._timeout, self._most_bytes)
+            sending = (self._client, request, self._timeout, self._most_bytes)
+            flight = Flight(functools.partial(exchange, *sending))
+            try:
+                interrupt = session.landing(flight)
+            except BaseException:  # given up: it may be answered, and paid for, all the same
+                enter(_entry(asked, "failed", time.monotonic() - began, asked.most))
+                raise
+            told = flight.result()
             seconds = time.monotonic() - began
             if isinstance(told, Trouble):
                 money = asked.most if told.charged else 0.0
@@ -137,7 +166,7 @@ class PaidTransport(httpx2.BaseTransport):
             else:
                 spent = usage(told.payload)
                 enter(_entry(asked, "answered", seconds, asked.money(spent), spent))
-        return told
+        return told, interrupt
 
     def _wait(self, told: Trouble, k: int, asked: Question) -> float:
         """Return how long to wait after the k-th failure."""
@@ -160,6 +189,17 @@ class PaidTransport(httpx2.BaseTransport):
         except StorageError as error:
             self._session.account.note(str(error))
             logging.getLogger(__name__).warning("%s", error)
+
+
+@contextlib.contextmanager
+def _raised_later() -> Iterator[list[BaseException]]:
+    """Yield a list; what is put there is raised at the end, when an answer is kept."""
+    later: list[BaseException] = []
+    try:
+        yield later
+    finally:
+        for error in later:
+            raise error
 
 
 def _entry(
@@ -201,10 +241,6 @@ def _would(asked: Question, currency: str) -> str:
 def _bound_times(request: httpx2.Request, timeout: float) -> None:
     """Let no part of a request take longer than ``timeout``, whatever its maker allows."""
     given = request.extensions.get("timeout", {})
-    request.extensions = {
-        **request.extensions,
-        "timeout": {
-            part: timeout if given.get(part) is None else min(timeout, given[part])
-            for part in ("connect", "read", "write", "pool")
-        },
-    }
+    most = {"connect": min(timeout, _CONNECT), "read": timeout, "write": timeout, "pool": timeout}
+    times = {part: min(most[part], given.get(part) or timeout) for part in most}
+    request.extensions = {**request.extensions, "timeout": times}

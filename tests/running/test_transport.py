@@ -202,6 +202,27 @@ def test_an_attempt_ends_after_its_time(slow: Says) -> None:
     assert outcomes(shared) == ["failed", "answered"]
 
 
+@pytest.mark.parametrize("slow", [Says(delay=0.4), Says(status=504)], ids=["hangs", "gateway"])
+def test_what_was_waited_for_in_vain_is_sent_once_more_and_counts_each_time(slow: Says) -> None:
+    shared = session()
+    with serving([slow]) as server, pytest.raises(BackendError, match="asked 2 times"):
+        ask(shared, server.url, timeout=0.1)
+    assert len(server.asked) == 2
+    assert shared.account.money == pytest.approx(0.08, abs=0.002)
+
+
+def test_a_page_of_a_gateway_counts_too_and_looking_does_not() -> None:
+    shared = session(attempts=1)
+    page = Says(b"<html>Bad gateway</html>", status=502, kind="text/html")
+    with serving([page]) as server:
+        with pytest.raises(BackendError, match="HTML"):
+            ask(shared, server.url)
+        paid = shared.account.money
+        with shared.client("cloud", server.url) as client, pytest.raises(BackendError):
+            client.get("/job", headers={"x-tabletopgen-model": "m"})
+    assert shared.account.money == paid > 0.04
+
+
 @pytest.mark.parametrize("announced", [True, False])
 def test_an_answer_that_is_too_large_is_not_read(announced: bool) -> None:
     body = bytes(200_000)
@@ -284,7 +305,9 @@ def test_a_server_that_fails_too_often_is_left_alone() -> None:
 
 
 @pytest.mark.parametrize("wait", [(), (("retry-after", "0"),)], ids=["unsaid", "retry-after"])
-def test_a_bad_moment_befalls_calls_at_once_and_all_are_tried_again(wait: tuple) -> None:
+def test_a_bad_moment_befalls_calls_at_once_and_all_are_tried_again(
+    wait: tuple[tuple[str, str], ...],
+) -> None:
     usual = Session()
     quick = Patience(first=0.01, longest=0.02, failures=usual.patience.failures)
     shared = session(patience=quick, workers=usual.workers, attempts=usual.attempts)
