@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import ipaddress
 import json
 import re
 from collections.abc import Iterator, Mapping
@@ -13,6 +12,7 @@ from typing import Any, Literal
 import httpx2
 
 from ..errors import BackendError, choices
+from .address import local
 from .prices import Price, Prices
 from .redaction import plain_url
 
@@ -109,16 +109,6 @@ def failed(payload: Any) -> bool:
         return False
     inner = payload.get("Response")
     return bool(payload.get("error") or (isinstance(inner, dict) and inner.get("Error")))
-
-
-def local(host: str) -> bool:
-    """Return whether a host is this machine."""
-    if host == "localhost" or host.endswith(".localhost"):
-        return True
-    try:
-        return ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        return False
 
 
 def _key(request: httpx2.Request, body: bytes, model: str) -> str:

@@ -11,10 +11,10 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
-from urllib.parse import urlsplit
 
 from ..errors import BackendError, DryRunError, StoppedError, require
 from .account import Account
+from .address import checked_address
 from .flight import Flight, Haste
 from .prices import Prices
 from .store import CallStore
@@ -79,24 +79,29 @@ class Session:
         timeout: float = 120.0,
         most_bytes: int = 64 * 2**20,
         secrets: tuple[str, ...] = (),
+        headers: tuple[str, ...] = (),
     ) -> httpx2.Client:
         """Return an HTTP client whose calls this session keeps, counts, bounds and repeats.
 
         It speaks to the origin of ``base_url`` alone. A request says what it is for by headers that
         are not sent: ``x-tabletopgen-question`` (a protocol's method), ``x-tabletopgen-model``, and
         ``x-tabletopgen-memo``: "no" for an answer that changes (the state of a job), "renew" where
-        the kept answer is of no use any more. Answers of status 2xx, and 4xx that no wait would
-        mend, are returned; everything else raises BackendError.
+        the kept answer is of no use any more. Other headers than those of HTTP itself are not sent
+        either, whatever a library that makes the request finds in the environment. Answers of
+        status 2xx, and 4xx that no wait would mend, are returned; everything else raises
+        BackendError.
 
         Args:
             server: names the server in messages and in the ledger.
             base_url: http or https, as far as all paths have it in common.
             timeout: seconds that one attempt may take.
             most_bytes: what an answer may have at most.
-            secrets: what no message may hold. Keys go into headers, never into a URL.
+            secrets: what no message may hold. Keys go into headers, never into a URL, and where
+                some are given no others are sent.
+            headers: more that may be sent, in lower case.
 
         Raises:
-            BackendError: the extra is not installed, or the URL is none.
+            BackendError: the extra is not installed, or the URL is none, or holds a password.
         """
         try:
             import httpx2
@@ -106,16 +111,8 @@ class Session:
             raise BackendError(
                 f"{server} is asked over HTTP, and {error.name} is not installed. Run: {EXTRA}"
             ) from error
-        try:
-            parts = urlsplit(base_url)
-            fine = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
-        except ValueError:
-            fine = False
-        if not fine:
-            raise BackendError(
-                f"{server}: its address must look like https://host/path, got {base_url!r}."
-            )
-        transport = PaidTransport(self, server, base_url, timeout, most_bytes, secrets)
+        checked_address(base_url, f"{server}: its address")
+        transport = PaidTransport(self, server, base_url, timeout, most_bytes, secrets, headers)
         return httpx2.Client(
             base_url=base_url, transport=transport, timeout=timeout, trust_env=False
         )

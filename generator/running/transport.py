@@ -6,16 +6,17 @@ import contextlib
 import functools
 import logging
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import httpx2
 
 from ..errors import BackendError, DryRunError, StorageError
 from .account import Entry, Outcome
+from .address import local, near
 from .exchange import Reply, Trouble, exchange
 from .flight import Flight
-from .question import NOTHING, Question, Usage, failed, local, question, usage
+from .question import NOTHING, Question, Usage, failed, question, usage
 from .redaction import holds, redacted
 from .store import Answer
 from .waiting import retry_after
@@ -24,6 +25,11 @@ if TYPE_CHECKING:
     from .session import Session
 
 _KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
+_SENT = frozenset({
+    "accept", "accept-encoding", "authorization", "connection", "content-length", "content-type",
+    "host", "transfer-encoding", "user-agent",
+})  # fmt: skip
+_SIGNED_BY = "x-tc-"  # headers of a call that a signature covers
 _LATE = 1  # how often a call is sent again that was waited for in vain: each may have been paid for
 _CONNECT = 30.0  # seconds in which a server takes a call, however long it may work on it
 _LEAST = 6  # characters: shorter ones are no keys, and would redact words
@@ -40,6 +46,7 @@ class PaidTransport(httpx2.BaseTransport):
         timeout: float,
         most_bytes: int,
         secrets: tuple[str, ...],
+        headers: tuple[str, ...] = (),
     ) -> None:
         """Speak to the origin of ``base_url``; the rest is as in ``Session.client``."""
         self._session = session
@@ -48,11 +55,23 @@ class PaidTransport(httpx2.BaseTransport):
         self._timeout = timeout
         self._most_bytes = most_bytes
         self._secrets = secrets
+        self._headers = _SENT | set(headers)
+        self._warn_of_open_keys()
         origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
         self._breaker = session.breakers.of(server, origin, session.patience)
         self._client = httpx2.Client(
             timeout=timeout, trust_env=not local(self._base.host), verify=session.trust
         )
+
+    def _warn_of_open_keys(self) -> None:
+        if self._secrets and self._base.scheme == "http" and not near(self._base.host):
+            told = (
+                f"{self._server}: its key goes to {self._base.host} unencrypted, where everyone on "
+                "the way can read it. Use an https address."
+            )
+            if told not in self._session.account.notes:
+                self._session.account.note(told)
+                logging.getLogger(__name__).warning("%s", told)
 
     def close(self) -> None:
         """Close the connections."""
@@ -82,6 +101,23 @@ class PaidTransport(httpx2.BaseTransport):
         body = reply.body if reply.good else _clean(reply.body, secrets)
         return _response(reply.status, reply.content_type, body, request)
 
+    def _sendable(self, request: httpx2.Request) -> httpx2.Request:
+        """Return a request with no more headers than this server is to see, and its time bounded.
+
+        Whoever made the request reads in his own what he asked for.
+        """
+        headers = [
+            (name, value)
+            for name, value in request.headers.multi_items()
+            if (name in self._headers or name.startswith(_SIGNED_BY))
+            and (name != "authorization" or not self._secrets or holds(value, self._secrets))
+        ]
+        times = _bounded(request.extensions.get("timeout", {}), self._timeout)
+        return httpx2.Request(
+            request.method, request.url, headers=headers, content=request.content,
+            extensions={**request.extensions, "timeout": times},
+        )  # fmt: skip
+
     def _check_address(
         self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]
     ) -> None:
@@ -108,7 +144,7 @@ class PaidTransport(httpx2.BaseTransport):
         session = self._session
         if session.dry:
             raise DryRunError(_would(asked, session.prices.currency))
-        _bound_times(request, self._timeout)
+        request = self._sendable(request)
         line, k, late = self._breaker.line(), 0, 0
         while True:
             session.check()
@@ -238,9 +274,7 @@ def _would(asked: Question, currency: str) -> str:
     return f"Would ask {asked}, for at most {asked.most:.4f} {currency}."
 
 
-def _bound_times(request: httpx2.Request, timeout: float) -> None:
-    """Let no part of a request take longer than ``timeout``, whatever its maker allows."""
-    given = request.extensions.get("timeout", {})
+def _bounded(given: Mapping[str, float | None], timeout: float) -> dict[str, float]:
+    """Return the times of a request's parts: none above ``timeout``, whatever its maker allows."""
     most = {"connect": min(timeout, _CONNECT), "read": timeout, "write": timeout, "pool": timeout}
-    times = {part: min(most[part], given.get(part) or timeout) for part in most}
-    request.extensions = {**request.extensions, "timeout": times}
+    return {part: min(most[part], given.get(part) or timeout) for part in most}

@@ -7,8 +7,9 @@ from typing import Any
 import httpx2
 import pytest
 
+from generator.running.address import local
 from generator.running.prices import Price, Prices
-from generator.running.question import failed, local, question, usage
+from generator.running.question import failed, question, usage
 
 PRICES = Prices(models={"m": Price(input=1e6, output=1e6), "i": Price(image=1.0)})
 

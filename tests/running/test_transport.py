@@ -397,6 +397,16 @@ def test_addresses_are_checked() -> None:
             session().client("cloud", wrong)
 
 
+@pytest.mark.parametrize(
+    "url",
+    ["http://me:hunter2@host/v1", "http://me:hun/ter2@host", "gpu://me:hunter2@host", "me:ter2@h"],
+)
+def test_a_password_in_an_address_is_refused_and_not_shown(url: str) -> None:
+    with pytest.raises(BackendError, match=r"cloud: its address .*\[redacted\]@h") as caught:
+        session().client("cloud", url)
+    assert "ter2" not in str(caught.value)
+
+
 @pytest.mark.parametrize("key", [KEY, "sk-shaped-like-a-key-1"])
 def test_a_key_in_an_address_is_refused(key: str) -> None:
     with (

@@ -58,28 +58,45 @@ class Server:
             Rejected: status 400, 413 or 422.
             BackendError: no key, or the call failed, or its answer is no JSON object.
         """
+        told = self._sent(question, request, memo)
+        if isinstance(told, TabletopError):  # raised here, where nothing that it leads to has a key
+            raise told.with_traceback(None)
+        return self._json(question, told)
+
+    def _sent(
+        self,
+        question: str,
+        request: Callable[[openai.OpenAI, dict[str, str]], Any],
+        memo: str,
+    ) -> str | TabletopError:
+        """Return the text that a request is answered with, or why there is none."""
         key = configuration.key(self.base_url, self.purpose)
         headers = {
+            "Authorization": f"Bearer {key}",
             "x-tabletopgen-question": question,
             "x-tabletopgen-model": self.model,
             "x-tabletopgen-memo": memo,
         }
-        timeout = _TIMEOUT[self.purpose]
         try:
             with self.session.client(
-                f"cloud/{self.name}", self.base_url, timeout=timeout, secrets=(key,)
+                f"cloud/{self.name}",
+                self.base_url,
+                timeout=_TIMEOUT[self.purpose],
+                secrets=(key,),
+                headers=configuration.own_headers(self.base_url),
             ) as http:
                 client = openai.OpenAI(
                     api_key=key, base_url=self.base_url, http_client=http, max_retries=0
                 )
-                text = request(client, headers).text
+                return request(client, headers).text
+        except TabletopError as error:
+            return error
         except openai.APIStatusError as error:
-            raise self._refused(question, error) from None
+            return self._refused(question, error)
         except openai.APIConnectionError as error:
-            raise self._unanswered(question, error) from None
+            return self._unanswered(question, error)
         except openai.OpenAIError as error:
-            raise self.failure(question, str(error)) from None
-        return self._json(question, text)
+            return self.failure(question, str(error))
 
     def failure(self, question: str, what: str) -> BackendError:
         """Return the error that says who could not answer which question, and why."""
