@@ -133,7 +133,7 @@ class Account:
         if budget is not None and most is None:
             raise BudgetError(
                 f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. "
-                "Add the model to the price table, or give no budget."
+                'Add the model, or its server as "@host", to the price table, or give no budget.'
             )
         asked = most or 0.0
         with self._ended:

@@ -29,6 +29,12 @@ from .reading import Wrong, is_refusal, read_object
 REASKS = 3
 """How often at most a question is asked again with what was wrong with the answer."""
 
+ANSWER = 16_384
+"""Tokens that an answer may have, thoughts included: a budget counts on it."""
+
+_BOUNDS = ("max_completion_tokens", "max_tokens", "")
+"""How a request says that; older servers know only the second, small models allow neither."""
+
 _FORMS = ("json_schema", "json_object", "words")
 
 A = TypeVar("A", bound=Answer)
@@ -42,6 +48,7 @@ class Manners:
 
     form: int = 0
     seed: bool = True
+    bound: int = 0
     lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
 
     def gentler(self, form: int, seed: bool, said: str) -> tuple[int, bool] | None:
@@ -145,15 +152,28 @@ class Chat:
             body["response_format"] = {"type": "json_schema", "json_schema": strict}
         elif _FORMS[form] == "json_object":
             body["response_format"] = {"type": "json_object"}
-        return self.server.call(
-            question,
-            lambda client, headers: client.chat.completions.with_raw_response.create(
-                model=self.server.model,
-                messages=messages,  # type: ignore[arg-type]
-                extra_headers=headers,
-                **body,
-            ),
-        )
+        bound = self.manners.bound
+        while True:
+            more = body | ({_BOUNDS[bound]: ANSWER} if _BOUNDS[bound] else {})
+            try:
+                data = self.server.call(
+                    question,
+                    lambda client, headers, more=more: (
+                        client.chat.completions.with_raw_response.create(
+                            model=self.server.model,
+                            messages=messages,  # type: ignore[arg-type]
+                            extra_headers=headers,
+                            **more,
+                        )
+                    ),
+                )
+            except Rejected as error:
+                if not (_BOUNDS[bound] and any(n in str(error) for n in _BOUNDS if n)):
+                    raise
+                bound += 1
+                continue
+            self.manners.bound = max(self.manners.bound, bound)
+            return data
 
     def _content(self, question: str, data: dict[str, Any]) -> str:
         """Return the text of a chat completion.
@@ -179,8 +199,8 @@ class Chat:
         if end == "length":
             raise self.server.failure(
                 question,
-                "the answer was cut off at the server's limit of tokens. Raise that limit, or use "
-                "another model.",
+                f"the answer was cut off at a limit of tokens: the server's own, or the {ANSWER} "
+                "that an answer may have. Use another model.",
             )
         return str(content)
 

@@ -12,9 +12,10 @@ from leaks import everything
 from openai_server import KEY, Request, Running, from_uri, pixels
 
 from generator.backends.cloud import calling, configuration
-from generator.backends.cloud.asking import REASKS
+from generator.backends.cloud.asking import ANSWER, REASKS
 from generator.backends.cloud.reasoner import Reasoner
 from generator.errors import BackendError, DryRunError
+from generator.running.prices import Price, Prices
 from generator.running.session import Session
 from generator.running.store import CallStore
 
@@ -58,6 +59,29 @@ def test_a_server_that_takes_no_seed_gets_none(server: Running, reasoner: Reason
     assert reasoner.list_objects(reference()) == NOUNS
     assert forms(server) == ["json_schema", "json_schema"]
     assert ["seed" in r.body for r in server.script.requests] == [True, False]
+
+
+@pytest.mark.parametrize("known", [("max_completion_tokens",), ("max_tokens",), ()])
+def test_an_answer_has_a_bound_in_the_form_that_the_server_takes(
+    server: Running, reasoner: Reasoner, known: tuple[str, ...]
+) -> None:
+    server.script.chat = lambda request: KINDS
+    server.script.bounds = known
+    for prompt in ("", "again"):
+        assert reasoner.list_objects(replace(reference(), prompt=prompt)) == NOUNS
+    told = [
+        {k: v for k, v in r.body.items() if k.startswith("max")} for r in server.script.requests
+    ]
+    assert told[-1] == dict.fromkeys(known, ANSWER)
+    tries = {"max_completion_tokens": 1, "max_tokens": 2}.get("".join(known), 3)
+    assert len(told) == tries + 1, "learned once"
+
+
+def test_what_an_answer_may_cost_is_bounded(server: Running, reasoner: Reasoner) -> None:
+    prices = Prices(models={reasoner.model: Price(output=1e6)})
+    dry = replace(reasoner, session=Session(dry=True, prices=prices))
+    with pytest.raises(DryRunError, match=f"at most {ANSWER}.0000 USD"):
+        dry.list_objects(reference())
 
 
 def test_a_wrong_answer_is_asked_again_with_what_is_wrong(
