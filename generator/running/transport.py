@@ -180,28 +180,34 @@ class PaidTransport(httpx2.BaseTransport):
 
         Returns the answer, and the interrupt that came while it was waited for.
         """
-        session = self._session
-        with session.account.reserving(
-            asked.most, session.budget, str(asked), session.check
-        ) as enter:
+        session, account = self._session, self._session.account
+        lost = _entry(asked, "failed", 0.0, asked.most)
+        with (
+            account.reserving(asked.most, session.budget, str(asked), session.check) as enter,
+            account.recording(lost, asked.key) as record,
+        ):
             began = time.monotonic()
+
+            def end(outcome: Outcome, money: float | None, spent: Usage = NOTHING) -> None:
+                entry = _entry(asked, outcome, time.monotonic() - began, money, spent)
+                record(entry)
+                enter(entry)
+
             sending = (self._client, request, self._timeout, self._most_bytes)
             flight = Flight(functools.partial(exchange, *sending))
             try:
                 interrupt = session.landing(flight)
             except BaseException:  # given up: it may be answered, and paid for, all the same
-                enter(_entry(asked, "failed", time.monotonic() - began, asked.most))
+                end("failed", asked.most)
                 raise
             told = flight.result()
-            seconds = time.monotonic() - began
             if isinstance(told, Trouble):
-                money = asked.most if told.charged else 0.0
-                enter(_entry(asked, "failed", seconds, money))
+                end("failed", asked.most if told.charged else 0.0)
             elif not told.good or failed(told.payload):
-                enter(_entry(asked, "failed", seconds, 0.0))
+                end("failed", 0.0)
             else:
                 spent = usage(told.payload)
-                enter(_entry(asked, "answered", seconds, asked.money(spent), spent))
+                end("answered", asked.money(spent), spent)
         return told, interrupt
 
     def _wait(self, told: Trouble, k: int, asked: Question) -> float:

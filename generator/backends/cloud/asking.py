@@ -154,7 +154,7 @@ class Chat:
             body["response_format"] = {"type": "json_object"}
         bound = self.manners.bound
         while True:
-            more = body | ({_BOUNDS[bound]: ANSWER} if _BOUNDS[bound] else {})
+            more: dict[str, Any] = {_BOUNDS[bound]: ANSWER, **body} if _BOUNDS[bound] else body
             try:
                 data = self.server.call(
                     question,
