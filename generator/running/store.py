@@ -21,6 +21,7 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 from ..errors import StorageError, require_number
+from ..files import make_private
 
 MOST_BYTES = 4 * 2**30
 """Size of a store unless its owner says otherwise."""
@@ -140,13 +141,13 @@ class CallStore:
         """Return the lock of a key; a few keys of 4096 share one."""
         path = self.folder / "locks" / f"{key[:3]}.lock"
         try:
-            _make(path.parent)
+            make_private(path.parent)
         except OSError:
             return None
         return FileLock(path, mode=0o600)
 
     def _write(self, path: Path, raw: bytes) -> None:
-        _make(path.parent)
+        make_private(path.parent)
         number, name = tempfile.mkstemp(prefix=_PARTIAL, dir=path.parent)
         try:
             with os.fdopen(number, "wb") as file:
@@ -187,15 +188,6 @@ class _Kept:
     path: Path
     bytes: int
     used: float
-
-
-def _make(folder: Path) -> None:
-    """Make a folder and those above that are missing, for their owner alone."""
-    if folder.is_dir():
-        return
-    if not folder.parent.is_dir():
-        _make(folder.parent)
-    folder.mkdir(mode=0o700, exist_ok=True)
 
 
 def _encoded(key: str, answer: Answer) -> bytes:

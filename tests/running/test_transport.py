@@ -15,6 +15,7 @@ import pytest
 from paid_server import CHAT, KEY, Asked, Says, ask, serving, session
 
 from generator.errors import BackendError, BudgetError, DryRunError, UnusableError
+from generator.running import Session
 from generator.running.prices import Prices
 from generator.running.store import CallStore
 from generator.running.used import Used
@@ -258,6 +259,27 @@ def test_an_attempt_ends_after_its_time(slow: Says) -> None:
     assert outcomes(shared) == ["failed", "answered"]
 
 
+@pytest.mark.parametrize("slow", [Says(delay=0.4), Says(status=504)], ids=["hangs", "gateway"])
+def test_what_was_waited_for_in_vain_is_sent_once_more_and_counts_each_time(slow: Says) -> None:
+    shared = session()
+    with serving([slow]) as server, pytest.raises(BackendError, match="asked 2 times"):
+        ask(shared, server.url, timeout=0.1)
+    assert len(server.asked) == 2
+    assert shared.account.money == pytest.approx(0.08, abs=0.002)
+
+
+def test_a_page_of_a_gateway_counts_too_and_looking_does_not() -> None:
+    shared = session(attempts=1)
+    page = Says(b"<html>Bad gateway</html>", status=502, kind="text/html")
+    with serving([page]) as server:
+        with pytest.raises(BackendError, match="HTML"):
+            ask(shared, server.url)
+        paid = shared.account.money
+        with shared.client("cloud", server.url) as client, pytest.raises(BackendError):
+            client.get("/job", headers={"x-tabletopgen-model": "m"})
+    assert shared.account.money == paid > 0.04
+
+
 @pytest.mark.parametrize("announced", [True, False])
 def test_an_answer_that_is_too_large_is_not_read(announced: bool) -> None:
     body = bytes(200_000)
@@ -339,6 +361,33 @@ def test_a_server_that_fails_too_often_is_left_alone() -> None:
         assert ask(shared, other.url).json() == CHAT
 
 
+@pytest.mark.parametrize("wait", [(), (("retry-after", "0"),)], ids=["unsaid", "retry-after"])
+def test_a_bad_moment_befalls_calls_at_once_and_all_are_tried_again(
+    wait: tuple[tuple[str, str], ...],
+) -> None:
+    usual = Session()
+    quick = Patience(first=0.01, longest=0.02, failures=usual.patience.failures)
+    shared = session(patience=quick, workers=usual.workers, attempts=usual.attempts)
+    busy = 2 * usual.workers  # answers: all fail twice
+
+    def script(asked: Asked, k: int) -> Says:
+        return Says(status=503, headers=wait) if k < busy else Says()
+
+    with serving(script) as server:
+        items = [str(k) for k in range(usual.workers)]
+        answers = shared.each(lambda text: ask(shared, server.url, text).json(), items)
+    assert answers == [CHAT] * len(items)
+
+
+def test_a_server_that_says_when_it_will_work_is_not_left_alone() -> None:
+    shared = session(attempts=2, patience=Patience(first=0.001, failures=2, rest=60))
+    later = Says(status=503, headers=(("retry-after", "0"),))
+    with serving([later, later, Says()]) as server:
+        with pytest.raises(BackendError, match="asked 2 times"):
+            ask(shared, server.url)
+        assert ask(shared, server.url).json() == CHAT
+
+
 def test_the_budget_ends_calls_before_it_is_exceeded() -> None:
     shared = session(budget=0.07)
     with serving([Says()]) as server:
@@ -403,6 +452,16 @@ def test_addresses_are_checked() -> None:
     for wrong in ("api.example.com", "ftp://x", "http://", "http://x:99999"):
         with pytest.raises(BackendError, match="https://host/path"):
             session().client("cloud", wrong)
+
+
+@pytest.mark.parametrize(
+    "url",
+    ["http://me:hunter2@host/v1", "http://me:hun/ter2@host", "gpu://me:hunter2@host", "me:ter2@h"],
+)
+def test_a_password_in_an_address_is_refused_and_not_shown(url: str) -> None:
+    with pytest.raises(BackendError, match=r"cloud: its address .*\[redacted\]@h") as caught:
+        session().client("cloud", url)
+    assert "ter2" not in str(caught.value)
 
 
 @pytest.mark.parametrize("key", [KEY, "sk-shaped-like-a-key-1"])

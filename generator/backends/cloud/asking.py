@@ -35,6 +35,12 @@ from .reading import Wrong, is_refusal, read_object
 REASKS = 3
 """How often at most a question is asked again with what was wrong with the answer."""
 
+ANSWER = 16_384
+"""Tokens that an answer may have, thoughts included: a budget counts on it."""
+
+_BOUNDS = ("max_completion_tokens", "max_tokens", "")
+"""How a request says that; older servers know only the second, small models allow neither."""
+
 _FORMS = ("json_schema", "json_object", "words")
 
 A = TypeVar("A", bound=Answer)
@@ -48,6 +54,7 @@ class Manners:
 
     form: int = 0
     seed: bool = True
+    bound: int = 0
     lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
 
     def gentler(self, form: int, seed: bool, said: str) -> tuple[int, bool] | None:
@@ -168,17 +175,31 @@ class Chat:
         elif _FORMS[form] == "json_object":
             body["response_format"] = {"type": "json_object"}
         meant = json.dumps([messages, schema, self.seed])
-        return self.server.call(
-            question,
-            lambda client, headers: client.chat.completions.with_raw_response.create(
-                model=self.server.model,
-                messages=messages,  # type: ignore[arg-type]
-                extra_headers=headers,
-                **body,
-            ),
-            used,
-            hashlib.sha256(meant.encode()).hexdigest(),
-        )
+        meant = hashlib.sha256(meant.encode()).hexdigest()
+        bound = self.manners.bound
+        while True:
+            more: dict[str, Any] = {_BOUNDS[bound]: ANSWER, **body} if _BOUNDS[bound] else body
+            try:
+                data = self.server.call(
+                    question,
+                    lambda client, headers, more=more: (
+                        client.chat.completions.with_raw_response.create(
+                            model=self.server.model,
+                            messages=messages,  # type: ignore[arg-type]
+                            extra_headers=headers,
+                            **more,
+                        )
+                    ),
+                    used,
+                    meant,
+                )
+            except Rejected as error:
+                if not (_BOUNDS[bound] and any(n in str(error) for n in _BOUNDS if n)):
+                    raise
+                bound += 1
+                continue
+            self.manners.bound = max(self.manners.bound, bound)
+            return data
 
     def _content(self, question: str, data: dict[str, Any]) -> str:
         """Return the text of a chat completion.
@@ -204,8 +225,8 @@ class Chat:
         if end == "length":
             raise self.server.unusable(
                 question,
-                "the answer was cut off at the server's limit of tokens. Raise that limit, or use "
-                "another model.",
+                f"the answer was cut off at a limit of tokens: the server's own, or the {ANSWER} "
+                "that an answer may have. Use another model.",
             )
         return str(content)
 

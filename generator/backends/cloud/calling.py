@@ -65,31 +65,51 @@ class Server:
             UnusableError: the answer is no JSON object.
             BackendError: no key, or the call failed.
         """
+        told = self._sent(question, request, used, meant, memo)
+        if isinstance(told, TabletopError):  # raised here, where nothing that it leads to has a key
+            raise told.with_traceback(None)
+        return self._json(question, told)
+
+    def _sent(
+        self,
+        question: str,
+        request: Callable[[openai.OpenAI, dict[str, str]], Any],
+        used: Used,
+        meant: str,
+        memo: str,
+    ) -> str | TabletopError:
+        """Return the text that a request is answered with, or why there is none."""
         asker = f"cloud ({self.model} at {self.name}): {question}"
         key = configuration.key(self.base_url, self.purpose, asker)
         headers = {
+            "Authorization": f"Bearer {key}",
             "x-tabletopgen-question": question,
             "x-tabletopgen-model": self.model,
             "x-tabletopgen-memo": memo,
             "x-tabletopgen-meant": meant,
         }
-        timeout = _TIMEOUT[self.purpose]
         try:
             with self.session.client(
-                f"cloud/{self.name}", self.base_url, timeout=timeout, secrets=(key,)
+                f"cloud/{self.name}",
+                self.base_url,
+                timeout=_TIMEOUT[self.purpose],
+                secrets=(key,),
+                headers=configuration.own_headers(self.base_url),
             ) as http:
                 client = openai.OpenAI(
                     api_key=key, base_url=self.base_url, http_client=http, max_retries=0
                 )
                 answer = request(client, headers)
+                used.add(answer.headers)
+                return answer.text
+        except TabletopError as error:
+            return error
         except openai.APIStatusError as error:
-            raise self._refused(question, error) from None
+            return self._refused(question, error)
         except openai.APIConnectionError as error:
-            raise self._unanswered(question, error) from None
+            return self._unanswered(question, error)
         except openai.OpenAIError as error:
-            raise self.failure(question, str(error)) from None
-        used.add(answer.headers)
-        return self._json(question, answer.text)
+            return self.failure(question, str(error))
 
     def unusable(self, question: str, what: str) -> UnusableError:
         """Return the error that says who answered which question in a way that is of no use."""

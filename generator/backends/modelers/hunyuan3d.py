@@ -11,6 +11,7 @@ from typing import Any, Literal
 
 from ...errors import BackendError, choices, require
 from ...png import encode_png
+from ...running.address import checked_address
 from ...running.session import Session
 from ...running.used import Used
 from ...scene import Instance, Model, SizePrior, View
@@ -72,6 +73,8 @@ class Hunyuan3D:
             raise BackendError(
                 f"hunyuan3d has no version {self.version!r}." + choices(self.version, _BODIES)
             )
+        if self.url:
+            _checked(self.url)
         require(self, "octree", least=64, most=512, whole=True)
         require(self, "steps", least=1, most=20, whole=True)
         require(self, "asked_faces", least=1000, most=100_000, whole=True)
@@ -130,7 +133,7 @@ class Hunyuan3D:
         return str(told.get("worker_id", ""))
 
     def _address(self) -> str:
-        return self.url or os.environ.get(ADDRESS, "") or USUAL
+        return _checked(self.url or os.environ.get(ADDRESS, "") or USUAL)
 
     def _ask(self, body: Mapping[str, Any], what: str, memo: str, used: Used) -> bytes:
         client = self.session.client(
@@ -172,6 +175,10 @@ _BODIES: Mapping[str, Mapping[str, Any]] = {
     "2.0": {"type": "glb"},
     "2.1": {"remove_background": False, "num_chunks": 8000},
 }
+
+
+def _checked(url: str) -> str:
+    return checked_address(url, "hunyuan3d: its address", f"Correct Hunyuan3D.url or {ADDRESS}.")
 
 
 def _object(content: bytes) -> Mapping[str, Any]:

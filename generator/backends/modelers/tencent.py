@@ -12,7 +12,7 @@ from urllib.parse import urlsplit
 
 from ...errors import BackendError, choices, require
 from ...png import encode_png
-from ...running.machine import local
+from ...running.address import local
 from ...running.session import Session
 from ...running.used import Used
 from ...scene import Instance, Model, SizePrior, View

@@ -190,3 +190,12 @@ def test_settings_out_of_range_are_refused():
 def test_the_session_is_no_identity():
     assert Hunyuan3D(session=quick()) == Hunyuan3D(session=quick())
     assert "session" not in repr(Hunyuan3D())
+
+
+def test_a_password_in_the_address_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(BackendError, match=r"hunyuan3d: its address .* password") as caught:
+        Hunyuan3D("http://me:hunter2@gpu:8081")
+    monkeypatch.setenv("TABLETOPGEN_HUNYUAN3D_URL", "http://me:hunter2@gpu:8081")
+    with pytest.raises(BackendError, match="TABLETOPGEN_HUNYUAN3D_URL") as told:
+        Hunyuan3D().health()
+    assert "hunter2" not in str(caught.value) + str(told.value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from generator.running.machine import local
+from generator.running.address import local
 
 
 @pytest.mark.parametrize(
