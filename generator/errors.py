@@ -24,6 +24,10 @@ class BackendError(TabletopError, RuntimeError):
     """A backend is unknown, not installed, or failed to answer a stage's question."""
 
 
+class UnusableError(BackendError):
+    """A backend answered, and its answer is of no use; asked again it may answer otherwise."""
+
+
 class BudgetError(BackendError):
     """A call was not sent since it might cost more than is left of the budget."""
 

@@ -51,3 +51,12 @@ def write_file(content: bytes, path: Path) -> Path:
             f"{path} cannot be written: {error.strerror or error}. Choose another folder."
         ) from error
     return path
+
+
+def make_private(folder: Path) -> None:
+    """Make a folder and those above that are missing, for their owner alone."""
+    if folder.is_dir():
+        return
+    if not folder.parent.is_dir():
+        make_private(folder.parent)
+    folder.mkdir(mode=0o700, exist_ok=True)

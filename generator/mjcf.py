@@ -9,17 +9,17 @@ Meshes, textures and hulls are named by the digest of their content.
 from __future__ import annotations
 
 import hashlib
-import io
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from jaxtyping import Float, UInt8
+from jaxtyping import Float
 
 from .errors import SceneError
 from .geometry import framing_camera, quaternion_matrix
+from .png import encode_png
 from .scene import TABLE, ConvexPart, Mesh, Object, Scene, View
 
 if TYPE_CHECKING:
@@ -121,15 +121,6 @@ def encode_obj(mesh: Mesh) -> bytes:
     lines += [f"vt {u:.5f} {v:.5f}" for u, v in mesh.uv.tolist()]
     lines += [f"f {a}/{a} {b}/{b} {c}/{c}" for a, b, c in (mesh.faces + 1).tolist()]
     return ("\n".join(lines) + "\n").encode("ascii")
-
-
-def encode_png(image: UInt8[np.ndarray, "h w c"]) -> bytes:
-    """Return an image as PNG, the same bytes for the same pixels."""
-    from PIL import Image
-
-    buffer = io.BytesIO()
-    Image.fromarray(np.ascontiguousarray(image)).save(buffer, "PNG", compress_level=6)
-    return buffer.getvalue()
 
 
 def mesh_path(encoded: bytes) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import UInt8
 
 from .files import write_file
-from .mjcf import encode_png
+from .png import encode_png
 
 
 def write_picture(image: UInt8[np.ndarray, "h w c"], path: Path) -> Path:

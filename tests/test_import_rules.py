@@ -13,10 +13,11 @@ import pytest
 ROOT = Path(__file__).parent.parent
 PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
 
-VALUES = ("generator.scene", "generator.geometry", "generator.errors")
+VALUES = ("generator.scene", "generator.geometry", "generator.errors", "generator.png")
 # The first rule whose prefix fits a module decides what of this project it may import.
 RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.errors", ()),
+    ("generator.png", ()),
     ("generator.scene", ("generator.errors", "generator.scene")),
     ("generator.geometry", VALUES),
     ("generator.paper_json", VALUES),
@@ -90,7 +91,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ),
     ("generator.mjcf", VALUES),
     ("generator.files", ("generator.errors",)),
-    ("generator.pictures", (*VALUES, "generator.files", "generator.mjcf")),
+    ("generator.pictures", (*VALUES, "generator.files")),
     (
         "generator.bundle",
         (*VALUES, "generator.mjcf", "generator.provenance", "generator.bundle"),

@@ -13,7 +13,8 @@ from shapes import UNIT
 from toy import cube_mesh, toy_object, toy_scene
 
 from generator.geometry import Camera
-from generator.mjcf import document, encode_obj, encode_png, scene_spec
+from generator.mjcf import document, encode_obj, scene_spec
+from generator.png import encode_png
 from generator.scene import ConvexPart, Mesh, Scene
 
 

@@ -64,7 +64,10 @@ def _load(name: str, role: str, session: Session) -> Any:
     module, _, attribute = TABLE[name][role].partition(":")
     kind = getattr(importlib.import_module(module), attribute)
     shares = "session" in getattr(kind, "__dataclass_fields__", {})
-    return kind(session=session) if shares else kind()
+    try:
+        return kind(session=session) if shares else kind()
+    except BackendError as error:
+        raise BackendError(f"{role}: {error}") from error
 
 
 def _check(role: str, backend: Any) -> Any:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import _thread
 import logging
 import os
 import signal
@@ -9,16 +10,21 @@ import threading
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
+from multiprocessing.connection import wait as wait_for
+from types import FrameType
 from typing import Any, Protocol
 
-from ..errors import BackendError
+from ..errors import BackendError, StoppedError
 from .records import Outcome
 
 Task = Callable[[], Outcome]
 """A call of ``records.work``, picklable."""
+
+GRACE = 10.0
+"""Seconds in which an interrupted process comes to an end: more than a session's ``grace``."""
 
 _ALONE = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # threads of a process
 _UNWATCHED = "RAY_USAGE_STATS_ENABLED"  # else Ray tells its makers that it was started
@@ -60,12 +66,16 @@ class Crew(Protocol):
         ...
 
     def close(self, *, now: bool) -> None:
-        """End; ``now`` does not wait for the tasks that are being done."""
+        """End; ``now`` interrupts the tasks that are being done."""
         ...
 
 
 class Processes:
-    """A pool of spawned processes, a thread each; they end with this one, however that ends."""
+    """A pool of spawned processes, a thread each; they end with this one, however that ends.
+
+    Two lines lead to them. Where the first is cut, who is at a task is interrupted, as by Ctrl-C:
+    calls of servers that are under way may be answered. Where the second is, all end at once.
+    """
 
     def __init__(self, width: int) -> None:
         self.width = width
@@ -73,8 +83,9 @@ class Processes:
 
     def _start(self) -> None:
         context = get_context("spawn")
-        self._ends, self._line = context.Pipe(duplex=False)
-        self._pool = ProcessPoolExecutor(self.width, context, _begin, (self._ends,))
+        (work, self._work), (life, self._life) = (context.Pipe(duplex=False) for _ in range(2))
+        self._ends = (work, life)
+        self._pool = ProcessPoolExecutor(self.width, context, _begin, self._ends)
 
     def renew(self) -> None:
         """Start anew: one death breaks a whole pool."""
@@ -84,7 +95,7 @@ class Processes:
     def give(self, task: Task) -> Future[Outcome]:
         """Have a task done."""
         with _environment(dict.fromkeys(_ALONE, "1")):
-            return self._pool.submit(task)
+            return self._pool.submit(_worked, task)
 
     def first(self, given: list[Future[Outcome]]) -> Future[Outcome]:
         """Wait until one of several tasks is done."""
@@ -102,12 +113,14 @@ class Processes:
             ) from error
 
     def close(self, *, now: bool) -> None:
-        """End the processes."""
+        """End the processes; interrupted itself, it ends them at once."""
         if now:
-            self._line.close()
-        self._pool.shutdown(wait=not now, cancel_futures=True)
-        self._line.close()
-        self._ends.close()
+            self._work.close()
+        try:
+            self._pool.shutdown(wait=True, cancel_futures=True)
+        finally:
+            for end in (self._work, self._life, *self._ends):
+                end.close()
 
 
 class OnRay:
@@ -168,16 +181,59 @@ def _done(task: Task) -> Outcome:
     return task()
 
 
-def _begin(line: Connection) -> None:
-    """Begin a process: Ctrl-C is its parent's affair, and it ends when the line does."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+class _Heed:
+    """What a process of a pool makes of SIGINT: Ctrl-C is its parent's affair, until that says so.
+
+    ``over``: the parent was interrupted. ``busy``: a task is being done.
+    """
+
+    def __init__(self) -> None:
+        self.over = self.busy = False
+
+    def __call__(self, number: int, frame: FrameType | None) -> None:
+        if self.over and self.busy:
+            raise KeyboardInterrupt
+
+
+def _begin(work: Connection, life: Connection) -> None:
+    """Begin a process; it works as long as the one line is there, and lives as long as the other.
+
+    Once the first is cut it is left by its pool when it has nothing to do, at the latest after
+    ``GRACE``.
+    """
+    heed, main = _Heed(), threading.main_thread().ident
+    signal.signal(signal.SIGINT, heed)
 
     def listen() -> None:
-        with suppress(EOFError, OSError):
-            line.recv_bytes()
+        if life not in wait_for([work, life]):
+            heed.over = True
+            if main is not None and hasattr(signal, "pthread_kill"):
+                signal.pthread_kill(main, signal.SIGINT)  # also where it waits in the system
+            else:
+                _thread.interrupt_main()
+            wait_for([life], GRACE)
         os._exit(1)
 
     threading.Thread(target=listen, daemon=True).start()
+
+
+def _worked(task: Task) -> Outcome:
+    """Do a task in a process of a pool.
+
+    Raises:
+        StoppedError: its parent was interrupted.
+    """
+    heed = signal.getsignal(signal.SIGINT)
+    assert isinstance(heed, _Heed)
+    heed.busy = True
+    try:
+        if heed.over:
+            raise KeyboardInterrupt
+        return task()
+    except KeyboardInterrupt:
+        raise StoppedError("Interrupted.") from None
+    finally:
+        heed.busy = False
 
 
 @contextmanager

@@ -11,7 +11,8 @@ import numpy as np
 from jaxtyping import UInt8
 
 from ..errors import BundleError
-from ..mjcf import encode_obj, encode_png, mesh_path, texture_path
+from ..mjcf import encode_obj, mesh_path, texture_path
+from ..png import encode_png
 from ..provenance import plain
 from ..scene import (
     ConvexPart,

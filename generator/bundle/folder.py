@@ -22,7 +22,8 @@ import numpy as np
 from jaxtyping import UInt8
 
 from ..errors import BundleError, SceneError, StorageError
-from ..mjcf import document, encode_png
+from ..mjcf import document
+from ..png import encode_png
 from ..scene import Scene
 from .encoding import decode_png, decode_scene, dumps, encode_scene, loads
 from .segments import PATH as SEGMENTS_PATH

@@ -10,7 +10,7 @@ from tyro import conf
 from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
-from .paying import answering, open_session, paid, told
+from .paying import answering, open_session, paid, scene_key, told
 from .printing import print_scene, progress
 from .store import one, store
 
@@ -86,15 +86,17 @@ def edit(
     session = open_session(calls, prices, budget, dry_run)
     chosen = None if backend is None else Backends.select(backend, session=session)
     yaw = 0.0 if turn is None else float(np.deg2rad(turn))
+    who = None if chosen is None else chosen.identity()
+    scene = scene_key("edit", path.name, action, words, to, turn, seed, who)
     try:
-        with answering(session), progress(quiet=json) as shown:
+        with answering(session, scene), progress(quiet=json) as shown:
             if shown is not None:
                 shown(action, 1, 1)
             edited = _edited(path, action, words, to, yaw, seed, chosen)
             made = edited.save(path.parent if replace else store(out))
     except DryRunError as error:
         return told(error, json)
-    if paid(session):
+    if paid(session, made):
         session.account.save(made, session.prices)
     if replace and made.resolve() != path.resolve():
         assets_cache.remove(path, path.parent)

@@ -9,7 +9,7 @@ from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
 from ..scene import Intrinsics
-from .paying import answering, open_session, paid, told
+from .paying import answering, open_session, paid, scene_key, told
 from .printing import print_scene, progress
 from .store import store
 
@@ -65,14 +65,17 @@ def generate(
     from ..bundle import check_name
     from ..pipeline import Config
     from ..pipeline import generate as run
+    from ..stages.reference import is_picture_name
 
     if name is not None:
         check_name(name)
     camera = None if intrinsics is None else _intrinsics(intrinsics)
     session = open_session(calls, prices, budget, dry_run)
     chosen = Backends.select(backend, session=session)
+    what = Path(source) if is_picture_name(source) else source
+    scene = scene_key("generate", what, depth, intrinsics, seed, without, chosen.identity())
     try:
-        with answering(session), progress(quiet=json) as shown:
+        with answering(session, scene), progress(quiet=json) as shown:
             generation = run(
                 source, chosen, Config(without=_left_out(without)), seed, name=name,
                 progress=shown, depth=depth, intrinsics=camera,
@@ -82,7 +85,7 @@ def generate(
             path = generation.save(store(out), allow_failed=allow_failed)
     except DryRunError as error:
         return told(error, json)
-    if paid(session):
+    if paid(session, path):
         session.account.save(path, session.prices)
     seconds = generation.seconds if timings else None
     return print_scene(path, generation.scene, json, seconds, session)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..errors import DryRunError
+from ..provenance import plain
 
 if TYPE_CHECKING:
     from ..running import Session
@@ -42,25 +45,53 @@ def open_session(
     )
 
 
-@contextmanager
-def answering(session: Session) -> Iterator[None]:
-    """End a session's calls with the command; where it fails, tell on standard error what it cost.
+def scene_key(*decisive: Any) -> str:
+    """Return what names a scene in ``answering``, by all that decides it; of files, the content."""
+    values = [_content(value) if isinstance(value, Path) else value for value in decisive]
+    text = json.dumps(plain(values), sort_keys=True, default=str)
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
 
-    A dry run that came to a call is no failure of its own, but ends the command likewise.
+
+def _content(path: Path) -> str:
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError:  # who needs it tells of it
+        return str(path)
+
+
+@contextmanager
+def answering(session: Session, scene: str) -> Iterator[None]:
+    """Have a session know what earlier runs of a scene spent, and end its calls with the command.
+
+    Where the command fails, what it cost is told on standard error. A dry run that came to a call
+    is no failure of its own, but ends the command likewise.
+
+    Raises:
+        StorageError: what was spent cannot be read.
     """
+    from ..running.spending import Spending
+
+    assert session.store is not None
+    spending = Spending.beside(session.store.folder, scene)
+    session.account.resume(spending)
     try:
         yield
     except BaseException as error:
         session.stop.set()
         spent = session.account.text(session.prices.currency)
         if spent and not isinstance(error, DryRunError):
-            print(f"{spent}\nWhat was answered is kept.", file=sys.stderr)
+            print(f"{spent}\nWhat was answered is kept; {spending.path} says what was spent.",
+                  file=sys.stderr)  # fmt: skip
         raise
 
 
-def paid(session: Session) -> bool:
-    """Return whether anything was asked of a server, rather than of the store alone."""
-    return any(entry.outcome != "cached" for entry in session.account.entries)
+def paid(session: Session, made: Path) -> bool:
+    """Return whether the bundle ``made`` is to get a ledger: one that has none, or has to grow."""
+    from ..running.account import LEDGER
+
+    entries = session.account.entries
+    now = any(entry.outcome != "cached" and not entry.earlier for entry in entries)
+    return now or (any(e.earlier for e in entries) and not (made / LEDGER).exists())
 
 
 def told(error: DryRunError, as_json: bool) -> int:

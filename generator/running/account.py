@@ -6,14 +6,15 @@ import contextlib
 import dataclasses
 import json
 import threading
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
-from ..errors import BudgetError
+from ..errors import BudgetError, StorageError
 from ..files import write_whole
 from .prices import Price, Prices
+from .spending import Spending, new_call
 
 __all__ = ["Account", "Entry", "Outcome", "Price", "Prices", "Row"]
 
@@ -30,7 +31,7 @@ class Entry:
     """One call: an answer, an answer of the store, or an attempt that failed.
 
     ``money`` is None where the price is not known. An attempt that broke off after it was sent
-    counts with the most that it can have cost.
+    counts with the most that it can have cost. ``earlier`` tells the calls of earlier runs.
     """
 
     server: str
@@ -42,6 +43,7 @@ class Entry:
     tokens_out: int = 0
     images: int = 0
     money: float | None = 0.0
+    earlier: bool = False
 
 
 @dataclass(frozen=True)
@@ -74,6 +76,44 @@ class Account:
         self._entries: list[Entry] = []
         self._notes: list[str] = []
         self._reserved: list[float] = []
+        self._spending: Spending | None = None
+
+    def resume(self, spending: Spending) -> None:
+        """Enter what earlier runs of this scene spent, and write there what this one does.
+
+        To be called before any call. What was spent earlier counts for a budget, too.
+
+        Raises:
+            StorageError: the file is there, and cannot be read.
+        """
+        entries = [_earlier(told) for told in spending.earlier()]
+        with self._lock:
+            self._spending = spending
+            self._entries[:0] = entries
+        if entries:
+            money = sum(entry.money or 0.0 for entry in entries)
+            self.note(f"Of this, {money:.4f} was spent by earlier runs of the same scene.")
+
+    @contextlib.contextmanager
+    def recording(self, sent: Entry, key: str) -> Iterator[Callable[[Entry], None]]:
+        """Write down a call that is about to be sent; yields what writes down how it ended.
+
+        Args:
+            sent: the call, as it counts if nobody says how it ended.
+            key: its question's.
+        """
+        spending, call = self._spending, new_call()
+
+        def write(entry: Entry) -> None:
+            if spending is None or sent.money == 0:
+                return
+            try:
+                spending.write(call, key, entry)
+            except StorageError as error:  # an answer must not be lost for it
+                self.note(str(error))
+
+        write(sent)
+        yield write
 
     def add(self, entry: Entry) -> None:
         """Enter a call."""
@@ -133,7 +173,7 @@ class Account:
         if budget is not None and most is None:
             raise BudgetError(
                 f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. "
-                "Add the model to the price table, or give no budget."
+                'Add the model, or its server as "@host", to the price table, or give no budget.'
             )
         asked = most or 0.0
         with self._ended:
@@ -218,6 +258,13 @@ class Account:
         text = json.dumps(self.facts(prices), indent=2)
         write_whole(path, text, "The ledger", "Choose another folder.")
         return path
+
+
+def _earlier(told: Mapping[str, Any]) -> Entry:
+    """Return a call of an earlier run as ``Spending`` keeps it."""
+    known = {f.name for f in dataclasses.fields(Entry)}
+    entry = Entry(**{name: value for name, value in told.items() if name in known})
+    return dataclasses.replace(entry, earlier=True)
 
 
 def _row(server: str, question: str, model: str, entries: Iterable[Entry]) -> Row:

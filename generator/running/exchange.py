@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import ssl
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import httpx2
@@ -13,6 +13,8 @@ import httpx2
 MOST_REDIRECTS = 3
 
 _AGAIN = frozenset({408, 425, 429, 500, 502, 503, 504, 520, 521, 522, 523, 524, 529})
+_LATE = frozenset({504, 524})  # a gateway waited in vain; behind it the call may be worked on
+_CHARGED = _LATE | {502, 520}  # the same of one whose answer broke off there
 _EXCERPT = 300  # characters of an answer that a message quotes
 
 
@@ -37,14 +39,18 @@ class Trouble:
     """Why there is no answer: a sentence.
 
     ``again``: another attempt may mend it. ``charged``: it may have been paid for. ``alive``: the
-    server works. ``wait``: what its Retry-After says.
+    ``again``: another attempt may mend it. ``charged``: it may have been paid for. ``alive``: the
+    server works, or says when it will. ``late``: it was waited for in vain. ``wait``: what its
+    Retry-After says. ``unusable``: it answered, with nothing of use.
     """
 
     reason: str
     again: bool
     charged: bool = False
     alive: bool = False
+    late: bool = False
     wait: str | None = None
+    unusable: bool = False
 
 
 def exchange(
@@ -60,9 +66,11 @@ def exchange(
     try:
         reply = _read(client, request, began + timeout, most_bytes)
     except (httpx2.ConnectTimeout, httpx2.PoolTimeout):
-        return Trouble(f"It did not take the call within {timeout:g} s.", again=True)
+        connect = request.extensions["timeout"]["connect"]
+        return Trouble(f"It did not take the call within {connect:g} s.", again=True)
     except (httpx2.TimeoutException, _TooSlow):
-        return Trouble(f"It did not answer within {timeout:g} s.", again=True, charged=paid)
+        told = f"It did not answer within {timeout:g} s."
+        return Trouble(told, again=True, charged=paid, late=True)
     except (httpx2.ConnectError, httpx2.ProxyError, ssl.SSLError) as error:
         again = "certificate" not in str(error).lower()
         return Trouble(f"It cannot be reached ({error}).", again=again)
@@ -127,19 +135,21 @@ def _body(response: httpx2.Response, deadline: float, most_bytes: int) -> Reply 
             wait = response.headers.get("retry-after")
             return Reply(response.status_code, kind, b"".join(pieces), wait=wait)
     told = f"Its answer has more than the {most_bytes} bytes that are read."
-    return Trouble(told, again=False, charged=response.is_success, alive=True)
+    return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
 
 
 def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
     """Return the answer with its JSON, or why it is none."""
     status, again = reply.status, reply.status in _AGAIN
+    trouble = _trouble(reply, status, paid)
     head = reply.body[:_EXCERPT].lstrip().lower()
     if "text/html" in reply.content_type or head.startswith((b"<!doctype html", b"<html")):
-        return Trouble(
+        told = (
             f"It answered with an HTML page (status {status}), not with JSON or a file: "
-            f"{_excerpt(reply.body)}. Check the address; a proxy or a web site may answer there.",
-            again=again, alive=not again, wait=reply.wait,
-        )  # fmt: skip
+            f"{_excerpt(reply.body)}. Check the address; a proxy or a web site may answer there."
+        )
+        alive = trouble.alive or not again
+        return replace(trouble, reason=told, alive=alive, unusable=not again)
     payload = None
     if "json" in reply.content_type and reply.body:
         try:
@@ -148,11 +158,30 @@ def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
             if reply.good:
                 told = f"Its answer is not whole JSON: {_excerpt(reply.body)}."
                 return Trouble(told, again=True, charged=paid)
-    spent = status == 429 and b"insufficient_quota" in reply.body
+    passed_on = _code(payload) if reply.good else None
+    if passed_on in _AGAIN:
+        told = f"It passed on an error of code {passed_on}: {_excerpt(reply.body)}."
+        return replace(_trouble(reply, passed_on, paid), reason=told)
     if again or status >= 500 or status < 200:
-        told = f"It answered with status {status}: {_excerpt(reply.body)}."
-        return Trouble(told, again=again and not spent, alive=status == 429, wait=reply.wait)
+        spent = status == 429 and b"insufficient_quota" in reply.body
+        return replace(trouble, again=again and not spent)
     return Reply(status, reply.content_type, reply.body, payload)
+
+
+def _trouble(reply: Reply, status: int, paid: bool) -> Trouble:
+    """Return what an answer of a status that is none of use means."""
+    return Trouble(
+        f"It answered with status {status}: {_excerpt(reply.body)}.",
+        again=status in _AGAIN, charged=paid and status in _CHARGED, late=status in _LATE,
+        alive=status == 429 or (status == 503 and reply.wait is not None), wait=reply.wait,
+    )  # fmt: skip
+
+
+def _code(payload: Any) -> int | None:
+    """Return the status of the error that an answer tells of, as routers pass it on."""
+    error = payload.get("error") if isinstance(payload, dict) else None
+    code = str(error.get("code")) if isinstance(error, dict) else ""
+    return int(code) if code.isdecimal() else None
 
 
 def _excerpt(body: bytes) -> str:

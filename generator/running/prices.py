@@ -14,6 +14,7 @@ from typing import Any
 from ..errors import InputError, choices, require, require_number
 
 _DATED = re.compile(r"-(?:\d{4}-\d\d-\d\d|\d{6,8})$")
+_PORT = re.compile(r":\d+$")
 _MILLION = 1e6
 _SHIPPED = Path(__file__).with_name("prices.toml")
 
@@ -23,7 +24,9 @@ class Price:
     """What one model costs, in the table's currency.
 
     ``input`` and ``output`` are per million tokens, ``image`` per image answered, ``call`` per
-    call.
+    call. ``picture`` is no price: it is how many tokens a picture that is shown counts for at most,
+    for what a call may cost before it is sent. Where it is not said, it is as much as any model
+    that is known to us takes, apart from those listed with more.
 
     Raises:
         InputError: one is no number from 0.
@@ -33,9 +36,10 @@ class Price:
     output: float = 0.0
     image: float = 0.0
     call: float = 0.0
+    picture: float = 16_384.0
 
     def __post_init__(self) -> None:
-        require(self, "input", "output", "image", "call", least=0)
+        require(self, "input", "output", "image", "call", "picture", least=0)
 
     def of(self, tokens_in: int, tokens_out: int, images: int) -> float:
         """Return what one call costs."""
@@ -83,14 +87,15 @@ class Prices:
         date, currency = str(table.get("date", "")), str(table.get("currency", "USD"))
         return cls(date, currency, MappingProxyType(priced))
 
-    def price(self, model: str) -> Price | None:
-        """Return a model's price, or None if it is not known.
+    def price(self, model: str, server: str = "") -> Price | None:
+        """Return a model's price at a server ("host:port"), or None if it is not known.
 
         A model that is not listed as it is, is looked for without the provider before a slash
-        ("openai/gpt-5") and without the date at its end.
+        ("openai/gpt-5") and without the date at its end, then its server: "@host:port", "@host".
         """
         bare = model.rpartition("/")[2]
-        for name in (model, bare, _DATED.sub("", bare)):
+        servers = (f"@{server}", f"@{_PORT.sub('', server)}")
+        for name in (model, bare, _DATED.sub("", bare), *servers):
             if name in self.models:
                 return self.models[name]
         return None

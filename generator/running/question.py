@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import hashlib
-import ipaddress
 import json
+import math
 import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -13,19 +13,21 @@ from typing import Any, Literal
 import httpx2
 
 from ..errors import BackendError, choices
+from .address import local
 from .prices import Price, Prices
 from .redaction import plain_url
 
 QUESTION, MODEL, MEMO = "x-tabletopgen-question", "x-tabletopgen-model", "x-tabletopgen-memo"
+MEANT = "x-tabletopgen-meant"
 
 Memo = Literal["yes", "no", "renew"]
 
 _MEANT = ("x-tc-action", "x-tc-version", "x-tc-region")  # headers that are part of a question
 _MEMOS: Mapping[str, Memo] = {"yes": "yes", "no": "no", "renew": "renew"}
 _BYTES = 3  # of a text, to a token: few, so that the estimate is not too low
-_PICTURE = 3000  # tokens
 _LONGEST_WORD = 4096  # characters: a longer one is a file in base64
-_ANSWER = 16384  # tokens of an answer that the request sets no bound to
+_ANSWER = 16_384  # tokens of a drawing, which no request sets a bound to
+_TALK = 131_072  # tokens of a chat's answer without a bound, with all that the model thinks
 
 
 @dataclass(frozen=True)
@@ -81,10 +83,12 @@ def question(request: httpx2.Request, server: str, prices: Prices) -> Question:
     if memo not in _MEMOS:
         raise BackendError(f"{server}, {name}: {MEMO} is {memo!r}." + choices(memo, _MEMOS))
     body = request.read()
-    key = _key(request, body, model)
+    meant = request.headers.pop(MEANT, "")
+    key = _key(request, meant.encode() or body, model)
     payload = _payload(request, body)
     model = model or str(payload.get("model", ""))
-    price, most = _price(request, payload, body, prices.price(model))
+    price = prices.price(model, request.url.netloc.decode())
+    price, most = _price(request, payload, body, price)
     return Question(server, name, model, key, _MEMOS[memo], price, most)
 
 
@@ -109,16 +113,6 @@ def failed(payload: Any) -> bool:
         return False
     inner = payload.get("Response")
     return bool(payload.get("error") or (isinstance(inner, dict) and inner.get("Error")))
-
-
-def local(host: str) -> bool:
-    """Return whether a host is this machine."""
-    if host == "localhost" or host.endswith(".localhost"):
-        return True
-    try:
-        return ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        return False
 
 
 def _key(request: httpx2.Request, body: bytes, model: str) -> str:
@@ -161,18 +155,18 @@ def _price(
         return None, None
     number = max(1, _count(payload.get("n")))
     bounds = ("max_completion_tokens", "max_output_tokens", "max_tokens")
-    bound = next((_count(payload[b]) for b in bounds if payload.get(b)), _ANSWER)
-    files = body.count(b"filename=") * _PICTURE
-    return price, price.of(_tokens(payload) + files, number * bound, number)
-
-
-def _tokens(value: Any) -> int:
-    """Return an estimate, rather too high, of the tokens of a request."""
-    return sum(_PICTURE if _is_file(t) else len(t.encode()) // _BYTES + 1 for t in _texts(value))
+    unbound = _TALK if "messages" in payload else _ANSWER
+    bound = next((_count(payload[b]) for b in bounds if payload.get(b)), unbound)
+    texts = list(_texts(payload))
+    words = sum(len(t.encode()) // _BYTES + 1 for t in texts if not _is_file(t))
+    pictures = sum(map(_is_file, texts)) + body.count(b"filename=")
+    tokens = words + math.ceil(pictures * price.picture)
+    return price, price.of(tokens, number * bound, number)
 
 
 def _is_file(text: str) -> bool:
-    return len(text) > _LONGEST_WORD and text.isascii() and " " not in text
+    long = len(text) > _LONGEST_WORD and text.isascii() and " " not in text
+    return long or text.startswith("data:image/")
 
 
 def _texts(value: Any) -> Iterator[str]:

@@ -10,6 +10,10 @@ from urllib.parse import parse_qsl, quote, urlencode, urlsplit, urlunsplit
 
 REDACTED = "[redacted]"
 
+SHORT = 8
+"""Characters: a key has more, a word in its place ("EMPTY") need not."""
+
+_NOTHING = re.compile(r"(?!)")
 _SHAPES = (
     re.compile(r"(?i)(?<=\bbearer )[^\s\"',;]+"),
     re.compile(r"(?i)(?<=\bbasic )[A-Za-z0-9+/=_-]{8,}"),
@@ -27,11 +31,11 @@ _SIGNED = re.compile(
 def redacted(text: str, secrets: Iterable[str] = ()) -> str:
     """Return ``text`` without the secrets given, and without what is shaped like a key.
 
-    A secret is found as it is, quoted for a URL, escaped in JSON, or in base64 by itself.
+    A secret is found as it is, quoted for a URL, escaped in JSON, or in base64 by itself; one of
+    fewer than ``SHORT`` characters only where it is a word by itself, or it would garble others.
     """
     for secret in sorted(set(secrets), key=len, reverse=True):
-        for form in _forms(secret):
-            text = text.replace(form, REDACTED)
+        text = _found(secret).sub(REDACTED, text)
     for shape in _SHAPES:
         text = shape.sub(REDACTED, text)
     return text
@@ -39,7 +43,7 @@ def redacted(text: str, secrets: Iterable[str] = ()) -> str:
 
 def holds(text: str, secrets: Iterable[str]) -> bool:
     """Return whether a text holds one of the secrets, in any of the forms that are redacted."""
-    return any(form in text for secret in secrets for form in _forms(secret))
+    return any(_found(secret).search(text) for secret in secrets)
 
 
 def plain_url(url: str) -> str:
@@ -53,8 +57,12 @@ def plain_url(url: str) -> str:
     return urlunsplit((parts.scheme, parts.netloc.rpartition("@")[2], parts.path, kept, ""))
 
 
-def _forms(secret: str) -> tuple[str, ...]:
+def _found(secret: str) -> re.Pattern[str]:
+    """Return what finds a secret in each of its forms."""
     if not secret.strip():
-        return ()
+        return _NOTHING
     encoded = base64.b64encode(secret.encode()).decode()
-    return secret, quote(secret, safe=""), json.dumps(secret)[1:-1], encoded
+    forms = (secret, quote(secret, safe=""), json.dumps(secret)[1:-1], encoded)
+    # the longest first, or what is left of it would stay
+    found = "|".join(re.escape(form) for form in sorted(set(forms), key=len, reverse=True))
+    return re.compile(rf"(?<!\w)(?:{found})(?!\w)" if len(secret) < SHORT else found)

@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 import functools
+import logging
 import ssl
 import threading
+import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
-from urllib.parse import urlsplit
 
 from ..errors import BackendError, DryRunError, StoppedError, require
 from .account import Account
+from .address import checked_address
+from .flight import Flight, Haste
 from .prices import Prices
 from .store import CallStore
 from .waiting import Breakers, Patience
 
 if TYPE_CHECKING:
     import httpx2
+
+    from .transport import Sign
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -39,9 +44,11 @@ class Session:
     ``workers``: how many things are asked for at once.
     ``attempts``: how often a call is sent at most.
     ``dry``: nothing is sent: the first call that the store cannot answer raises DryRunError.
-    ``stop``: once set, calls that wait or are still to be sent raise StoppedError. Those under way
-    end by themselves, and are kept.
+    ``stop``: once set, calls that wait or are still to be sent raise StoppedError. So do those
+    under way that do not end within ``grace``.
     ``patience``: how long to wait between attempts.
+    ``grace``: seconds that a call under way has after ``stop``, or Ctrl-C, to be answered, so that
+    the answer is kept. A second Ctrl-C ends it at once.
 
     Raises:
         InputError: a number is out of range.
@@ -56,6 +63,7 @@ class Session:
     dry: bool = False
     stop: threading.Event = field(default_factory=threading.Event, repr=False)
     patience: Patience = field(default_factory=Patience)
+    grace: float = 5.0
     breakers: Breakers = field(default_factory=Breakers, init=False, repr=False)
     _scope: threading.local = field(default_factory=threading.local, init=False, repr=False)
 
@@ -63,6 +71,7 @@ class Session:
         require(self, "workers", "attempts", least=1, whole=True)
         if self.budget is not None:
             require(self, "budget", least=0)
+        require(self, "grace", least=0)
 
     def client(
         self,
@@ -72,24 +81,34 @@ class Session:
         timeout: float = 120.0,
         most_bytes: int = 64 * 2**20,
         secrets: tuple[str, ...] = (),
+        headers: tuple[str, ...] = (),
+        sign: Sign | None = None,
     ) -> httpx2.Client:
         """Return an HTTP client whose calls this session keeps, counts, bounds and repeats.
 
         It speaks to the origin of ``base_url`` alone. A request says what it is for by headers that
         are not sent: ``x-tabletopgen-question`` (a protocol's method), ``x-tabletopgen-model``, and
         ``x-tabletopgen-memo``: "no" for an answer that changes (the state of a job), "renew" where
-        the kept answer is of no use any more. Answers of status 2xx, and 4xx that no wait would
-        mend, are returned; everything else raises BackendError.
+        the kept answer is of no use any more. ``x-tabletopgen-meant`` stands for the body where
+        requests that differ ask the same, or that are alike do not: what is kept, is kept by it.
+        Other headers than those of HTTP itself are not sent either, whatever a library that makes
+        the request finds in the environment. Answers of status 2xx, and 4xx that no wait would
+        mend, are returned, with the key that they are kept under (``used.KEY``); everything else
+        raises BackendError.
 
         Args:
             server: names the server in messages and in the ledger.
             base_url: http or https, as far as all paths have it in common.
             timeout: seconds that one attempt may take.
             most_bytes: what an answer may have at most.
-            secrets: what no message may hold. Keys go into headers, never into a URL.
+            secrets: what no message may hold. Keys go into headers, never into a URL, and where
+                some are given no others are sent.
+            headers: more that may be sent, in lower case.
+            sign: gives the headers that sign a request, for each attempt anew.
 
         Raises:
-            BackendError: the extra is not installed, or the URL is none.
+            BackendError: the extra is not installed, or the URL is none, or holds a password.
+            UnusableError: by a call, of an answer that is a web page or too large.
         """
         try:
             import httpx2
@@ -99,16 +118,10 @@ class Session:
             raise BackendError(
                 f"{server} is asked over HTTP, and {error.name} is not installed. Run: {EXTRA}"
             ) from error
-        try:
-            parts = urlsplit(base_url)
-            fine = parts.scheme in ("http", "https") and bool(parts.hostname) and parts.port != 0
-        except ValueError:
-            fine = False
-        if not fine:
-            raise BackendError(
-                f"{server}: its address must look like https://host/path, got {base_url!r}."
-            )
-        transport = PaidTransport(self, server, base_url, timeout, most_bytes, secrets)
+        checked_address(base_url, f"{server}: its address")
+        transport = PaidTransport(
+            self, server, base_url, timeout, most_bytes, secrets, headers, sign
+        )
         return httpx2.Client(
             base_url=base_url, transport=transport, timeout=timeout, trust_env=False
         )
@@ -124,21 +137,21 @@ class Session:
         """Return ``work`` of every item, in their order, ``workers`` at a time.
 
         The first error stops what waits or has not begun, and is raised when the rest has ended;
-        what was answered by then is in the store. In a dry run all items are tried, and one error
-        names all calls.
+        what was answered by then is in the store. Ctrl-C leaves the rest ``grace``, a second one
+        nothing. In a dry run all items are tried, and one error names all calls.
         """
         if min(self.workers, len(items)) <= 1 and not self.dry:
             return [work(item) for item in items]
-        halted = threading.Event()
-        outer = self._halts()
+        halted, haste = threading.Event(), Haste()
+        scope = (*self._halts(), halted), (*self._hastes(), haste)
 
         def one(item: T) -> R:
-            self._scope.halts = (*outer, halted)
+            self._scope.halts, self._scope.hastes = scope
             try:
                 self.check()
                 return work(item)
             finally:
-                self._scope.halts = ()
+                self._scope.halts, self._scope.hastes = (), ()
 
         with ThreadPoolExecutor(min(self.workers, len(items)) or 1) as pool:
             futures = [pool.submit(one, item) for item in items]
@@ -148,10 +161,54 @@ class Session:
                     if any(f.done() and f.exception() for f in futures):
                         halted.set()
                 wait(futures)
-            except BaseException:
+            except BaseException:  # an interrupt, or the end of what this is part of
                 halted.set()
+                self._hurried(futures, haste)
                 raise
         return _results(futures)
+
+    def _hurried(self, futures: Sequence[Future[R]], haste: Haste) -> None:
+        """Wait for work under way for ``grace``; no longer after a second interrupt."""
+        haste.ask(self._allowed())
+        try:
+            wait(futures)
+        finally:
+            haste.ask(time.monotonic())
+
+    def landing(self, flight: Flight[T]) -> BaseException | None:
+        """Wait for a call under way; return the interrupt that came meanwhile, to raise it later.
+
+        Raises:
+            StoppedError: there is reason to stop, and it did not end within ``grace``.
+            KeyboardInterrupt: the same for the main thread, or the second one.
+        """
+        own, stopping = Haste(), False
+        interrupt: BaseException | None = None
+        while True:
+            try:
+                if flight.landed(_SLICE):
+                    return interrupt
+            except KeyboardInterrupt as error:
+                if interrupt is not None:
+                    raise
+                interrupt = error
+                own.ask(self._allowed())
+            if self.stop.is_set() and not stopping:
+                stopping = True
+                own.ask(time.monotonic() + self.grace)
+            if any(h.until is not None and time.monotonic() >= h.until
+                   for h in (own, *self._hastes())):  # fmt: skip
+                raise interrupt or StoppedError(
+                    "Stopped; a call under way had no answer yet. What was answered is kept."
+                )
+
+    def _allowed(self) -> float:
+        """Tell an interrupted user what is waited for; return until when."""
+        logging.getLogger(__name__).warning(
+            "Interrupted: calls under way have %g s to be answered, so that what is paid for is "
+            "kept. Interrupt again to end at once.", self.grace,
+        )  # fmt: skip
+        return time.monotonic() + self.grace
 
     def check(self) -> None:
         """Raise StoppedError if this session, or the work that this thread is part of, is over."""
@@ -171,6 +228,9 @@ class Session:
 
     def _halts(self) -> tuple[threading.Event, ...]:
         return getattr(self._scope, "halts", ())
+
+    def _hastes(self) -> tuple[Haste, ...]:
+        return getattr(self._scope, "hastes", ())
 
 
 def _results(futures: Sequence[Future[R]]) -> list[R]:

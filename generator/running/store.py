@@ -21,6 +21,7 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 from ..errors import StorageError, require_number
+from ..files import make_private
 
 MOST_BYTES = 4 * 2**30
 """Size of a store unless its owner says otherwise."""
@@ -78,23 +79,22 @@ class CallStore:
         """Keep an answer; whoever reads sees it whole or not at all.
 
         Raises:
-            StorageError: the disk refuses. It is said once; from then on nothing is kept.
+            StorageError: it is larger than the store. Or the disk refuses: that is said once, and
+                from then on nothing is kept.
         """
         if self._broken:
             return
-        raw = _encoded(key, answer)
+        path, raw = self._path(key), _encoded(key, answer)
+        if len(raw) > self.most_bytes:
+            raise StorageError(
+                f"An answer of {len(raw)} bytes does not fit the call store {self.folder}, "
+                f"which holds {self.most_bytes}. Raise its most_bytes."
+            )
         try:
-            if len(raw) > self.most_bytes:
-                raise StorageError(
-                    f"An answer of {len(raw)} bytes does not fit the call store {self.folder}, "
-                    f"which holds {self.most_bytes}. Raise its most_bytes."
-                )
-            self._write(self._path(key), raw)
-            self._evict(self._path(key))
+            self._write(path, raw)
+            self._evict(path)
         except OSError as error:
             self._broken = True
-            if isinstance(error, StorageError):
-                raise
             raise StorageError(
                 f"The call store {self.folder} cannot be written ({error.strerror or error}): "
                 "answers of this run are used, but not kept. Free space or name another folder."
@@ -141,13 +141,13 @@ class CallStore:
         """Return the lock of a key; a few keys of 4096 share one."""
         path = self.folder / "locks" / f"{key[:3]}.lock"
         try:
-            _make(path.parent)
+            make_private(path.parent)
         except OSError:
             return None
         return FileLock(path, mode=0o600)
 
     def _write(self, path: Path, raw: bytes) -> None:
-        _make(path.parent)
+        make_private(path.parent)
         number, name = tempfile.mkstemp(prefix=_PARTIAL, dir=path.parent)
         try:
             with os.fdopen(number, "wb") as file:
@@ -188,15 +188,6 @@ class _Kept:
     path: Path
     bytes: int
     used: float
-
-
-def _make(folder: Path) -> None:
-    """Make a folder and those above that are missing, for their owner alone."""
-    if folder.is_dir():
-        return
-    if not folder.parent.is_dir():
-        _make(folder.parent)
-    folder.mkdir(mode=0o700, exist_ok=True)
 
 
 def _encoded(key: str, answer: Answer) -> bytes:

@@ -3,25 +3,39 @@
 from __future__ import annotations
 
 import contextlib
+import functools
 import logging
 import time
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import httpx2
 
-from ..errors import BackendError, DryRunError, StorageError
+from ..errors import BackendError, DryRunError, StorageError, UnusableError
 from .account import Entry, Outcome
+from .address import local, near
 from .exchange import Reply, Trouble, exchange
-from .question import NOTHING, Question, Usage, failed, local, question, usage
+from .flight import Flight
+from .question import NOTHING, Question, Usage, failed, question, usage
 from .redaction import holds, redacted
 from .store import Answer
+from .used import KEY
 from .waiting import retry_after
 
 if TYPE_CHECKING:
     from .session import Session
 
 _KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
+_SENT = frozenset({
+    "accept", "accept-encoding", "authorization", "connection", "content-length", "content-type",
+    "host", "transfer-encoding", "user-agent",
+})  # fmt: skip
+_SIGNED_BY = "x-tc-"  # headers of a call that a signature covers
+_LATE = 1  # how often a call is sent again that was waited for in vain: each may have been paid for
+_CONNECT = 30.0  # seconds in which a server takes a call, however long it may work on it
 _LEAST = 6  # characters: shorter ones are no keys, and would redact words
+
+Sign = Callable[[httpx2.Request], Mapping[str, str]]
 
 
 class PaidTransport(httpx2.BaseTransport):
@@ -35,6 +49,8 @@ class PaidTransport(httpx2.BaseTransport):
         timeout: float,
         most_bytes: int,
         secrets: tuple[str, ...],
+        headers: tuple[str, ...] = (),
+        sign: Sign | None = None,
     ) -> None:
         """Speak to the origin of ``base_url``; the rest is as in ``Session.client``."""
         self._session = session
@@ -43,11 +59,24 @@ class PaidTransport(httpx2.BaseTransport):
         self._timeout = timeout
         self._most_bytes = most_bytes
         self._secrets = secrets
+        self._headers = _SENT | set(headers)
+        self._sign = sign
+        self._warn_of_open_keys()
         origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
         self._breaker = session.breakers.of(server, origin, session.patience)
         self._client = httpx2.Client(
             timeout=timeout, trust_env=not local(self._base.host), verify=session.trust
         )
+
+    def _warn_of_open_keys(self) -> None:
+        if self._secrets and self._base.scheme == "http" and not near(self._base.host):
+            told = (
+                f"{self._server}: its key goes to {self._base.host} unencrypted, where everyone on "
+                "the way can read it. Use an https address."
+            )
+            if told not in self._session.account.notes:
+                self._session.account.note(told)
+                logging.getLogger(__name__).warning("%s", told)
 
     def close(self) -> None:
         """Close the connections."""
@@ -69,12 +98,30 @@ class PaidTransport(httpx2.BaseTransport):
             kept = store.get(asked.key) if store is not None and asked.memo == "yes" else None
             if kept is not None:
                 self._session.account.add(_entry(asked, "cached", 0.0, 0.0))
-                return _response(kept.status, kept.content_type, kept.body, request)
-            reply = self._ask(request, asked, secrets)
+                return _response(kept.status, kept.content_type, kept.body, request, asked.key)
+            interrupted = held.enter_context(_raised_later())
+            reply = self._ask(request, asked, secrets, interrupted)
             if store is not None and reply.good and not failed(reply.payload):
                 self._keep(asked, reply)
         body = reply.body if reply.good else _clean(reply.body, secrets)
-        return _response(reply.status, reply.content_type, body, request)
+        return _response(reply.status, reply.content_type, body, request, asked.key)
+
+    def _sendable(self, request: httpx2.Request) -> httpx2.Request:
+        """Return a request with no more headers than this server is to see, and its time bounded.
+
+        Whoever made the request reads in his own what he asked for.
+        """
+        headers = [
+            (name, value)
+            for name, value in request.headers.multi_items()
+            if (name in self._headers or name.startswith(_SIGNED_BY))
+            and (name != "authorization" or not self._secrets or holds(value, self._secrets))
+        ]
+        times = _bounded(request.extensions.get("timeout", {}), self._timeout)
+        return httpx2.Request(
+            request.method, request.url, headers=headers, content=request.content,
+            extensions={**request.extensions, "timeout": times},
+        )  # fmt: skip
 
     def _check_address(
         self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]
@@ -91,52 +138,85 @@ class PaidTransport(httpx2.BaseTransport):
                 "Send it in a header."
             )
 
-    def _ask(self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]) -> Reply:
-        """Send a request until it is answered."""
+    def _ask(
+        self,
+        request: httpx2.Request,
+        asked: Question,
+        secrets: tuple[str, ...],
+        interrupted: list[BaseException],
+    ) -> Reply:
+        """Send a request until it is answered; ``interrupted`` gets what to raise thereafter."""
         session = self._session
         if session.dry:
             raise DryRunError(_would(asked, session.prices.currency))
-        _bound_times(request, self._timeout)
-        for k in range(session.attempts):
+        request = self._sendable(request)
+        line, k, late = self._breaker.line(), 0, 0
+        while True:
             session.check()
             self._breaker.check(str(asked))
-            told = self._attempt(request, asked)
+            told, interrupt = self._attempt(request, asked)
             if isinstance(told, Reply):
                 self._breaker.worked()
+                interrupted.extend(filter(None, [interrupt]))
                 return told
+            if interrupt is not None:
+                raise interrupt
             reason = redacted(told.reason, secrets)
             if told.alive:
                 self._breaker.worked()
             else:
-                self._breaker.failed(reason)
+                self._breaker.failed(reason, line)
             if not told.again:
-                raise BackendError(f"{asked}: no answer. {reason}")
-            if k + 1 < session.attempts:
-                session.pause(self._wait(told, k, asked))
-        times = f"{session.attempts} times" if session.attempts > 1 else "once"
+                kind = UnusableError if told.unusable else BackendError
+                raise kind(f"{asked}: no answer. {reason}")
+            k, late = k + 1, late + told.late
+            if k >= session.attempts or late > _LATE:
+                break
+            session.pause(self._wait(told, k - 1, asked))
+        times = f"{k} times" if k > 1 else "once"
         raise BackendError(
             f"{asked}: no answer, asked {times}. {reason} What was answered before is kept; see "
             "whether the server runs, and try again."
         )
 
-    def _attempt(self, request: httpx2.Request, asked: Question) -> Reply | Trouble:
-        """Send a request once, within the budget, and enter it in the ledger."""
-        session = self._session
-        with session.account.reserving(
-            asked.most, session.budget, str(asked), session.check
-        ) as enter:
+    def _attempt(
+        self, request: httpx2.Request, asked: Question
+    ) -> tuple[Reply | Trouble, BaseException | None]:
+        """Send a request once, within the budget, and enter it in the ledger.
+
+        Returns the answer, and the interrupt that came while it was waited for.
+        """
+        session, account = self._session, self._session.account
+        lost = _entry(asked, "failed", 0.0, asked.most)
+        with (
+            account.reserving(asked.most, session.budget, str(asked), session.check) as enter,
+            account.recording(lost, asked.key) as record,
+        ):
+            if self._sign is not None:
+                request.headers.update(self._sign(request))
             began = time.monotonic()
-            told = exchange(self._client, request, self._timeout, self._most_bytes)
-            seconds = time.monotonic() - began
+
+            def end(outcome: Outcome, money: float | None, spent: Usage = NOTHING) -> None:
+                entry = _entry(asked, outcome, time.monotonic() - began, money, spent)
+                record(entry)
+                enter(entry)
+
+            sending = (self._client, request, self._timeout, self._most_bytes)
+            flight = Flight(functools.partial(exchange, *sending))
+            try:
+                interrupt = session.landing(flight)
+            except BaseException:  # given up: it may be answered, and paid for, all the same
+                end("failed", asked.most)
+                raise
+            told = flight.result()
             if isinstance(told, Trouble):
-                money = asked.most if told.charged else 0.0
-                enter(_entry(asked, "failed", seconds, money))
+                end("failed", asked.most if told.charged else 0.0)
             elif not told.good or failed(told.payload):
-                enter(_entry(asked, "failed", seconds, 0.0))
+                end("failed", 0.0)
             else:
                 spent = usage(told.payload)
-                enter(_entry(asked, "answered", seconds, asked.money(spent), spent))
-        return told
+                end("answered", asked.money(spent), spent)
+        return told, interrupt
 
     def _wait(self, told: Trouble, k: int, asked: Question) -> float:
         """Return how long to wait after the k-th failure."""
@@ -161,6 +241,17 @@ class PaidTransport(httpx2.BaseTransport):
             logging.getLogger(__name__).warning("%s", error)
 
 
+@contextlib.contextmanager
+def _raised_later() -> Iterator[list[BaseException]]:
+    """Yield a list; what is put there is raised at the end, when an answer is kept."""
+    later: list[BaseException] = []
+    try:
+        yield later
+    finally:
+        for error in later:
+            raise error
+
+
 def _entry(
     asked: Question, outcome: Outcome, seconds: float, money: float | None, spent: Usage = NOTHING
 ) -> Entry:
@@ -171,10 +262,10 @@ def _entry(
 
 
 def _response(
-    status: int, content_type: str, body: bytes, request: httpx2.Request
+    status: int, content_type: str, body: bytes, request: httpx2.Request, key: str
 ) -> httpx2.Response:
     """Return a response as a client gets it, the same from the store as from the server."""
-    headers = {"content-type": content_type} if content_type else {}
+    headers = {KEY: key, **({"content-type": content_type} if content_type else {})}
     return httpx2.Response(status, headers=headers, content=body, request=request)
 
 
@@ -197,13 +288,7 @@ def _would(asked: Question, currency: str) -> str:
     return f"Would ask {asked}, for at most {asked.most:.4f} {currency}."
 
 
-def _bound_times(request: httpx2.Request, timeout: float) -> None:
-    """Let no part of a request take longer than ``timeout``, whatever its maker allows."""
-    given = request.extensions.get("timeout", {})
-    request.extensions = {
-        **request.extensions,
-        "timeout": {
-            part: timeout if given.get(part) is None else min(timeout, given[part])
-            for part in ("connect", "read", "write", "pool")
-        },
-    }
+def _bounded(given: Mapping[str, float | None], timeout: float) -> dict[str, float]:
+    """Return the times of a request's parts: none above ``timeout``, whatever its maker allows."""
+    most = {"connect": min(timeout, _CONNECT), "read": timeout, "write": timeout, "pool": timeout}
+    return {part: min(most[part], given.get(part) or timeout) for part in most}

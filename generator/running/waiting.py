@@ -20,7 +20,7 @@ class Patience:
     The k-th wait is drawn evenly from half to all of ``first * factor**k``, at most ``longest``.
     A server that says how long to wait (Retry-After) is obeyed up to ``obeyed``; one that asks for
     more is not waited for. After ``failures`` in a row a server is left alone for ``rest``; then
-    one call tries it.
+    one call tries it. Calls that fail beside each other count as one of them: see ``Line``.
 
     Raises:
         InputError: a number is out of range.
@@ -69,6 +69,18 @@ def retry_after(text: str | None, now: datetime | None = None) -> float | None:
     return max(0.0, (date - (now or datetime.now(UTC))).total_seconds())
 
 
+@dataclass
+class Line:
+    """The failures in a row that one call stands at the end of: earlier calls' and its own.
+
+    Of calls at once each has a line of its own, so that one bad moment of a server, which befalls
+    all of them, counts once.
+    """
+
+    turn: int
+    length: int
+
+
 class Breaker:
     """Keeps calls from a server that does not work: one for each server, shared by all threads."""
 
@@ -81,6 +93,7 @@ class Breaker:
         self._clock = clock
         self._lock = threading.Lock()
         self._failures = 0
+        self._turn = 0  # grows as a call is answered
         self._reason = ""
         self._closed_again = 0.0  # when the next call may try
 
@@ -102,15 +115,24 @@ class Breaker:
                 )
             self._closed_again = self._clock() + self._patience.rest  # others wait for this one
 
+    def line(self) -> Line:
+        """Return the line of a call that begins now."""
+        with self._lock:
+            return Line(self._turn, self._failures)
+
     def worked(self) -> None:
         """Hear that a call was answered."""
         with self._lock:
             self._failures = 0
+            self._turn += 1
 
-    def failed(self, reason: str) -> None:
-        """Hear that a call was not; ``reason`` is a sentence for messages."""
+    def failed(self, reason: str, line: Line) -> None:
+        """Hear that the call of a line was not; ``reason`` is a sentence for messages."""
         with self._lock:
-            self._failures += 1
+            if line.turn != self._turn:
+                line.turn, line.length = self._turn, 0
+            line.length += 1
+            self._failures = max(self._failures, line.length)
             self._reason = reason
             self._closed_again = self._clock() + self._patience.rest
 

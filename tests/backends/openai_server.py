@@ -48,16 +48,20 @@ class Request:
 class Script:
     """How the server behaves. ``chat`` writes an answer, ``paint`` draws a picture.
 
-    ``forms`` are the response formats it knows; ``failures`` befall the next requests, one each.
+    ``urls``: pictures are answered as addresses, all as ``address`` if there is one. ``forms`` are
+    the response formats it knows, ``bounds`` the limits of an answer; ``failures`` befall the next
+    requests, one each.
     """
 
     chat: Callable[[Request], Any] = lambda request: "{}"
-    paint: Callable[[Request], np.ndarray] = lambda request: np.zeros((64, 64, 3), np.uint8)
+    paint: Callable[[Request], Any] = lambda request: np.zeros((64, 64, 3), np.uint8)
     forms: tuple[str, ...] = ("json_schema", "json_object")
     knows_seed: bool = True
+    bounds: tuple[str, ...] = ("max_completion_tokens", "max_tokens")
     form: str = "openai"
     unknown: set[str] = field(default_factory=set)
     urls: bool = False
+    address: str = ""
     failures: deque[str] = field(default_factory=deque)
     requests: list[Request] = field(default_factory=list)
     lost: set[str] = field(default_factory=set)
@@ -185,6 +189,9 @@ class Handler(BaseHTTPRequestHandler):
         body, script = request.body, self.script
         if "seed" in body and not script.knows_seed:
             raise Fault(400, "Unsupported parameter: 'seed'")
+        for name in ("max_completion_tokens", "max_tokens"):
+            if name in body and name not in script.bounds:
+                raise Fault(400, f"Unsupported parameter: '{name}'")
         form = body.get("response_format")
         if form is not None:
             if form["type"] not in script.forms:
@@ -218,7 +225,7 @@ class Handler(BaseHTTPRequestHandler):
         data = drawn if isinstance(drawn, bytes) else encoded(drawn)
         if not self.script.urls:
             return {"created": 1, "data": [{"b64_json": base64.b64encode(data).decode()}]}
-        path = f"/files/{len(self.script.requests)}.png"
+        path = self.script.address or f"/files/{len(self.script.requests)}.png"
         self.files[path] = data
         return {"created": 1, "data": [{"url": f"http://{self.headers['host']}{path}"}]}
 

@@ -132,6 +132,14 @@ def test_prices_are_found_under_dated_and_prefixed_names() -> None:
     assert prices.price("") is None
 
 
+def test_a_server_is_a_price_for_what_is_not_listed() -> None:
+    prices = Prices(models={"m": Price(1.0), "@box": Price(), "@box:81": Price(call=2.0)})
+    assert prices.price("other", "box:80") == prices.price("", "box") == Price()
+    assert prices.price("other", "box:81") == Price(call=2.0)
+    assert prices.price("m", "box:81") == Price(1.0)
+    assert prices.price("other", "abox") is None
+
+
 def test_a_price_is_of_tokens_images_and_calls() -> None:
     price = Price(input=2.0, output=8.0, image=0.5, call=0.25)
     assert price.of(1_000_000, 500_000, 2) == 2.0 + 4.0 + 1.0 + 0.25
@@ -140,7 +148,7 @@ def test_a_price_is_of_tokens_images_and_calls() -> None:
 def test_the_shipped_prices_are_dated() -> None:
     prices = Prices.shipped()
     assert prices.date.startswith("20") and prices.currency == "USD"
-    free = {name for name, p in prices.models.items() if not any(vars(p).values())}
+    free = {name for name, p in prices.models.items() if not p.of(1, 1, 1)}
     assert free == {"hunyuan-3d-query"}, "a job is paid when it is submitted"
 
 

@@ -86,8 +86,11 @@ def test_what_was_not_asked_for_the_longest_goes_first(tmp_path: Path) -> None:
 
 
 def test_an_answer_larger_than_the_store_is_refused(tmp_path: Path) -> None:
+    store = CallStore(tmp_path, most_bytes=300)
     with pytest.raises(StorageError, match="most_bytes"):
-        CallStore(tmp_path, most_bytes=100).put(key("q"), Answer(200, "", bytes(200)))
+        store.put(key("q"), Answer(200, "", bytes(300)))
+    store.put(key("r"), ANSWER)
+    assert store.get(key("q")) is None and store.get(key("r")) == ANSWER
     with pytest.raises(InputError, match="most_bytes"):
         CallStore(tmp_path, most_bytes=0)
 

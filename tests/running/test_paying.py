@@ -100,7 +100,9 @@ def test_the_second_time_is_free_and_says_so(
     path = Path(json.loads(capsys.readouterr().out)["bundle"])
     assert generate("--json", "--budget", "0") == 0
     told = json.loads(capsys.readouterr().out)["ledger"]
-    assert [call["outcome"] for call in told["calls"]] == ["cached"]
+    assert [call["outcome"] for call in told["calls"]] == ["answered", "cached"]
+    assert [call["earlier"] for call in told["calls"]] == [True, False]
+    assert told["money"] == 0.02 and "0.0200 was spent by earlier runs" in told["notes"][0]
     assert len(server.asked) == 1
     kept = json.loads((path / "ledger.json").read_text())
     assert [call["outcome"] for call in kept["calls"]] == ["answered"]  # what the bundle cost
@@ -145,7 +147,41 @@ def test_a_failure_after_a_paid_call_says_what_it_cost(
     assert generate("--out", str(tmp_path / "file")) == 5
     told = capsys.readouterr().err
     assert "plan_scene" in told and "0.0200" in told and "kept" in told
+    (ledger,) = (tmp_path / "usual" / "spending").glob("*.jsonl")
+    assert str(ledger) in told and '"money": 0.02' in ledger.read_text()
     assert told.splitlines()[-1].startswith("error: ")
+
+
+def test_a_run_that_failed_counts_for_the_next_ones_budget_and_ledger(
+    server: Served,
+    generate: Callable[..., int],
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "file").write_text("")
+    assert generate("--out", str(tmp_path / "file")) == 5
+    for answer in (tmp_path / "usual" / "answers").glob("*/*"):
+        answer.unlink()  # so that it has to be paid for again
+    assert generate("--budget", "0.05") == 3
+    assert "Of the budget of 0.05, 0.0200 is spent" in capsys.readouterr().err
+    assert generate("--budget", "0.06") == 0
+    path = Path(capsys.readouterr().out.splitlines()[0])
+    assert json.loads((path / "ledger.json").read_text())["money"] == 0.04
+    assert generate("--seed", "1", "--budget", "0.05") == 0, "another scene"
+
+
+def test_what_a_failed_run_had_answered_is_in_the_next_ones_ledger(
+    server: Served,
+    generate: Callable[..., int],
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "file").write_text("")
+    assert generate("--out", str(tmp_path / "file")) == 5
+    capsys.readouterr()
+    assert generate() == 0 and len(server.asked) == 1
+    path = Path(capsys.readouterr().out.splitlines()[0])
+    assert json.loads((path / "ledger.json").read_text())["money"] == 0.02
 
 
 def test_a_wrong_price_table_is_bad_input(

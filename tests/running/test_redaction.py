@@ -49,6 +49,19 @@ def test_a_longer_secret_goes_before_one_that_it_contains() -> None:
     assert redacted("abcdef", ("abc", "abcdef")) == "[redacted]"
 
 
+@pytest.mark.parametrize(
+    ("secret", "text", "clean"),
+    [
+        ("e", "the key e, or e: see here", "the key [redacted], or [redacted]: see here"),
+        ("EMPTY", "key EMPTY, not EMPTYING", "key [redacted], not EMPTYING"),
+        ("12345678", "a123456789", "a[redacted]9"),
+    ],
+)
+def test_a_short_secret_is_a_word_by_itself(secret: str, text: str, clean: str) -> None:
+    assert redacted(text, (secret,)) == clean
+    assert holds(text, (secret,)) and not holds("here", (secret,))
+
+
 def test_an_empty_secret_changes_nothing() -> None:
     assert redacted("plain words", ("", " ")) == "plain words"
 

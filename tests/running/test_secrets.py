@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import logging
 import traceback
-from collections.abc import Iterator
 from pathlib import Path
 
+import httpx2
 import openai
 import pytest
+from leaks import chain, everything
 from paid_server import CHAT, KEY, PRICES, Asked, Says, ask, serving, session
 
 from generator.errors import BackendError
@@ -17,17 +18,13 @@ from generator.running.store import CallStore
 ECHO = {"error": {"message": f"Incorrect API key provided: {KEY}", "code": "invalid_api_key"}}
 
 
-def chain(error: BaseException | None) -> Iterator[BaseException]:
-    while error is not None:
-        yield error
-        error = error.__cause__ or error.__context__
-
-
 def held(error: BaseException) -> str:
-    """Everything that a log of an exception may show, attributes included."""
+    """What a log of the SDK's error may show, and all that the project's own error leads to."""
     texts = ["".join(traceback.format_exception(error))]
     for link in chain(error):
-        texts += [repr(link), str(vars(link)), str(getattr(link, "body", ""))]
+        if isinstance(link, BackendError):
+            texts += [repr(link), str(vars(link)), repr(link.__cause__), repr(link.__context__)]
+        texts.append(str(getattr(link, "body", "")))
         texts.append(getattr(getattr(link, "response", None), "text", ""))
     return "\n".join(texts)
 
@@ -89,7 +86,14 @@ def test_no_key_in_errors_logs_store_or_ledger(
 def test_the_search_can_fail() -> None:
     error = BackendError("wrapped")
     error.__context__ = ValueError(KEY)
-    assert KEY in held(error)
+    assert KEY in everything(error)
+    error.__cause__ = ValueError("beside")  # hides the context from a printed traceback
+    assert KEY in everything(error)
+    request = httpx2.Request("GET", "http://h", headers={"authorization": f"Bearer {KEY}"})
+    assert KEY not in repr(request.headers)
+    error = BackendError("wrapped")
+    error.__context__ = httpx2.ReadError("broken", request=request)
+    assert KEY in everything(error)
 
 
 def test_the_sdk_gets_answers_and_refusals_through_a_session() -> None:
@@ -117,3 +121,52 @@ def test_the_sdk_gets_answers_and_refusals_through_a_session() -> None:
         ("list_objects", "i", "answered"),
     ]
     assert b"multipart" not in server.asked[2].body and b"one" in server.asked[2].body
+
+
+def test_what_the_environment_adds_is_not_sent(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("OPENAI_ORG_ID", "org-private")
+    monkeypatch.setenv("OPENAI_PROJECT_ID", "project-private")
+    monkeypatch.setenv("OPENAI_CUSTOM_HEADERS", "Helicone-Auth: Bearer other\nCookie: c=1")
+    sent = []
+    with serving([Says()]) as server:
+        for more in ((), ("openai-organization",)):
+            with session().client("cloud", server.url, headers=more) as client:
+                sdk = openai.OpenAI(api_key=KEY, base_url=server.url, http_client=client)
+                sdk.chat.completions.create(model="m", messages=[])
+            sent.append(server.asked[-1].headers)
+    assert "org-private" not in str(sent[0]) and sent[1]["openai-organization"] == "org-private"
+    for headers in sent:
+        assert headers["authorization"] == f"Bearer {KEY}"
+        assert not {"helicone-auth", "cookie", "openai-project"} & set(headers)
+        assert not [name for name in headers if name.startswith("x-")]
+
+
+def test_another_key_than_the_one_given_is_not_sent() -> None:
+    with serving([Says()]) as server, session().client("s", server.url, secrets=(KEY,)) as client:
+        client.get("/a", headers=[("authorization", f"Bearer {KEY}"), ("authorization", "other")])
+        client.get("/b", headers={"authorization": "Bearer other"})
+    assert [a.headers.get("authorization") for a in server.asked] == [f"Bearer {KEY}", None]
+
+
+@pytest.mark.parametrize(
+    ("url", "open_"),
+    [
+        ("http://gpu.example/v1", True),
+        ("http://93.184.216.34/v1", True),
+        ("https://gpu.example/v1", False),
+        ("http://127.0.0.1:1/v1", False),
+        ("http://192.168.1.9:8000", False),
+        ("http://gpu-box:8000", False),
+        ("http://gpu.local:8000", False),
+    ],
+)
+def test_a_key_that_goes_over_the_net_unencrypted_is_warned_of_once(
+    url: str, open_: bool, caplog: pytest.LogCaptureFixture
+) -> None:
+    shared = session()
+    for _ in range(2):
+        shared.client("cloud", url, secrets=(KEY,)).close()
+    assert [("unencrypted" in note) for note in shared.account.notes] == [True] * open_
+    assert len(caplog.records) == open_
+    shared.client("maker", url).close()  # no key
+    assert len(shared.account.notes) == open_

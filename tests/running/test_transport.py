@@ -14,9 +14,11 @@ from typing import Any
 import pytest
 from paid_server import CHAT, KEY, Asked, Says, ask, serving, session
 
-from generator.errors import BackendError, BudgetError, DryRunError
+from generator.errors import BackendError, BudgetError, DryRunError, UnusableError
+from generator.running import Session
 from generator.running.prices import Prices
 from generator.running.store import CallStore
+from generator.running.used import Used
 from generator.running.waiting import Patience
 
 
@@ -95,7 +97,9 @@ def test_what_changes_is_not_kept_and_what_is_of_no_use_is_renewed(tmp_path: Pat
             ask(shared, server.url, memo="renw")
 
 
-@pytest.mark.parametrize("told", [{"error": {"message": "x"}}, {"Response": {"Error": {"C": 1}}}])
+@pytest.mark.parametrize(
+    "told", [{"error": {"code": 400}}, {"error": "x"}, {"Response": {"Error": {"C": 1}}}]
+)
 def test_an_error_told_with_status_200_is_not_kept(tmp_path: Path, told: dict) -> None:
     shared = session(store=CallStore(tmp_path))
     with serving([Says(told), Says()]) as server:
@@ -104,9 +108,54 @@ def test_an_error_told_with_status_200_is_not_kept(tmp_path: Path, told: dict) -
     assert outcomes(shared) == ["failed", "answered"]
 
 
+def test_requests_that_mean_the_same_have_one_answer(tmp_path: Path) -> None:
+    shared = session(store=CallStore(tmp_path))
+
+    def told(body: dict, meant: str, path: str = "/v1") -> int:
+        headers = {"x-tabletopgen-meant": meant}
+        with shared.client("cloud", server.url) as client:
+            return client.post(path, json=body, headers=headers).json()["k"]
+
+    with serving(lambda asked, k: Says({"k": k})) as server:
+        assert [told({"a": 1}, "x"), told({"b": 2}, "x"), told({"a": 1}, "y")] == [0, 0, 1]
+        assert told({"a": 1}, "x", "/v2") == 2
+    assert not any("x-tabletopgen-meant" in asked.headers for asked in server.asked)
+
+
+def test_an_attempt_is_signed_anew() -> None:
+    signed = iter(["first", "second", "third"])
+    with (
+        serving([Says(status=503), Says()]) as server,
+        session().client("cloud", server.url, sign=lambda r: {"x-stamp": next(signed)}) as client,
+    ):
+        assert client.post("/v1", json={}).json() == CHAT
+    assert [asked.headers["x-stamp"] for asked in server.asked] == ["first", "second"]
+
+
+def test_answers_of_no_use_are_dropped(tmp_path: Path) -> None:
+    store = CallStore(tmp_path)
+    shared = session(store=store)
+    with serving([Says()]) as server:
+        used, other = Used(store), Used(store)
+        for text in ("one", "two", "three"):
+            used.add(ask(shared, server.url, text).headers)
+        other.add(ask(shared, server.url, "other").headers)
+        used.drop(last=True)
+        assert len(store) == 3
+        with pytest.raises(BackendError), used.dropped_on(UnusableError):
+            raise BackendError("no answer came")
+        assert len(store) == 3
+        with pytest.raises(UnusableError), used.dropped_on(UnusableError):
+            raise UnusableError("nonsense came")
+    assert len(store) == 1 and store.get(other.keys[0]) is not None
+    assert shared.account.money == pytest.approx(4 * 0.021)
+
+
 @pytest.mark.parametrize(
     "first",
     [
+        Says({"error": {"message": "upstream", "code": 502}}),
+        Says({"error": {"message": "upstream", "code": "429"}}),
         Says(status=429),
         Says(status=500),
         Says(status=503, body=b"<html>busy</html>", kind="text/html"),
@@ -114,7 +163,16 @@ def test_an_error_told_with_status_200_is_not_kept(tmp_path: Path, told: dict) -
         Says(cut=5),
         Says(b'{"choices": [', kind="application/json"),
     ],
-    ids=["429", "500", "503 as HTML", "reset", "truncated", "half JSON"],
+    ids=[
+        "502 in 200",
+        "429 in 200",
+        "429",
+        "500",
+        "503 as HTML",
+        "reset",
+        "truncated",
+        "half JSON",
+    ],
 )
 def test_what_may_pass_is_tried_again(first: Says) -> None:
     shared = session()
@@ -201,6 +259,27 @@ def test_an_attempt_ends_after_its_time(slow: Says) -> None:
     assert outcomes(shared) == ["failed", "answered"]
 
 
+@pytest.mark.parametrize("slow", [Says(delay=0.4), Says(status=504)], ids=["hangs", "gateway"])
+def test_what_was_waited_for_in_vain_is_sent_once_more_and_counts_each_time(slow: Says) -> None:
+    shared = session()
+    with serving([slow]) as server, pytest.raises(BackendError, match="asked 2 times"):
+        ask(shared, server.url, timeout=0.1)
+    assert len(server.asked) == 2
+    assert shared.account.money == pytest.approx(0.08, abs=0.002)
+
+
+def test_a_page_of_a_gateway_counts_too_and_looking_does_not() -> None:
+    shared = session(attempts=1)
+    page = Says(b"<html>Bad gateway</html>", status=502, kind="text/html")
+    with serving([page]) as server:
+        with pytest.raises(BackendError, match="HTML"):
+            ask(shared, server.url)
+        paid = shared.account.money
+        with shared.client("cloud", server.url) as client, pytest.raises(BackendError):
+            client.get("/job", headers={"x-tabletopgen-model": "m"})
+    assert shared.account.money == paid > 0.04
+
+
 @pytest.mark.parametrize("announced", [True, False])
 def test_an_answer_that_is_too_large_is_not_read(announced: bool) -> None:
     body = bytes(200_000)
@@ -208,7 +287,7 @@ def test_an_answer_that_is_too_large_is_not_read(announced: bool) -> None:
     plain = Says(body, kind="model/gltf-binary")
     with (
         serving([plain if announced else zipped]) as server,
-        pytest.raises(BackendError, match="more than the 100000 bytes"),
+        pytest.raises(UnusableError, match="more than the 100000 bytes"),
     ):
         ask(session(), server.url, most_bytes=100_000)
     assert len(server.asked) == 1
@@ -220,7 +299,7 @@ def test_a_page_is_no_answer(status: int, tmp_path: Path) -> None:
     store = CallStore(tmp_path)
     with (
         serving([page]) as server,
-        pytest.raises(BackendError, match=r"HTML page.*Log in.*address"),
+        pytest.raises(UnusableError, match=r"HTML page.*Log in.*address"),
     ):
         ask(session(store=store), server.url)
     assert len(server.asked) == 1 and len(store) == 0
@@ -280,6 +359,33 @@ def test_a_server_that_fails_too_often_is_left_alone() -> None:
         assert len(server.asked) == 3
     with serving([Says()]) as other:
         assert ask(shared, other.url).json() == CHAT
+
+
+@pytest.mark.parametrize("wait", [(), (("retry-after", "0"),)], ids=["unsaid", "retry-after"])
+def test_a_bad_moment_befalls_calls_at_once_and_all_are_tried_again(
+    wait: tuple[tuple[str, str], ...],
+) -> None:
+    usual = Session()
+    quick = Patience(first=0.01, longest=0.02, failures=usual.patience.failures)
+    shared = session(patience=quick, workers=usual.workers, attempts=usual.attempts)
+    busy = 2 * usual.workers  # answers: all fail twice
+
+    def script(asked: Asked, k: int) -> Says:
+        return Says(status=503, headers=wait) if k < busy else Says()
+
+    with serving(script) as server:
+        items = [str(k) for k in range(usual.workers)]
+        answers = shared.each(lambda text: ask(shared, server.url, text).json(), items)
+    assert answers == [CHAT] * len(items)
+
+
+def test_a_server_that_says_when_it_will_work_is_not_left_alone() -> None:
+    shared = session(attempts=2, patience=Patience(first=0.001, failures=2, rest=60))
+    later = Says(status=503, headers=(("retry-after", "0"),))
+    with serving([later, later, Says()]) as server:
+        with pytest.raises(BackendError, match="asked 2 times"):
+            ask(shared, server.url)
+        assert ask(shared, server.url).json() == CHAT
 
 
 def test_the_budget_ends_calls_before_it_is_exceeded() -> None:
@@ -346,6 +452,16 @@ def test_addresses_are_checked() -> None:
     for wrong in ("api.example.com", "ftp://x", "http://", "http://x:99999"):
         with pytest.raises(BackendError, match="https://host/path"):
             session().client("cloud", wrong)
+
+
+@pytest.mark.parametrize(
+    "url",
+    ["http://me:hunter2@host/v1", "http://me:hun/ter2@host", "gpu://me:hunter2@host", "me:ter2@h"],
+)
+def test_a_password_in_an_address_is_refused_and_not_shown(url: str) -> None:
+    with pytest.raises(BackendError, match=r"cloud: its address .*\[redacted\]@h") as caught:
+        session().client("cloud", url)
+    assert "ter2" not in str(caught.value)
 
 
 @pytest.mark.parametrize("key", [KEY, "sk-shaped-like-a-key-1"])

@@ -54,9 +54,10 @@ def test_retry_after_is_a_number_or_a_date(text: str | None, seconds: float | No
 def test_a_breaker_opens_rests_and_lets_one_try() -> None:
     now = [0.0]
     breaker = Breaker("maker", Patience(failures=2, rest=10.0), lambda: now[0])
-    breaker.failed("It is down.")
+    line = breaker.line()
+    breaker.failed("It is down.", line)
     breaker.check("a call")
-    breaker.failed("It is down.")
+    breaker.failed("It is down.", line)
     now[0] = 4.0
     with pytest.raises(BackendError, match=r"a call.* maker failed 2 .* It is down\. .* 6 s more"):
         breaker.check("a call")
@@ -64,7 +65,7 @@ def test_a_breaker_opens_rests_and_lets_one_try() -> None:
     breaker.check("the trial")
     with pytest.raises(BackendError, match="10 s more"):
         breaker.check("a call beside it")
-    breaker.failed("Still down.")
+    breaker.failed("Still down.", breaker.line())
     now[0] = 19.0
     with pytest.raises(BackendError, match="Still down"):
         breaker.check("a call")
@@ -76,7 +77,20 @@ def test_a_breaker_opens_rests_and_lets_one_try() -> None:
 
 def test_an_answer_in_between_starts_the_count_again() -> None:
     breaker = Breaker("maker", Patience(failures=2))
+    line = breaker.line()
     for _ in range(3):
-        breaker.failed("It is down.")
+        breaker.failed("It is down.", line)
         breaker.worked()
     breaker.check("a call")
+
+
+def test_calls_that_fail_beside_each_other_count_once() -> None:
+    breaker = Breaker("maker", Patience(failures=3))
+    beside = [breaker.line() for _ in range(8)]
+    for _ in range(2):
+        for line in beside:
+            breaker.failed("It is down.", line)
+            breaker.check("a call")
+    with pytest.raises(BackendError, match="failed 3 times"):
+        breaker.failed("It is down.", breaker.line())  # after them
+        breaker.check("a call")

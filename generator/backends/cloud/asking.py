@@ -4,12 +4,16 @@ A server is asked for an answer by schema (``json_schema``), then for any JSON (
 then for nothing but the prompt's own words; which of them it takes is learned from its first
 rejection and kept as long as the backend. Whatever it was asked for, the answer is read with
 patience (``reading``) and checked without any.
+
+Answers are kept by what was asked, not by the form that the server took in the end: a question that
+was answered once is not asked again to find that out. Those of a question that ends in an error for
+what they say are dropped.
 """
 
 from __future__ import annotations
 
 import base64
-import io
+import hashlib
 import json
 import threading
 from collections.abc import Callable, Sequence
@@ -20,7 +24,9 @@ import numpy as np
 from jaxtyping import UInt8
 from pydantic import ValidationError
 
-from ...errors import InputError
+from ...errors import InputError, UnusableError
+from ...png import encode_png
+from ...running.used import Used
 from .answers import Answer, strict_schema
 from .calling import Rejected, Server
 from .prompts import prompt
@@ -28,6 +34,12 @@ from .reading import Wrong, is_refusal, read_object
 
 REASKS = 3
 """How often at most a question is asked again with what was wrong with the answer."""
+
+ANSWER = 16_384
+"""Tokens that an answer may have, thoughts included: a budget counts on it."""
+
+_BOUNDS = ("max_completion_tokens", "max_tokens", "")
+"""How a request says that; older servers know only the second, small models allow neither."""
 
 _FORMS = ("json_schema", "json_object", "words")
 
@@ -42,6 +54,7 @@ class Manners:
 
     form: int = 0
     seed: bool = True
+    bound: int = 0
     lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
 
     def gentler(self, form: int, seed: bool, said: str) -> tuple[int, bool] | None:
@@ -85,9 +98,22 @@ class Chat:
                 ``InputError`` goes back to the model.
 
         Raises:
-            BackendError: the call failed, the model refuses, or no answer after ``REASKS`` more
-                tries can be used.
+            UnusableError: the model refuses, or no answer after ``REASKS`` more tries can be used.
+            BackendError: the call failed.
         """
+        used = Used(self.server.session.store)
+        with used.dropped_on(UnusableError):
+            return self._asked(question, text, pictures, answer, accept, used)
+
+    def _asked(
+        self,
+        question: str,
+        text: str,
+        pictures: Sequence[Picture],
+        answer: type[A],
+        accept: Callable[[A], T],
+        used: Used,
+    ) -> T:
         schema = strict_schema(answer)
         tail = prompt("answer", schema=json.dumps(schema))
         content: list[dict[str, Any]] = [{"type": "text", "text": f"{text}\n\n{tail}"}]
@@ -95,7 +121,7 @@ class Chat:
         messages: list[dict[str, Any]] = [{"role": "user", "content": content}]
         problem = ""
         for _ in range(1 + REASKS):
-            said = self._said(question, messages, schema)
+            said = self._said(question, messages, schema, used)
             try:
                 return accept(answer.model_validate(read_object(said)))
             except ValidationError as error:
@@ -103,24 +129,26 @@ class Chat:
             except (Wrong, InputError) as error:
                 problem = str(error)
             if is_refusal(said):
-                raise self.server.failure(
+                raise self.server.unusable(
                     question, f"the model refuses: {self.server.quoted(said)}."
                 )
             messages += [
                 {"role": "assistant", "content": said or "(nothing)"},
                 {"role": "user", "content": prompt("again", problem=problem)},
             ]
-        raise self.server.failure(
+        raise self.server.unusable(
             question,
             f"{1 + REASKS} answers could not be used. What was wrong with the last: {problem} "
             "Try another model or seed.",
         )
 
-    def _said(self, question: str, messages: list[dict[str, Any]], schema: dict[str, Any]) -> str:
+    def _said(
+        self, question: str, messages: list[dict[str, Any]], schema: dict[str, Any], used: Used
+    ) -> str:
         form, seed = self.manners.form, self.manners.seed
         while True:
             try:
-                data = self._sent(question, messages, schema, form, seed)
+                data = self._sent(question, messages, schema, form, seed, used)
             except Rejected as error:
                 said = str(error).replace(self.server.model, "")  # whose name may hold "seed"
                 gentler = self.manners.gentler(form, seed, said)
@@ -138,6 +166,7 @@ class Chat:
         schema: dict[str, Any],
         form: int,
         seed: bool,
+        used: Used,
     ) -> dict[str, Any]:
         body: dict[str, Any] = {"seed": self.seed} if seed else {}
         if _FORMS[form] == "json_schema":
@@ -145,21 +174,38 @@ class Chat:
             body["response_format"] = {"type": "json_schema", "json_schema": strict}
         elif _FORMS[form] == "json_object":
             body["response_format"] = {"type": "json_object"}
-        return self.server.call(
-            question,
-            lambda client, headers: client.chat.completions.with_raw_response.create(
-                model=self.server.model,
-                messages=messages,  # type: ignore[arg-type]
-                extra_headers=headers,
-                **body,
-            ),
-        )
+        meant = json.dumps([messages, schema, self.seed])
+        meant = hashlib.sha256(meant.encode()).hexdigest()
+        bound = self.manners.bound
+        while True:
+            more: dict[str, Any] = {_BOUNDS[bound]: ANSWER, **body} if _BOUNDS[bound] else body
+            try:
+                data = self.server.call(
+                    question,
+                    lambda client, headers, more=more: (
+                        client.chat.completions.with_raw_response.create(
+                            model=self.server.model,
+                            messages=messages,  # type: ignore[arg-type]
+                            extra_headers=headers,
+                            **more,
+                        )
+                    ),
+                    used,
+                    meant,
+                )
+            except Rejected as error:
+                if not (_BOUNDS[bound] and any(n in str(error) for n in _BOUNDS if n)):
+                    raise
+                bound += 1
+                continue
+            self.manners.bound = max(self.manners.bound, bound)
+            return data
 
     def _content(self, question: str, data: dict[str, Any]) -> str:
         """Return the text of a chat completion.
 
         Raises:
-            BackendError: it is none; the model refused, or was cut off.
+            UnusableError: it is none; the model refused, or was cut off.
         """
         try:
             choice = data["choices"][0]
@@ -169,38 +215,32 @@ class Chat:
                 content = "".join(p.get("text") or "" for p in content if isinstance(p, dict))
             refusal, end = message.get("refusal"), choice.get("finish_reason")
         except (KeyError, IndexError, TypeError, AttributeError):
-            raise self.server.failure(
+            raise self.server.unusable(
                 question,
                 f"the answer is no chat completion: {self.server.quoted(json.dumps(data), 120)}.",
             ) from None
         if refusal or end == "content_filter":
             told = self.server.quoted(str(refusal or content or "no reason given"))
-            raise self.server.failure(question, f"the model refuses: {told}.")
+            raise self.server.unusable(question, f"the model refuses: {told}.")
         if end == "length":
-            raise self.server.failure(
+            raise self.server.unusable(
                 question,
-                "the answer was cut off at the server's limit of tokens. Raise that limit, or use "
-                "another model.",
+                f"the answer was cut off at a limit of tokens: the server's own, or the {ANSWER} "
+                "that an answer may have. Use another model.",
             )
         return str(content)
 
 
-def data_uri(picture: UInt8[np.ndarray, "h w c"]) -> str:
-    """Return a picture as a PNG in a ``data:`` URI."""
-    return "data:image/png;base64," + base64.b64encode(png(picture)).decode()
-
-
-def png(picture: UInt8[np.ndarray, "h w c"]) -> bytes:
-    """Return a picture, RGB or RGBA, as a PNG."""
-    from PIL import Image
-
-    file = io.BytesIO()
-    Image.fromarray(np.ascontiguousarray(picture)).save(file, "PNG")
-    return file.getvalue()
+def data_uri(png: bytes) -> str:
+    """Return a PNG as a ``data:`` URI."""
+    return "data:image/png;base64," + base64.b64encode(png).decode()
 
 
 def _shown(picture: Picture) -> dict[str, Any]:
-    return {"type": "image_url", "image_url": {"url": data_uri(picture), "detail": "high"}}
+    return {
+        "type": "image_url",
+        "image_url": {"url": data_uri(encode_png(picture)), "detail": "high"},
+    }
 
 
 def _faults(error: ValidationError) -> str:

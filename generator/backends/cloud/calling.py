@@ -10,9 +10,10 @@ from typing import Any
 
 import openai
 
-from ...errors import BackendError, TabletopError
+from ...errors import BackendError, TabletopError, UnusableError
 from ...running.redaction import redacted
 from ...running.session import Session
+from ...running.used import Used
 from . import configuration
 from .configuration import Purpose
 
@@ -22,7 +23,7 @@ _TIMEOUT: Mapping[Purpose, float] = {"chat": 180.0, "image": 300.0}
 _SHOWN = 300  # characters of a server's own words in a message
 
 
-class Rejected(BackendError):
+class Rejected(UnusableError):
     """The server found fault with the request itself: asked otherwise, it may answer."""
 
 
@@ -44,6 +45,8 @@ class Server:
         self,
         question: str,
         request: Callable[[openai.OpenAI, dict[str, str]], Any],
+        used: Used,
+        meant: str,
         memo: str = "yes",
     ) -> dict[str, Any]:
         """Return the JSON that a request is answered with.
@@ -52,34 +55,65 @@ class Server:
             question: what the call is for; errors and the account name it.
             request: makes the call, given the client and headers to send; it returns the raw
                 response.
+            used: takes note of the answer.
+            meant: what is asked, however the server likes to be asked: two calls of the same
+                meaning have the same answer.
             memo: "renew" where an answer that was kept is of no use.
 
         Raises:
             Rejected: status 400, 413 or 422.
-            BackendError: no key, or the call failed, or its answer is no JSON object.
+            UnusableError: the answer is no JSON object.
+            BackendError: no key, or the call failed.
         """
-        key = configuration.key(self.base_url, self.purpose)
+        told = self._sent(question, request, used, meant, memo)
+        if isinstance(told, TabletopError):  # raised here, where nothing that it leads to has a key
+            raise told.with_traceback(None)
+        return self._json(question, told)
+
+    def _sent(
+        self,
+        question: str,
+        request: Callable[[openai.OpenAI, dict[str, str]], Any],
+        used: Used,
+        meant: str,
+        memo: str,
+    ) -> str | TabletopError:
+        """Return the text that a request is answered with, or why there is none."""
+        asker = f"cloud ({self.model} at {self.name}): {question}"
+        key = configuration.key(self.base_url, self.purpose, asker)
         headers = {
+            "Authorization": f"Bearer {key}",
             "x-tabletopgen-question": question,
             "x-tabletopgen-model": self.model,
             "x-tabletopgen-memo": memo,
+            "x-tabletopgen-meant": meant,
         }
-        timeout = _TIMEOUT[self.purpose]
         try:
             with self.session.client(
-                f"cloud/{self.name}", self.base_url, timeout=timeout, secrets=(key,)
+                f"cloud/{self.name}",
+                self.base_url,
+                timeout=_TIMEOUT[self.purpose],
+                secrets=(key,),
+                headers=configuration.own_headers(self.base_url),
             ) as http:
                 client = openai.OpenAI(
                     api_key=key, base_url=self.base_url, http_client=http, max_retries=0
                 )
-                text = request(client, headers).text
+                answer = request(client, headers)
+                used.add(answer.headers)
+                return answer.text
+        except TabletopError as error:
+            return error
         except openai.APIStatusError as error:
-            raise self._refused(question, error) from None
+            return self._refused(question, error)
         except openai.APIConnectionError as error:
-            raise self._unanswered(question, error) from None
+            return self._unanswered(question, error)
         except openai.OpenAIError as error:
-            raise self.failure(question, str(error)) from None
-        return self._json(question, text)
+            return self.failure(question, str(error))
+
+    def unusable(self, question: str, what: str) -> UnusableError:
+        """Return the error that says who answered which question in a way that is of no use."""
+        return UnusableError(self._told(question, "failed", what))
 
     def failure(self, question: str, what: str) -> BackendError:
         """Return the error that says who could not answer which question, and why."""
@@ -101,13 +135,13 @@ class Server:
             found = json.loads(text)
         except ValueError:
             kind = "HTML" if text.lstrip()[:1] == "<" else "no JSON"
-            raise self.failure(
+            raise self.unusable(
                 question,
                 f"the answer is {kind} ({self.quoted(text, 80)}). Is {self.base_url} the address "
                 "of the API (it often ends in /v1)?",
             ) from None
         if not isinstance(found, dict):
-            raise self.failure(question, f"the answer is no JSON object: {self.quoted(text, 80)}.")
+            raise self.unusable(question, f"the answer is no JSON object: {self.quoted(text, 80)}.")
         if found.get("error"):
             raise self.failure(question, f"the server says {self.quoted(_said(found))}.")
         return found

@@ -12,7 +12,8 @@
 ========================================  ==========================================================
 
 A key is read when a call is made, goes to its own host only, and is kept nowhere. A server on this
-machine (Ollama, vLLM) needs none.
+machine (Ollama, vLLM) needs none. What else the ``openai`` package reads from the environment is
+not sent (``OPENAI_CUSTOM_HEADERS``), or to OpenAI alone (``OPENAI_ORG_ID``, ``OPENAI_PROJECT_ID``).
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from typing import Literal
 from urllib.parse import urlsplit
 
 from ...errors import BackendError
+from ...running.address import checked_address, local
 
 Purpose = Literal["chat", "image"]
 
@@ -43,8 +45,6 @@ _STORES = {
     "ark": (".volces.com", ".bytepluses.com"),
 }
 """Where a provider keeps the pictures whose addresses it answers with."""
-
-_LOCAL = ("localhost", "127.0.0.1", "::1")
 
 
 def base_url(purpose: Purpose) -> str:
@@ -99,18 +99,17 @@ def checked_url(url: str) -> str:
     Raises:
         BackendError: it is no http(s) URL, or holds a user name or a password.
     """
-    parts = urlsplit(url)
-    if parts.scheme not in ("http", "https") or not parts.hostname:
+    variables = "TABLETOPGEN_CLOUD_BASE_URL or TABLETOPGEN_CLOUD_IMAGE_BASE_URL"
+    url = checked_address(
+        url, "cloud: the base URL",
+        f"Correct {variables}; keys belong into TABLETOPGEN_CLOUD_KEY.",
+    )  # fmt: skip
+    if urlsplit(url).query:
         raise BackendError(
-            f"cloud: the base URL {url!r} is no http(s) address such as {OPENAI!r}. Correct "
-            "TABLETOPGEN_CLOUD_BASE_URL or TABLETOPGEN_CLOUD_IMAGE_BASE_URL."
+            f"cloud: the base URL of {host(url)} holds a query. Keys belong into "
+            "TABLETOPGEN_CLOUD_KEY."
         )
-    if parts.username or parts.password or parts.query:
-        raise BackendError(
-            f"cloud: the base URL of {parts.hostname} holds a password or a query. Keys belong "
-            "into TABLETOPGEN_CLOUD_KEY."
-        )
-    return url.rstrip("/")
+    return url
 
 
 def host(url: str) -> str:
@@ -124,19 +123,19 @@ def server_name(url: str) -> str:
     return known[0] if known else urlsplit(url).netloc.lower()
 
 
-def key(url: str, purpose: Purpose) -> str:
-    """Return the key that goes to a server.
+def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
+    """Return the key that goes to a server; ``what`` names who needs it, and what for.
 
     Raises:
         BackendError: there is none; the message names the variables.
     """
     variables = key_variables(url, purpose)
     found = next(iter(keys(url, purpose)), None)
-    if found is None and host(url) in _LOCAL:
+    if found is None and local(host(url)):
         return "none-needed"
     if found is None:
         raise BackendError(
-            f"cloud: no key for {server_name(url)} ({url}). Set {' or '.join(variables)}; the key "
+            f"{what}: no key for {server_name(url)} ({url}). Set {' or '.join(variables)}; the key "
             "stays in the environment and is written nowhere."
         )
     return found
@@ -159,6 +158,14 @@ def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
     if host(url) in _PROVIDERS:
         names.append(_PROVIDERS[host(url)][1])
     return tuple(names)
+
+
+def own_headers(url: str) -> tuple[str, ...]:
+    """Return the headers that a server alone is sent: OpenAI's, who of its users asks.
+
+    The ``openai`` package reads them from ``OPENAI_ORG_ID`` and ``OPENAI_PROJECT_ID``.
+    """
+    return ("openai-organization", "openai-project") if host(url) == host(OPENAI) else ()
 
 
 def may_fetch(address: str, server: str) -> bool:

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import base64
 import binascii
+import hashlib
+import json
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -18,8 +20,11 @@ import numpy as np
 import openai
 from jaxtyping import UInt8
 
+from ...errors import UnusableError
+from ...png import encode_png
+from ...running.used import Used
 from . import configuration
-from .asking import data_uri, png
+from .asking import data_uri
 from .calling import Rejected, Server
 from .pictures import RGBA, NotAPicture, decoded
 
@@ -30,6 +35,13 @@ _SIZES = ((1024, 1024), (1536, 1024), (1024, 1536))
 
 RATIOS: dict[Form, tuple[float, float]] = {"openai": (2 / 3, 1.5), "seedream": (0.4, 2.5)}
 """Least and greatest width over height that a picture may have."""
+
+_SEEDREAM = {
+    "response_format": "b64_json",
+    "watermark": False,
+    "sequential_image_generation": "disabled",
+}
+"""What Seedream is told beside text and size."""
 
 _LONG = 2048  # pixels of the longer side, in the form that takes any size
 _BLOCKED = ("moderation", "content_policy", "content policy", "safety system", "sensitive")
@@ -64,6 +76,7 @@ class Painter:
         keep: UInt8[np.ndarray, "h w 4"] | None = None,
         *,
         clear: bool = False,
+        used: Used | None = None,
     ) -> RGBA:
         """Return a drawn picture.
 
@@ -75,36 +88,31 @@ class Painter:
             keep: where the first picture stays (opaque) and is drawn anew (clear); where the
                 server takes no mask, the text alone says so.
             clear: ask for nothing behind what is drawn; not all servers can.
+            used: the answers so far where several drawings answer the question; they go with this
+                one if it is of no use.
 
         Raises:
-            BackendError: the call failed, the model refuses, or its answer is no picture.
+            UnusableError: the model refuses, or its answer is no picture.
+            BackendError: the call failed.
         """
+        files = [encode_png(picture) for picture in pictures]
         options: dict[str, Any] = {"size": self._size(ratio)}
-        if self.form == "seedream":
-            extra = {
-                "response_format": "b64_json",
-                "watermark": False,
-                "sequential_image_generation": "disabled",
-            }
-            request = self._generation([data_uri(p) for p in pictures], text)
-            options |= extra
-        elif pictures:
-            options["input_fidelity"] = "high"
-            if clear:
-                options["background"] = "transparent"
-            if keep is not None:
-                options["mask"] = ("mask.png", png(keep), "image/png")
-            request = self._edit(pictures, text)
+        if self.form == "openai" and files:
+            options |= _editing(keep, clear)
+            request = self._edit(files, text)
         else:
-            request = self._generation([], text)
-        try:
-            return self._picture(question, self._tolerant(question, request, options))
-        except _Unusable:  # an address may have expired, or an answer been kept that is of no use
-            pass
-        try:
-            return self._picture(question, self._tolerant(question, request, options, "renew"))
-        except _Unusable as error:
-            raise self.server.failure(question, str(error)) from None
+            options |= _SEEDREAM if self.form == "seedream" else {}
+            request = self._generation([data_uri(file) for file in files], text)
+        meant, told = _meaning(text, options, files), ""
+        used = used or Used(self.server.session.store)
+        with used.dropped_on(UnusableError):
+            for memo in ("yes", "renew"):  # an address may have expired, or one answer be of no use
+                data = self._tolerant(question, request, options, used, meant, memo)
+                try:
+                    return self._picture(question, data, used, memo)
+                except _Unusable as error:
+                    told = str(error)
+            raise self.server.unusable(question, told)
 
     def _generation(self, pictures: list[str], text: str) -> Callable[..., Any]:
         named = ("size", "response_format")
@@ -124,10 +132,8 @@ class Painter:
 
         return request
 
-    def _edit(
-        self, pictures: Sequence[UInt8[np.ndarray, "h w 3"]], text: str
-    ) -> Callable[..., Any]:
-        files = [(f"{k}.png", png(p), "image/png") for k, p in enumerate(pictures, start=1)]
+    def _edit(self, pictures: list[bytes], text: str) -> Callable[..., Any]:
+        files = [(f"{k}.png", p, "image/png") for k, p in enumerate(pictures, start=1)]
 
         def request(client: openai.OpenAI, headers: dict[str, str], options: dict[str, Any]) -> Any:
             return client.images.with_raw_response.edit(
@@ -145,18 +151,22 @@ class Painter:
         question: str,
         request: Callable[..., Any],
         options: dict[str, Any],
-        memo: str = "yes",
+        used: Used,
+        meant: str,
+        memo: str,
     ) -> dict[str, Any]:
         """Make a call; options that the server rejects are left out, and not tried again."""
         left = {k: v for k, v in options.items() if k not in self.tolerated.unknown}
         while True:
             sent = dict(left)
             try:
-                data = self.server.call(question, lambda c, h, sent=sent: request(c, h, sent), memo)
+                data = self.server.call(
+                    question, lambda c, h, sent=sent: request(c, h, sent), used, meant, memo
+                )
             except Rejected as error:
                 said = str(error).replace(self.server.model, "").lower()
                 if any(word in said for word in _BLOCKED):
-                    raise self.server.failure(question, f"the model refuses: {error}") from None
+                    raise self.server.unusable(question, f"the model refuses: {error}") from None
                 named = [k for k in left if k in said]
                 if not left:
                     raise
@@ -175,7 +185,7 @@ class Painter:
         width, height = _LONG * min(1.0, ratio), _LONG * min(1.0, 1 / ratio)
         return f"{round(width / 16) * 16}x{round(height / 16) * 16}"
 
-    def _picture(self, question: str, data: dict[str, Any]) -> RGBA:
+    def _picture(self, question: str, data: dict[str, Any], used: Used, memo: str) -> RGBA:
         try:
             first = data["data"][0]
             coded, address = first.get("b64_json"), first.get("url")
@@ -191,12 +201,18 @@ class Painter:
         except (binascii.Error, TypeError, ValueError):
             raise _Unusable("the picture is no base64.") from None
         try:
-            return decoded(self._fetched(question, str(address)) if whole is None else whole)
+            if whole is None:
+                whole = self._fetched(question, str(address), used, memo)
+            return decoded(whole)
         except NotAPicture as error:
             raise _Unusable(f"{error}.") from None
 
-    def _fetched(self, question: str, address: str) -> bytes:
-        """Return what is at the address of a picture; the key is not sent there."""
+    def _fetched(self, question: str, address: str, used: Used, memo: str) -> bytes:
+        """Return what is at the address of a picture; the key is not sent there.
+
+        Kept is the picture of the drawing that ``used`` noted last: a server may give each the same
+        address.
+        """
         server, host = self.server, configuration.host(address)
         if not configuration.may_fetch(address, server.base_url):
             raise server.failure(
@@ -204,10 +220,34 @@ class Painter:
                 f"the picture is at {host or 'no host'!r}, where none may be fetched from. If that "
                 "host is trusted, add it to TABLETOPGEN_CLOUD_IMAGE_HOSTS.",
             )
-        headers = {"x-tabletopgen-question": question, "x-tabletopgen-model": server.model}
+        headers = {
+            "x-tabletopgen-question": question,
+            "x-tabletopgen-model": server.model,
+            "x-tabletopgen-memo": memo,
+            "x-tabletopgen-meant": used.keys[-1],
+        }
         with server.session.client(f"cloud/{server.name}", address, timeout=120.0) as http:
             response = http.get(address, headers=headers)
             status, data = response.status_code, response.content
+        used.add(response.headers)
         if status != 200:
             raise _Unusable(f"the picture did not come: {host} answered with status {status}.")
         return data
+
+
+def _editing(keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -> dict[str, Any]:
+    """Return what OpenAI's image models are told of an edit; see ``Painter.paint``."""
+    options: dict[str, Any] = {"input_fidelity": "high"}
+    if clear:
+        options["background"] = "transparent"
+    if keep is not None:
+        options["mask"] = ("mask.png", encode_png(keep), "image/png")
+    return options
+
+
+def _meaning(text: str, options: Mapping[str, Any], pictures: Sequence[bytes]) -> str:
+    """Return a digest of what is to be drawn, whichever of the options the server knows."""
+    files = [*pictures, *(value[1] for value in options.values() if isinstance(value, tuple))]
+    words = {name: value for name, value in options.items() if not isinstance(value, tuple)}
+    digests = [hashlib.sha256(file).hexdigest() for file in files]
+    return hashlib.sha256(json.dumps([text, words, digests]).encode()).hexdigest()

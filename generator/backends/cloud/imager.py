@@ -8,8 +8,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from jaxtyping import UInt8
 
-from ...errors import BackendError, choices
+from ...errors import BackendError, UnusableError, choices
 from ...running.session import Session
+from ...running.used import Used
 from ...scene import (
     TABLE,
     Detection,
@@ -116,7 +117,7 @@ class Imager:
         ).picture()
         where = padded(place, *RATIOS[self.painter.form])
         bare = " Nothing stands on it: draw its top bare." if detection.label == TABLE else ""
-        complaint = ""
+        used, complaint = Used(self.session.store), ""
         for take in range(1 + REDRAWS):
             text = prompt(
                 "complete", label=detection.label, ground=cutout.ground, bare=bare,
@@ -124,12 +125,14 @@ class Imager:
             )  # fmt: skip
             try:
                 drawn = self.painter.paint(
-                    "complete", text, 1.0, (cutout.picture, where), cutout.keep, clear=True
-                )
+                    "complete", text, 1.0, (cutout.picture, where), cutout.keep, clear=True,
+                    used=used,
+                )  # fmt: skip
                 return cutting.put_back(drawn, cutout)
             except Wrong as fault:
                 complaint = f"{_EARLIER}{fault}"
-        raise self.painter.server.failure(
+        used.drop()
+        raise self.painter.server.unusable(
             "complete",
             f"{1 + REDRAWS} drawings of {detection.label!r} could not be used: "
             f"{_last(complaint)} Try another image model or seed, or imager='embedded'.",
@@ -146,8 +149,32 @@ class Imager:
         """Draw the table from above; its boxes are left to the segmenter.
 
         The chat model checks that each thing is there once and nothing else is. After ``REDRAWS``
-        more drawings that fail, the view is made by geometry, as the embedded backend does, and
-        ``warnings`` of the top view says so.
+        more drawings that fail, or where a model refuses or gives nothing of use, the view is made
+        by geometry, as the embedded backend does, and ``warnings`` of the top view says why.
+
+        Raises:
+            BackendError: a server gave no answer at all.
+        """
+        from ..embedded.topview import top_view
+
+        try:
+            return self._drawn_top_view(reference, instances, models)
+        except UnusableError as error:
+            made = top_view(reference, instances, models, rotations, view)
+            warning = f"The top view was made by geometry, for none drawn could be used. {error}"
+        return replace(made, repaired=tuple(made.boxes), warnings=(*made.warnings, warning))
+
+    def _drawn_top_view(
+        self,
+        reference: Reference,
+        instances: tuple[Instance, ...],
+        models: Mapping[str, Model],
+    ) -> TopView:
+        """Return a drawn top view that is right.
+
+        Raises:
+            UnusableError: none is.
+            BackendError: a server gave no answer at all.
         """
         things = Labelled.of(reference.image, instances)
         pictures = [
@@ -173,25 +200,10 @@ class Imager:
                 height, across = image.shape[:2]
                 return TopView(image, np.array([0, 0, across, height], float), {})
             complaint = f"{_EARLIER}{' '.join(found)}"
-        return self._geometric(reference, instances, models, rotations, view, complaint)
-
-    def _geometric(
-        self,
-        reference: Reference,
-        instances: tuple[Instance, ...],
-        models: Mapping[str, Model],
-        rotations: Mapping[str, Rotation],
-        view: View,
-        complaint: str,
-    ) -> TopView:
-        from ..embedded.topview import top_view
-
-        made = top_view(reference, instances, models, rotations, view)
-        warning = (
-            f"{1 + REDRAWS} top views drawn by {self.model} were wrong; geometry made it instead. "
-            f"The last: {_last(complaint)}"
+        raise UnusableError(
+            f"{1 + REDRAWS} top views drawn by {self.model} were wrong. "
+            f"What was wrong with the last: {_last(complaint)}"
         )
-        return replace(made, repaired=tuple(made.boxes), warnings=(*made.warnings, warning))
 
     def _take(self, seed: int, take: int) -> str:
         """Return words that make requests for other drawings other requests."""

@@ -13,7 +13,8 @@ from urllib.parse import urlsplit
 from ...errors import BackendError
 from ...running.redaction import redacted
 from ...running.session import Session
-from .signing import signed_headers
+from ...running.used import Used
+from .signing import KIND
 
 if TYPE_CHECKING:
     import httpx2
@@ -25,6 +26,7 @@ _VERSION = "2025-05-13"
 _SUBMIT, _QUERY = "SubmitHunyuanTo3DProJob", "QueryHunyuanTo3DProJob"
 _MODELS = {_SUBMIT: "hunyuan-3d-pro", _QUERY: "hunyuan-3d-query"}  # in price tables
 _BUSY = "RequestLimitExceeded"  # too many calls, or too many jobs at once
+_EXPIRED = "AuthFailure.SignatureExpire"  # more than five minutes off the service's clock
 _GONE = ("NotFound", "NotExist", "Expire")  # in the code of a job that is kept no longer
 
 
@@ -46,7 +48,7 @@ def read_keys(what: str) -> tuple[str, str]:
 
 @dataclass(frozen=True)
 class Service:
-    """The calls about one instance. ``what`` begins their messages.
+    """The calls about one instance. ``what`` begins their messages, ``used`` notes the answers.
 
     While the service is busy it is asked again every ``interval`` seconds, for ``timeout`` seconds.
     """
@@ -59,6 +61,7 @@ class Service:
     session: Session
     interval: float
     timeout: float
+    used: Used
 
     def submit(self, body: Mapping[str, Any], memo: str) -> str:
         """Return the id of a new job, or of the one that this body was submitted as before.
@@ -66,10 +69,11 @@ class Service:
         ``memo`` "renew" submits it again whatever was before.
 
         Raises:
-            BackendError: the service refuses.
+            BackendError: the service refuses, or names no job.
         """
         job = self._call(_SUBMIT, body, memo).get("JobId")
         if not isinstance(job, str) or not job:
+            self.used.drop()
             raise BackendError(f"{self.what} the submission was answered without a JobId.")
         return job
 
@@ -96,29 +100,39 @@ class Service:
         said = redacted(f"{code}: {error.get('Message', '')}"[:400], self.keys)
         if action == _QUERY and any(word in code for word in _GONE):
             raise LostJob(said)
-        hint = f" Check {SECRET_ID} and {SECRET_KEY}." if code.startswith("AuthFailure") else ""
-        raise BackendError(f"{self.what} {action} was refused ({said}).{hint}")
+        raise BackendError(f"{self.what} {action} was refused ({said}).{_hint(code)}")
 
     def _once(self, action: str, body: Mapping[str, Any], memo: str) -> Mapping[str, Any]:
-        """Sign and send a call; returns its Response."""
-        data = json.dumps(body).encode()
+        """Send a call, which the client signs; returns its Response."""
         headers = {
-            **signed_headers(
-                *self.keys, host=urlsplit(self.endpoint).netloc, action=action, version=_VERSION,
-                region=self.region, body=data, timestamp=int(time.time()),
-            ),
+            "Content-Type": KIND,
+            "Host": urlsplit(self.endpoint).netloc,
+            "X-TC-Action": action,
+            "X-TC-Version": _VERSION,
+            "X-TC-Region": self.region,
             "x-tabletopgen-question": "model",
             "x-tabletopgen-model": _MODELS[action],
             "x-tabletopgen-memo": memo,
-        }  # fmt: skip
-        answer = self.client.post("/", content=data, headers=headers)
+        }
+        answer = self.client.post("/", content=json.dumps(body).encode(), headers=headers)
+        self.used.add(answer.headers)
         try:
             told = json.loads(answer.content)["Response"]
         except (ValueError, KeyError, TypeError):
             told = None
         if not isinstance(told, Mapping):
+            self.used.drop(last=True)
             raise BackendError(
                 f"{self.what} {action} was answered by {answer.status_code}, "
                 f"{redacted(answer.text[:80], self.keys)!r}. Is {self.endpoint} Tencent's?"
             )
         return told
+
+
+def _hint(code: str) -> str:
+    """Return what to do about a refusal."""
+    if code == _EXPIRED:
+        return " It was signed just now: set this machine's clock right."
+    if code.startswith("AuthFailure"):
+        return f" Check {SECRET_ID} and {SECRET_KEY}."
+    return ""

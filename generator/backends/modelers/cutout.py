@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import io
-
 import numpy as np
 from jaxtyping import UInt8
 from PIL import Image
@@ -38,13 +36,6 @@ def cutout(instance: Instance, backend: str) -> Cutout:
         return square
     resized = Image.fromarray(square).resize((wanted, wanted), Image.Resampling.LANCZOS)
     return np.asarray(resized, np.uint8)
-
-
-def png(picture: UInt8[np.ndarray, "h w c"]) -> bytes:
-    """Return a picture as PNG."""
-    stream = io.BytesIO()
-    Image.fromarray(picture).save(stream, "PNG")
-    return stream.getvalue()
 
 
 def on_grey(picture: Cutout) -> UInt8[np.ndarray, "s s 3"]:

@@ -10,9 +10,12 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from ...errors import BackendError, choices, require
+from ...png import encode_png
+from ...running.address import checked_address
 from ...running.session import Session
+from ...running.used import Used
 from ...scene import Instance, Model, SizePrior, View
-from .cutout import cutout, png
+from .cutout import cutout
 from .inspection import inspect_glb
 from .normalising import Normal, foreign_model, normal_mesh
 
@@ -70,6 +73,8 @@ class Hunyuan3D:
             raise BackendError(
                 f"hunyuan3d has no version {self.version!r}." + choices(self.version, _BODIES)
             )
+        if self.url:
+            _checked(self.url)
         require(self, "octree", least=64, most=512, whole=True)
         require(self, "steps", least=1, most=20, whole=True)
         require(self, "asked_faces", least=1000, most=100_000, whole=True)
@@ -78,20 +83,23 @@ class Hunyuan3D:
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return the server's mesh of one instance; see ``protocols.Modeler``.
 
-        An answer kept from an earlier run that turns out damaged is asked for once more.
+        A damaged answer is asked for once more. One of which no model can be made is not kept.
 
         Raises:
             BackendError: no server, no answer, or no usable GLB.
         """
         what = f"hunyuan3d, model of {instance.name!r}:"
         to = Normal(self.faces, self.texture)
-        body = self.body(png(cutout(instance, "hunyuan3d")))
-        raw = self._ask(body, what, "yes")
+        body = self.body(encode_png(cutout(instance, "hunyuan3d")))
+        used = Used(self.session.store)
+        raw = self._ask(body, what, "yes", used)
         try:
             inspect_glb(raw, f"{what} the answer")
         except BackendError:
-            raw = self._ask(body, what, "renew")
-        return foreign_model(normal_mesh(raw, f"{what} the answer", to=to), instance, size)
+            raw = self._ask(body, what, "renew", used)
+        with used.dropped_on(BackendError):
+            mesh = normal_mesh(raw, f"{what} the answer", to=to)
+        return foreign_model(mesh, instance, size)
 
     def body(self, picture: bytes) -> Mapping[str, Any]:
         """Return what is asked about a PNG, as the server's version reads it."""
@@ -125,9 +133,9 @@ class Hunyuan3D:
         return str(told.get("worker_id", ""))
 
     def _address(self) -> str:
-        return self.url or os.environ.get(ADDRESS, "") or USUAL
+        return _checked(self.url or os.environ.get(ADDRESS, "") or USUAL)
 
-    def _ask(self, body: Mapping[str, Any], what: str, memo: str) -> bytes:
+    def _ask(self, body: Mapping[str, Any], what: str, memo: str, used: Used) -> bytes:
         client = self.session.client(
             "hunyuan3d", self._address(), timeout=self.timeout, most_bytes=_MOST_BYTES
         )
@@ -138,6 +146,7 @@ class Hunyuan3D:
         }
         with client:
             answer = client.post(_ROUTE, json=body, headers=headers)
+        used.add(answer.headers)
         if answer.status_code == 200:
             return answer.content
         raise BackendError(f"{what} {self._refusal(answer.status_code, answer.content)}")
@@ -166,6 +175,10 @@ _BODIES: Mapping[str, Mapping[str, Any]] = {
     "2.0": {"type": "glb"},
     "2.1": {"remove_background": False, "num_chunks": 8000},
 }
+
+
+def _checked(url: str) -> str:
+    return checked_address(url, "hunyuan3d: its address", f"Correct Hunyuan3D.url or {ADDRESS}.")
 
 
 def _object(content: bytes) -> Mapping[str, Any]:

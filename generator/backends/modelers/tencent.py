@@ -11,12 +11,16 @@ from typing import Any, Literal, get_args
 from urllib.parse import urlsplit
 
 from ...errors import BackendError, choices, require
+from ...png import encode_png
+from ...running.address import local
 from ...running.session import Session
+from ...running.used import Used
 from ...scene import Instance, Model, SizePrior, View
 from .ai3d import LostJob, Service, read_keys
-from .cutout import cutout, png
+from .cutout import cutout
 from .inspection import inspect_glb
 from .normalising import Normal, foreign_model, normal_mesh
+from .signing import signature
 
 HOSTS = (".myqcloud.com", ".tencentcos.cn", ".tencentcos.com")
 """Where results may lie: Tencent's object storage."""
@@ -70,7 +74,8 @@ class Tencent:
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return the cloud's mesh of one instance; see ``protocols.Modeler``.
 
-        Of an earlier run's job that failed or is kept no longer, another is submitted, once.
+        Of an earlier run's job that failed or is kept no longer, another is submitted, once. A job
+        whose result cannot be used is forgotten: the next run submits, and pays for, another.
 
         Raises:
             BackendError: no key, no answer, a job that fails, or no usable GLB.
@@ -78,12 +83,13 @@ class Tencent:
         what = f"tencent, model of {instance.name!r}:"
         to = Normal(self.faces, self.texture)
         body = {
-            "ImageBase64": base64.b64encode(png(cutout(instance, "tencent"))).decode(),
+            "ImageBase64": base64.b64encode(encode_png(cutout(instance, "tencent"))).decode(),
             "GenerateType": self.style,
             "EnablePBR": self.pbr,
             "FaceCount": self.asked_faces,
         }
-        with self._service(what) as service:
+        used = Used(self.session.store)
+        with self._service(what, used) as service:
             try:
                 raw = self._result(service, service.submit(body, "yes"))
             except LostJob:
@@ -91,15 +97,19 @@ class Tencent:
                     raw = self._result(service, service.submit(body, "renew"))
                 except LostJob as error:
                     raise BackendError(f"{what} {error}") from error
-        return foreign_model(normal_mesh(raw, f"{what} the answer", to=to), instance, size)
+        with used.dropped_on(BackendError):
+            mesh = normal_mesh(raw, f"{what} the answer", to=to)
+        return foreign_model(mesh, instance, size)
 
     @contextlib.contextmanager
-    def _service(self, what: str) -> Iterator[Service]:
+    def _service(self, what: str, used: Used) -> Iterator[Service]:
         keys = read_keys(what)
-        with self.session.client("tencent", self.endpoint, secrets=keys) as client:
+        with self.session.client(
+            "tencent", self.endpoint, secrets=keys, sign=lambda request: signature(request, *keys)
+        ) as client:
             yield Service(
                 client, keys, self.endpoint, self.region, what, self.session, self.interval,
-                self.timeout,
+                self.timeout, used,
             )  # fmt: skip
 
     def _result(self, service: Service, job: str) -> bytes:
@@ -124,20 +134,22 @@ class Tencent:
             told = service.look(job, "renew")
         if told.get("Status") != "DONE":
             _failed(told, job, what, new)
-        raw = self._download(told, what)
+        raw = self._download(told, service)
         if raw is None:  # its address has expired: another look gives another
-            raw = self._download(service.look(job, "renew"), what)
+            raw = self._download(service.look(job, "renew"), service)
         if raw is None and not new:
             raise LostJob(f"the result of job {job} is kept no longer.")
         if raw is None:
             raise BackendError(f"{what} the result of job {job} cannot be fetched. Run it again.")
         return raw
 
-    def _download(self, told: Mapping[str, Any], what: str) -> bytes | None:
+    def _download(self, told: Mapping[str, Any], service: Service) -> bytes | None:
         """Return the GLB that a job's answer names; None if its address has expired."""
+        what = service.what
         files = {str(f.get("Type", "")).upper(): f.get("Url") for f in _dicts(told)}
         url = files.get("GLB")
         if not isinstance(url, str):
+            service.used.drop()
             raise BackendError(f"{what} the result has no GLB." + choices("GLB", files))
         parts = urlsplit(url)
         if not self._trusted(parts.scheme, parts.hostname or ""):
@@ -152,6 +164,7 @@ class Tencent:
             for memo in ("yes", "renew"):  # a kept answer that is damaged is fetched once more
                 headers = {"x-tabletopgen-question": "model", "x-tabletopgen-memo": memo}
                 answer = client.get(url, headers=headers)
+                service.used.add(answer.headers)
                 if answer.status_code != 200:
                     break
                 with contextlib.suppress(BackendError):
@@ -162,7 +175,7 @@ class Tencent:
     def _trusted(self, scheme: str, host: str) -> bool:
         """Return whether results may be fetched from there; plain http only from this machine."""
         ends = tuple("." + end.lstrip(".") for end in self.hosts)
-        safe = scheme == "https" or (scheme == "http" and host in ("127.0.0.1", "localhost"))
+        safe = scheme == "https" or (scheme == "http" and local(host))
         return safe and f".{host}".endswith(ends)
 
 

@@ -8,12 +8,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from desk import reference
+from leaks import everything
 from openai_server import KEY, Request, Running, from_uri, pixels
 
-from generator.backends.cloud import calling
-from generator.backends.cloud.asking import REASKS
+from generator.backends.cloud import calling, configuration
+from generator.backends.cloud.asking import ANSWER, REASKS
 from generator.backends.cloud.reasoner import Reasoner
 from generator.errors import BackendError, DryRunError
+from generator.running.prices import Price, Prices
 from generator.running.session import Session
 from generator.running.store import CallStore
 
@@ -57,6 +59,29 @@ def test_a_server_that_takes_no_seed_gets_none(server: Running, reasoner: Reason
     assert reasoner.list_objects(reference()) == NOUNS
     assert forms(server) == ["json_schema", "json_schema"]
     assert ["seed" in r.body for r in server.script.requests] == [True, False]
+
+
+@pytest.mark.parametrize("known", [("max_completion_tokens",), ("max_tokens",), ()])
+def test_an_answer_has_a_bound_in_the_form_that_the_server_takes(
+    server: Running, reasoner: Reasoner, known: tuple[str, ...]
+) -> None:
+    server.script.chat = lambda request: KINDS
+    server.script.bounds = known
+    for prompt in ("", "again"):
+        assert reasoner.list_objects(replace(reference(), prompt=prompt)) == NOUNS
+    told = [
+        {k: v for k, v in r.body.items() if k.startswith("max")} for r in server.script.requests
+    ]
+    assert told[-1] == dict.fromkeys(known, ANSWER)
+    tries = {"max_completion_tokens": 1, "max_tokens": 2}.get("".join(known), 3)
+    assert len(told) == tries + 1, "learned once"
+
+
+def test_what_an_answer_may_cost_is_bounded(server: Running, reasoner: Reasoner) -> None:
+    prices = Prices(models={reasoner.model: Price(output=1e6)})
+    dry = replace(reasoner, session=Session(dry=True, prices=prices))
+    with pytest.raises(DryRunError, match=f"at most {ANSWER}.0000 USD"):
+        dry.list_objects(reference())
 
 
 def test_a_wrong_answer_is_asked_again_with_what_is_wrong(
@@ -112,7 +137,9 @@ def test_content_in_parts_is_joined(server: Running, reasoner: Reasoner) -> None
     assert reasoner.list_objects(reference()) == NOUNS
 
 
-@pytest.mark.parametrize("failures", [["429"], ["500", "429"], ["truncated"], ["wrong json"]])
+@pytest.mark.parametrize(
+    "failures", [["429"], ["500", "429"], ["truncated"], ["wrong json"], ["error in 200"]]
+)
 def test_what_passes_is_waited_for(
     server: Running, reasoner: Reasoner, failures: list[str]
 ) -> None:
@@ -140,12 +167,14 @@ def test_a_server_that_fails_is_named(
         reasoner.list_objects(reference())
     assert "cloud" in str(caught.value)
     assert "list_objects" in str(caught.value)
+    assert KEY not in everything(caught.value)
 
 
 def test_a_dead_server_is_named(server: Running, reasoner: Reasoner) -> None:
     server.stop()
-    with pytest.raises(BackendError, match=r"cloud/127.0.0.1:\d+, list_objects"):
+    with pytest.raises(BackendError, match=r"cloud/127.0.0.1:\d+, list_objects") as caught:
         reasoner.list_objects(reference())
+    assert KEY not in everything(caught.value)
 
 
 def test_a_server_that_hangs_is_not_waited_for_for_ever(
@@ -170,7 +199,7 @@ def test_a_wrong_key_is_not_repeated(
     monkeypatch.setenv("TABLETOPGEN_CLOUD_KEY", "wrong-key-987654321")
     with pytest.raises(BackendError, match="Check the key in TABLETOPGEN_CLOUD_KEY") as caught:
         reasoner.list_objects(reference())
-    assert "wrong-key-987654321" not in str(caught.value)
+    assert "wrong-key-987654321" not in everything(caught.value)
 
 
 def test_the_key_is_in_no_message_and_no_file(
@@ -180,16 +209,37 @@ def test_the_key_is_in_no_message_and_no_file(
     kept = Session(store=CallStore(tmp_path))
     with pytest.raises(BackendError) as caught:
         replace(reasoner, session=kept).list_objects(reference())
-    assert KEY not in str(caught.value) + repr(caught.value.__context__) + repr(reasoner)
+    assert KEY not in everything(caught.value, frames=False) + repr(reasoner)
     twice = {"kinds": [{"noun": KEY, "count": 1}] * 2}
     server.script.chat = lambda request: json.dumps(twice)
     with pytest.raises(BackendError, match="listed twice") as caught:
         reasoner.list_objects(reference())
-    assert KEY not in str(caught.value)
+    assert KEY not in everything(caught.value, frames=False)
     server.script.chat = lambda request: KINDS
     replace(reasoner, session=kept, seed=1).list_objects(reference())
     found = [p for p in tmp_path.rglob("*") if p.is_file() and b"Bearer" in p.read_bytes()]
     assert not found
+
+
+@pytest.mark.parametrize("name", ["Authorization", "authorization"])
+def test_the_key_is_ours_whatever_the_environment_says(
+    server: Running, reasoner: Reasoner, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    added = f"{name}: Bearer sk-gateway-secret-999\nHelicone-Auth: Bearer sk-helicone-777777"
+    monkeypatch.setenv("OPENAI_CUSTOM_HEADERS", added)
+    monkeypatch.setenv("OPENAI_ORG_ID", "org-private")
+    monkeypatch.setenv("OPENAI_PROJECT_ID", "proj-private")
+    server.script.chat = lambda request: KINDS
+    assert reasoner.list_objects(reference()) == NOUNS
+    sent = {k.lower(): v for k, v in server.script.requests[0].headers.items()}
+    assert sent["authorization"] == f"Bearer {KEY}"
+    assert not {"helicone-auth", "openai-organization", "openai-project"} & set(sent)
+
+
+def test_who_asks_is_told_to_openai_alone() -> None:
+    own = configuration.own_headers(configuration.OPENAI)
+    assert set(own) == {"openai-organization", "openai-project"}
+    assert configuration.own_headers("https://api.openai.com.evil.example/v1") == ()
 
 
 def test_a_key_that_a_message_cuts_off_is_in_no_part_of_it(

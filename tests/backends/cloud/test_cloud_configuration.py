@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from desk import reference
 from openai_server import CHAT, IMAGES, Running
 
 from generator.backends import Backends
@@ -86,8 +87,21 @@ def test_a_missing_key_names_its_variables(setting, url: str, names: str) -> Non
         configuration.key(url, "chat")
 
 
-def test_no_key_is_needed_here(setting) -> None:
-    assert configuration.key("http://localhost:11434/v1", "chat") == "none-needed"
+def test_a_missing_key_names_backend_and_question(setting) -> None:
+    setting(BASE, "https://gpu.example/v1")
+    with pytest.raises(BackendError, match=r"^cloud \(m at gpu.example\): list_objects: no key"):
+        Reasoner(model="m").list_objects(reference())
+
+
+def test_what_cannot_be_selected_names_the_role(setting) -> None:
+    setting(BASE, "http://127.0.0.1:11434/v1")
+    with pytest.raises(BackendError, match=r"^imager: cloud: no image model is named"):
+        Backends.select("embedded", imager="cloud")
+
+
+@pytest.mark.parametrize("host", ["localhost", "127.0.0.1", "127.0.0.2", "[::1]", "gpu.localhost"])
+def test_no_key_is_needed_here(setting, host: str) -> None:
+    assert configuration.key(f"http://{host}:11434/v1", "chat") == "none-needed"
 
 
 def test_keys_go_to_their_own_hosts_alone(setting) -> None:

@@ -22,9 +22,11 @@ from generator.backends.cloud.imager import REDRAWS, Imager
 from generator.backends.cloud.pictures import padded
 from generator.errors import BackendError
 from generator.geometry import mask_box
+from generator.png import encode_png
 from generator.render.crop import in_reference, tight_box
 from generator.running.session import Session
 from generator.running.store import CallStore
+from generator.running.used import Used
 from generator.scene import Model, PlannedObject, PlannedTable, Relation, ScenePlan, TopView
 
 Make = Callable[..., Imager]
@@ -215,11 +217,12 @@ def test_an_address_at_another_host_is_not_fetched(
     imager = make_imager()
     for address in ("https://evil.example/a.png", "http://127.0.0.1:1/a.png", "file:///etc/passwd"):
         with pytest.raises(BackendError, match=r"none may be fetched.*TABLETOPGEN_CLOUD_IMAGE_H"):
-            imager.painter._picture("draw", {"data": [{"url": address}]})
+            imager.painter._picture("draw", {"data": [{"url": address}]}, Used(None), "yes")
 
 
 def test_a_picture_in_a_data_address_is_taken(server: Running, make_imager: Make) -> None:
-    found = make_imager().painter._picture("draw", {"data": [{"url": data_uri(plain())}]})
+    data = {"data": [{"url": data_uri(encode_png(plain()))}]}
+    found = make_imager().painter._picture("draw", data, Used(None), "yes")
     np.testing.assert_array_equal(found[..., :3], plain())
 
 
@@ -468,5 +471,5 @@ def test_geometry_stands_in_with_a_warning(server: Running, make_imager: Make) -
     assert set(top.boxes) == {"book_1", "mug_1", "pen_1"}
     assert set(top.repaired) == set(top.boxes)
     (warning,) = top.warnings
-    assert "3 top views drawn by brush-1 were wrong; geometry made it instead." in warning
+    assert "made by geometry" in warning and "3 top views drawn by brush-1 were wrong." in warning
     assert "The pen (number 3) was missing." in warning

@@ -8,6 +8,7 @@ import threading
 
 import numpy as np
 import pytest
+import trimesh
 from backends.modelers.foreign import glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
@@ -112,6 +113,16 @@ def test_a_damaged_answer_is_asked_for_once_more_then_refused(bad, tmp_path):
         assert len(served.calls) == 2
 
 
+def test_a_mesh_of_which_no_model_can_be_made_is_not_kept(tmp_path):
+    square = trimesh.Trimesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [1, 3, 2]])
+    answers = [Answer(body=glb(square)), Answer(body=GOOD)]
+    with serving(lambda call: answers[len(served.calls) - 1]) as served:
+        with pytest.raises(BackendError, match="hunyuan3d, model"):
+            ask(served.url, session=quick(CallStore(tmp_path)))
+        assert len(CallStore(tmp_path)) == 0
+        assert ask(served.url, session=quick(CallStore(tmp_path))).name == "mug_1"
+
+
 def test_answers_of_another_kind_are_refused():
     page = Answer(body=b"<!DOCTYPE html><html>Welcome to nginx</html>", kind="text/html")
     assert "HTML page" in said(page)
@@ -179,3 +190,12 @@ def test_settings_out_of_range_are_refused():
 def test_the_session_is_no_identity():
     assert Hunyuan3D(session=quick()) == Hunyuan3D(session=quick())
     assert "session" not in repr(Hunyuan3D())
+
+
+def test_a_password_in_the_address_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(BackendError, match=r"hunyuan3d: its address .* password") as caught:
+        Hunyuan3D("http://me:hunter2@gpu:8081")
+    monkeypatch.setenv("TABLETOPGEN_HUNYUAN3D_URL", "http://me:hunter2@gpu:8081")
+    with pytest.raises(BackendError, match="TABLETOPGEN_HUNYUAN3D_URL") as told:
+        Hunyuan3D().health()
+    assert "hunter2" not in str(caught.value) + str(told.value)

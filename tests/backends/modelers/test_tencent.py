@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 import pytest
+import trimesh
 from backends.modelers.foreign import glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
@@ -175,6 +176,48 @@ def test_a_damaged_download_is_fetched_once_more(tmp_path):
     assert "the answer is cut off" in refused(Cloud(loads=[Answer(body=GOOD[:100])]))
 
 
+def test_a_result_of_which_no_model_can_be_made_is_not_kept(tmp_path):
+    square = trimesh.Trimesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [1, 3, 2]])
+    cloud = Cloud(loads=[Answer(body=glb(square))])
+    with serving(cloud) as served:
+        with pytest.raises(BackendError, match="tencent, model"):
+            ask(served.url, quick(CallStore(tmp_path)))
+        cloud.loads = [Answer(body=GOOD)]
+        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+    assert cloud.jobs == 2
+
+
+def test_a_page_in_place_of_a_result_loses_no_job(tmp_path):
+    cloud = Cloud(loads=[Answer(body=b"<html>Log in</html>", kind="text/html")])
+    with serving(cloud) as served:
+        with pytest.raises(BackendError, match="HTML page"):
+            ask(served.url, quick(CallStore(tmp_path)))
+        cloud.loads = [Answer(body=GOOD)]
+        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+    assert cloud.jobs == 1
+
+
+def test_each_attempt_is_signed_as_of_its_own_time(monkeypatch):
+    """A signature holds for five minutes: a wait between two attempts may be longer."""
+    now, cloud, stamps = [1_800_000_000.0], Cloud(), []
+    monkeypatch.setattr(time, "time", lambda: now[0])
+
+    def busy(call: Call) -> Answer:
+        if not stamps:
+            now[0] += 400
+        stamps.append(call.headers.get("x-tc-timestamp"))
+        return Answer(503, b"later", "text/plain") if len(stamps) == 1 else cloud(call)
+
+    with serving(busy) as served:
+        assert ask(served.url, quick(attempts=2)).name == "mug_1"
+    assert stamps[:2] == ["1800000000", "1800000400"]
+
+
+def test_a_clock_that_is_wrong_is_no_wrong_key():
+    said = refused(Cloud(errors={SUBMIT: ["AuthFailure.SignatureExpire"]}))
+    assert "clock" in said and "Check TENCENT" not in said
+
+
 def test_a_job_kept_no_longer_is_submitted_once_more(tmp_path):
     cloud = Cloud(errors={QUERY: ["InternalError"]})
     with serving(cloud) as served:
@@ -234,6 +277,32 @@ def test_no_key_asks_nothing(monkeypatch):
     cloud = Cloud()
     assert "Set TENCENTCLOUD_SECRET_ID and TENCENTCLOUD_SECRET_KEY" in refused(cloud)
     assert not cloud.log
+
+
+@pytest.mark.parametrize("first", [{"x": 1}, {"Response": {"RequestId": "1"}}])
+def test_a_submission_that_was_not_answered_is_made_again(first, tmp_path):
+    cloud, told = Cloud(), [Answer.of(first)]
+    with serving(lambda call: told.pop() if told else cloud(call)) as served:
+        with pytest.raises(BackendError):
+            ask(served.url, quick(CallStore(tmp_path)))
+        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+
+
+def test_a_look_that_was_not_answered_loses_no_job(tmp_path):
+    cloud, told = Cloud(), [Answer.of({"x": 1})]
+    with serving(
+        lambda call: told.pop() if told and "query" in str(call.headers).lower() else cloud(call)
+    ) as served:
+        with pytest.raises(BackendError, match="Is http://127"):
+            ask(served.url, quick(CallStore(tmp_path)))
+        assert ask(served.url, quick(CallStore(tmp_path))).name == "mug_1"
+    assert cloud.jobs == 1
+
+
+def test_results_on_this_machine_may_come_over_plain_http():
+    allowed = Tencent(hosts=("127.0.0.2", "localhost", "tencentcos.cn"))
+    assert allowed._trusted("http", "127.0.0.2") and allowed._trusted("http", "localhost")
+    assert not allowed._trusted("http", "a.tencentcos.cn")
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,103 @@
+"""What the calls of one scene cost, on disk, so that the next run of it knows.
+
+A file of JSON lines. One is written before a call is sent, with the most that it can cost, and one
+of the same ``call`` when it has ended, with what it did cost; the last counts. So a run that is
+killed leaves what it has spent, and what it may have. ``key`` is that of the answer in the store.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import os
+import secrets
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from filelock import FileLock
+
+from ..errors import StorageError
+from ..files import make_private
+from .redaction import redacted
+
+if TYPE_CHECKING:
+    from .account import Entry
+
+FOLDER = "spending"
+"""Where a call store's folder holds these files, one for each scene."""
+
+_PATIENCE = 30.0  # seconds: nobody holds the file for long
+
+
+class Spending:
+    """The file of one scene; threads and processes may write to it at once.
+
+    Of runs of a scene at the same time none knows what the others spend.
+    """
+
+    def __init__(self, path: str | Path) -> None:
+        """Use the file at ``path``, which is made, for its owner alone, with the first call."""
+        self.path = Path(path)
+
+    @classmethod
+    def beside(cls, answers: str | Path, scene: str) -> Spending:
+        """Return the file of a scene in the folder of a call store; ``scene`` is file-safe."""
+        return cls(Path(answers) / FOLDER / f"{scene}.jsonl")
+
+    def earlier(self) -> tuple[dict[str, Any], ...]:
+        """Return what came of the calls of earlier runs, in the order they were sent.
+
+        Raises:
+            StorageError: there is a file, and it cannot be read. It is never taken for nothing.
+        """
+        try:
+            lines = self.path.read_bytes().split(b"\n")
+        except (FileNotFoundError, NotADirectoryError):
+            return ()
+        except OSError as error:
+            raise self._refused("read", error) from error
+        calls: dict[str, dict[str, Any]] = {}
+        for line in filter(None, lines):
+            try:
+                told = json.loads(line)
+                calls[told["call"]] = told
+            except (ValueError, KeyError, TypeError):  # half a line, of a process that died at it
+                continue
+        return tuple(calls.values())
+
+    def write(self, call: str, key: str, entry: Entry) -> None:
+        """Write down what a call costs; ``key`` is its question's.
+
+        Raises:
+            StorageError: the disk refuses.
+        """
+        told = {"call": call, "key": key, "at": round(time.time(), 3), **dataclasses.asdict(entry)}
+        line = redacted(json.dumps(told)).encode() + b"\n"
+        try:
+            make_private(self.path.parent)
+            lock = FileLock(self.path.with_suffix(".lock"), timeout=_PATIENCE, mode=0o600)
+            with lock, open(self.path, "ab+", opener=_open_private) as file:
+                if file.tell():
+                    file.seek(-1, os.SEEK_END)
+                    line = line if file.read(1) == b"\n" else b"\n" + line
+                file.write(line)
+                file.flush()
+                os.fsync(file.fileno())
+        except OSError as error:
+            raise self._refused("written", error) from error
+
+    def _refused(self, done: str, error: OSError) -> StorageError:
+        return StorageError(
+            f"What this scene's calls cost cannot be {done} ({self.path}: "
+            f"{error.strerror or error}). Free space there, or name another folder of answers."
+        )
+
+
+def new_call() -> str:
+    """Return what tells a call from all others."""
+    return secrets.token_hex(8)
+
+
+def _open_private(path: str, flags: int) -> int:
+    return os.open(path, flags, 0o600)

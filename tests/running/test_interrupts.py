@@ -1,0 +1,150 @@
+"""Ctrl-C while calls are under way: no new ones, what is answered soon is kept, twice ends all."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from paid_server import Asked, Says, Served, ask, serving, session
+
+from generator.errors import StoppedError
+from generator.running.store import CallStore
+
+HUNG = 30.0
+"""Seconds that nobody waits for."""
+
+
+@contextmanager
+def hanging(first: float = HUNG) -> Iterator[tuple[Served, threading.Event]]:
+    """Serve answers that come after ``first`` seconds, or when the event is set."""
+    over = threading.Event()
+
+    def script(asked: Asked, k: int) -> Says:
+        over.wait(first)
+        return Says({"k": k})
+
+    with serving(script) as server:
+        try:
+            yield server, over
+        finally:
+            over.set()
+
+
+def interrupt(server: Served, calls: int, times: int = 1, pause: float = 0.3) -> None:
+    """Interrupt the main thread once so many calls are under way."""
+
+    def send() -> None:
+        while len(server.asked) < calls:
+            time.sleep(0.01)
+        for _ in range(times):
+            time.sleep(pause)
+            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+
+    threading.Thread(target=send, daemon=True).start()
+
+
+def one(shared, url: str) -> None:
+    ask(shared, url, "1", timeout=HUNG)
+
+
+def some(shared, url: str) -> None:
+    shared.each(lambda text: ask(shared, url, text, timeout=HUNG), list("12345678"))
+
+
+@pytest.mark.parametrize(("work", "calls"), [(one, 1), (some, 2)])
+def test_an_answer_that_comes_soon_is_kept(work: Callable, calls: int, tmp_path: Path) -> None:
+    shared = session(store=CallStore(tmp_path), workers=2, grace=HUNG)
+    with hanging(0.8) as (server, _):
+        interrupt(server, calls)
+        with pytest.raises(KeyboardInterrupt):
+            work(shared, server.url)
+        assert len(server.asked) == calls, "no new ones"
+        assert len(CallStore(tmp_path)) == calls
+    assert [e.outcome for e in shared.account.entries] == ["answered"] * calls
+
+
+@pytest.mark.parametrize(("work", "calls"), [(one, 1), (some, 2)])
+def test_an_answer_that_does_not_come_is_given_up_and_counts(work: Callable, calls: int) -> None:
+    shared = session(workers=2, grace=0.2)
+    with hanging() as (server, _):
+        interrupt(server, calls)
+        began = time.monotonic()
+        with pytest.raises(KeyboardInterrupt):
+            work(shared, server.url)
+        assert time.monotonic() - began < HUNG / 2
+    assert [e.outcome for e in shared.account.entries] == ["failed"] * calls
+    assert shared.account.money > 0.04 * calls
+
+
+@pytest.mark.parametrize(("work", "calls"), [(one, 1), (some, 2)])
+def test_a_second_interrupt_ends_it_at_once(work: Callable, calls: int) -> None:
+    shared = session(workers=2, grace=HUNG)
+    with hanging() as (server, _):
+        interrupt(server, calls, times=2)
+        began = time.monotonic()
+        with pytest.raises(KeyboardInterrupt):
+            work(shared, server.url)
+        assert time.monotonic() - began < HUNG / 2
+    assert len(shared.account.entries) == calls
+
+
+def test_stop_gives_up_what_is_under_way() -> None:
+    shared = session(grace=0.2)
+    with hanging() as (server, _):
+        threading.Timer(0.2, shared.stop.set).start()
+        began = time.monotonic()
+        with pytest.raises(StoppedError, match="under way"):
+            one(shared, server.url)
+        assert time.monotonic() - began < HUNG / 2
+
+
+def test_a_failure_beside_it_gives_up_nothing(tmp_path: Path) -> None:
+    shared = session(store=CallStore(tmp_path), workers=2, grace=0.0)
+
+    def work(text: str) -> None:
+        if text == "bad":
+            while not server.asked:
+                time.sleep(0.01)
+            raise StoppedError("no")
+        ask(shared, server.url, text)
+
+    with hanging(0.5) as (server, _), pytest.raises(StoppedError):
+        shared.each(work, ["good", "bad"])
+    assert len(CallStore(tmp_path)) == 1
+
+
+CHILD = """
+import sys
+from paid_server import session
+from test_interrupts import some
+from generator.cli import interrupts
+interrupts.heed()
+try:
+    some(session(), sys.argv[1])
+except KeyboardInterrupt:
+    interrupts.ignore()
+    raise SystemExit(130)
+"""
+
+
+def test_the_process_ends_with_the_second_interrupt() -> None:
+    path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
+    with hanging() as (server, _):
+        command = [sys.executable, "-c", CHILD, server.url]
+        with subprocess.Popen(command, env={**os.environ, "PYTHONPATH": path}) as child:
+            while len(server.asked) < 8:
+                time.sleep(0.02)
+            began = time.monotonic()
+            for _ in range(2):
+                child.send_signal(signal.SIGINT)
+                time.sleep(0.3)
+            assert child.wait(HUNG / 2) == 130
+            assert time.monotonic() - began < HUNG / 2

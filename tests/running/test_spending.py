@@ -1,0 +1,157 @@
+"""What a scene's calls cost outlives the runs that paid for them."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from paid_server import KEY, PRICES, Says, ask, serving, session
+
+from generator.errors import BudgetError, StorageError
+from generator.running import Session
+from generator.running.account import Account, Entry
+from generator.running.prices import Price, Prices
+from generator.running.spending import Spending
+from generator.running.store import CallStore
+
+MOST = 0.04004
+"""What a call of the tests may cost at most."""
+
+
+def run(folder: Path, **settings: Any) -> Session:
+    """A run of the scene whose answers and spending are in ``folder``."""
+    made = session(store=CallStore(folder), **settings)
+    made.account.resume(Spending.beside(folder, "scene"))
+    return made
+
+
+def test_a_run_knows_what_those_before_spent(tmp_path: Path) -> None:
+    with serving([Says()]) as server:
+        first = run(tmp_path)
+        for text in "ab":
+            ask(first, server.url, text)
+        second = run(tmp_path)
+        assert second.account.money == first.account.money == pytest.approx(0.042)
+        for text in "abc":
+            ask(second, server.url, text)
+        assert len(server.asked) == 3
+    assert second.account.money == pytest.approx(0.063)
+    (plan,) = second.account.summary()
+    assert (plan.calls, plan.cached) == (3, 2)
+    assert second.account.notes == ("Of this, 0.0420 was spent by earlier runs of the same scene.",)
+    facts = second.account.facts(PRICES)
+    assert facts["money"] == pytest.approx(0.063)
+    assert [call["earlier"] for call in facts["calls"]] == [True, True, False, False, False]
+    assert run(tmp_path).account.money == second.account.money, "entered once"
+
+
+def test_a_budget_is_for_all_runs_of_a_scene(tmp_path: Path) -> None:
+    with serving([Says()]) as server:
+        ask(run(tmp_path, budget=0.06), server.url, "a")
+        again = run(tmp_path, budget=0.06)
+        ask(again, server.url, "a")
+        with pytest.raises(BudgetError, match=r"budget of 0\.06, 0\.0210 is spent"):
+            ask(again, server.url, "b")
+        other = session(store=CallStore(tmp_path), budget=0.06)
+        other.account.resume(Spending.beside(tmp_path, "other"))
+        ask(other, server.url, "b")
+
+
+CHILD = """
+import sys
+from pathlib import Path
+from paid_server import ask
+from test_spending import run
+shared = run(Path(sys.argv[1]))
+for text in "ab":
+    ask(shared, sys.argv[2], text)
+"""
+
+
+def test_a_killed_run_leaves_what_it_spent_and_may_have(tmp_path: Path) -> None:
+    with serving(lambda asked, k: Says(delay=30.0 * k)) as server:
+        path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
+        command = [sys.executable, "-c", CHILD, str(tmp_path), server.url]
+        with subprocess.Popen(command, env={**os.environ, "PYTHONPATH": path}) as child:
+            while len(server.asked) < 2 and child.poll() is None:
+                time.sleep(0.02)
+            child.kill()
+    resumed = run(tmp_path)
+    assert [e.outcome for e in resumed.account.entries] == ["answered", "failed"]
+    assert resumed.account.money == pytest.approx(0.021 + MOST, abs=1e-4)
+
+
+def test_each_line_has_the_key_of_its_answer_and_no_secret(tmp_path: Path) -> None:
+    with serving([Says()]) as server:
+        ask(run(tmp_path), server.url)
+    (path,) = (tmp_path / "spending").glob("*.jsonl")
+    (answer,) = (tmp_path / "answers").glob("*/*")
+    lines = path.read_text().splitlines()
+    assert len(lines) == 2 and all(answer.name in line for line in lines)
+    assert KEY not in path.read_text()
+    assert path.stat().st_mode & 0o077 == path.parent.stat().st_mode & 0o077 == 0
+
+
+def test_what_is_free_is_not_written_down(tmp_path: Path) -> None:
+    with serving([Says()]) as server:
+        ask(run(tmp_path, prices=Prices()), server.url)
+    assert not (tmp_path / "spending").exists()
+
+
+def test_what_nobody_knows_the_price_of_stays_so(tmp_path: Path) -> None:
+    spending = Spending(tmp_path / "a.jsonl")
+    spending.write("one", "k", Entry("s", "q", money=None))
+    account = Account()
+    account.resume(spending)
+    assert (account.money, account.unpriced) == (0.0, 1)
+
+
+def test_half_a_line_spoils_no_other(tmp_path: Path) -> None:
+    spending = Spending(tmp_path / "a.jsonl")
+    spending.write("one", "k", Entry("s", "q", money=0.25))
+    with spending.path.open("ab") as file:
+        file.write(b'{"call": "two", "mon')
+    spending.write("three", "k", Entry("s", "q", money=0.5))
+    assert [told["money"] for told in spending.earlier()] == [0.25, 0.5]
+
+
+def test_lines_of_many_at_once_are_whole(tmp_path: Path) -> None:
+    spending = Spending(tmp_path / "a.jsonl")
+
+    def write(k: int) -> None:
+        Spending(spending.path).write(str(k), "k", Entry("s", "q" * 500, money=1.0))
+
+    threads = [threading.Thread(target=write, args=(k,)) for k in range(16)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert {told["call"] for told in spending.earlier()} == {str(k) for k in range(16)}
+
+
+def test_a_disk_that_refuses_loses_no_answer_and_says_so(tmp_path: Path) -> None:
+    (tmp_path / "spending").write_text("no folder")
+    shared = run(tmp_path / "calls")
+    shared.account.resume(Spending(tmp_path / "spending" / "a.jsonl"))
+    with serving([Says()]) as server:
+        assert ask(shared, server.url).status_code == 200
+    assert "What this scene's calls cost cannot be written" in shared.account.notes[0]
+
+
+def test_what_cannot_be_read_is_not_taken_for_nothing(tmp_path: Path) -> None:
+    (tmp_path / "a.jsonl").mkdir()
+    with pytest.raises(StorageError, match="cannot be read"):
+        Account().resume(Spending(tmp_path / "a.jsonl"))
+
+
+def test_a_call_that_was_given_up_is_written_down_with_the_most(tmp_path: Path) -> None:
+    shared = run(tmp_path, attempts=1, prices=Prices(models={"m": Price(call=0.4)}))
+    with serving([Says(status=504)]) as server, pytest.raises(Exception, match="504"):
+        ask(shared, server.url)
+    assert run(tmp_path).account.money == 0.4
