@@ -85,6 +85,7 @@ class Account:
 
         Raises:
             StorageError: the file is there, and cannot be read.
+            InputError: what was spent was in another currency.
         """
         entries = [_earlier(told) for told in spending.earlier()]
         with self._lock:

@@ -25,8 +25,7 @@ class Price:
 
     ``input`` and ``output`` are per million tokens, ``image`` per image answered, ``call`` per
     call. ``picture`` is no price: it is how many tokens a picture that is shown counts for at most,
-    for what a call may cost before it is sent. Where it is not said, it is as much as any model
-    that is known to us takes, apart from those listed with more.
+    for what a call may cost before it is sent. Where it is not said, it is more than most take.
 
     Raises:
         InputError: one is no number from 0.

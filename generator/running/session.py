@@ -37,7 +37,7 @@ class Session:
     """Keeps, counts, bounds and repeats the calls of one generation; safe for threads.
 
     ``store``: where answers are kept; None keeps nothing.
-    ``account``: the ledger they are entered in.
+    ``account``: the ledger they are entered in; its ``resume`` has it know of earlier runs.
     ``prices``: what they cost.
     ``budget``: what they may cost together, in the currency of ``prices``; a call that might exceed
     it is not sent; what that may be is estimated on the high side. None for no limit.

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+import math
 import os
 import secrets
 import time
@@ -17,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from filelock import FileLock
 
-from ..errors import StorageError
+from ..errors import InputError, StorageError
 from ..files import make_private
 from .redaction import redacted
 
@@ -33,23 +34,25 @@ _PATIENCE = 30.0  # seconds: nobody holds the file for long
 class Spending:
     """The file of one scene; threads and processes may write to it at once.
 
-    Of runs of a scene at the same time none knows what the others spend.
+    A run knows of those that began before it, but not what others spend from then on.
     """
 
-    def __init__(self, path: str | Path) -> None:
+    def __init__(self, path: str | Path, currency: str) -> None:
         """Use the file at ``path``, which is made, for its owner alone, with the first call."""
         self.path = Path(path)
+        self.currency = currency
 
     @classmethod
-    def beside(cls, answers: str | Path, scene: str) -> Spending:
+    def beside(cls, answers: str | Path, scene: str, currency: str = "USD") -> Spending:
         """Return the file of a scene in the folder of a call store; ``scene`` is file-safe."""
-        return cls(Path(answers) / FOLDER / f"{scene}.jsonl")
+        return cls(Path(answers) / FOLDER / f"{scene}.jsonl", currency)
 
     def earlier(self) -> tuple[dict[str, Any], ...]:
         """Return what came of the calls of earlier runs, in the order they were sent.
 
         Raises:
             StorageError: there is a file, and it cannot be read. It is never taken for nothing.
+            InputError: what was spent was in another currency.
         """
         try:
             lines = self.path.read_bytes().split(b"\n")
@@ -59,11 +62,15 @@ class Spending:
             raise self._refused("read", error) from error
         calls: dict[str, dict[str, Any]] = {}
         for line in filter(None, lines):
-            try:
-                told = json.loads(line)
-                calls[told["call"]] = told
-            except (ValueError, KeyError, TypeError):  # half a line, of a process that died at it
+            told = _told(line)
+            if told is None:
                 continue
+            calls[told["call"]] = told
+            if told["currency"] != self.currency:
+                raise InputError(
+                    f"{self.path} has what this scene's calls cost in {told['currency']}, and the "
+                    f"price table is in {self.currency}. Use one in {told['currency']}."
+                )
         return tuple(calls.values())
 
     def write(self, call: str, key: str, entry: Entry) -> None:
@@ -72,7 +79,10 @@ class Spending:
         Raises:
             StorageError: the disk refuses.
         """
-        told = {"call": call, "key": key, "at": round(time.time(), 3), **dataclasses.asdict(entry)}
+        told = {
+            "call": call, "key": key, "at": round(time.time(), 3), "currency": self.currency,
+            **dataclasses.asdict(entry),
+        }  # fmt: skip
         line = redacted(json.dumps(told)).encode() + b"\n"
         try:
             make_private(self.path.parent)
@@ -92,6 +102,18 @@ class Spending:
             f"What this scene's calls cost cannot be {done} ({self.path}: "
             f"{error.strerror or error}). Free space there, or name another folder of answers."
         )
+
+
+def _told(line: bytes) -> dict[str, Any] | None:
+    """Return what a line says; None for one that a process died at."""
+    try:
+        told = json.loads(line)
+        texts = [told[name] for name in ("call", "currency", "server", "question")]
+        money = told["money"]
+    except (ValueError, KeyError, TypeError):
+        return None
+    number = money is None or (isinstance(money, int | float) and 0 <= money < math.inf)
+    return told if number and all(isinstance(text, str) for text in texts) else None
 
 
 def new_call() -> str:

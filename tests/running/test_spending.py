@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from paid_server import KEY, PRICES, Says, ask, serving, session
 
-from generator.errors import BudgetError, StorageError
+from generator.errors import BudgetError, InputError, StorageError
 from generator.running import Session
 from generator.running.account import Account, Entry
 from generator.running.prices import Price, Prices
@@ -105,7 +105,7 @@ def test_what_is_free_is_not_written_down(tmp_path: Path) -> None:
 
 
 def test_what_nobody_knows_the_price_of_stays_so(tmp_path: Path) -> None:
-    spending = Spending(tmp_path / "a.jsonl")
+    spending = Spending(tmp_path / "a.jsonl", "USD")
     spending.write("one", "k", Entry("s", "q", money=None))
     account = Account()
     account.resume(spending)
@@ -113,19 +113,19 @@ def test_what_nobody_knows_the_price_of_stays_so(tmp_path: Path) -> None:
 
 
 def test_half_a_line_spoils_no_other(tmp_path: Path) -> None:
-    spending = Spending(tmp_path / "a.jsonl")
+    spending = Spending(tmp_path / "a.jsonl", "USD")
     spending.write("one", "k", Entry("s", "q", money=0.25))
     with spending.path.open("ab") as file:
-        file.write(b'{"call": "two", "mon')
+        file.write(b'{"call": "0"}\n[1]\n{"call": "two", "mon')
     spending.write("three", "k", Entry("s", "q", money=0.5))
     assert [told["money"] for told in spending.earlier()] == [0.25, 0.5]
 
 
 def test_lines_of_many_at_once_are_whole(tmp_path: Path) -> None:
-    spending = Spending(tmp_path / "a.jsonl")
+    spending = Spending(tmp_path / "a.jsonl", "USD")
 
     def write(k: int) -> None:
-        Spending(spending.path).write(str(k), "k", Entry("s", "q" * 500, money=1.0))
+        Spending(spending.path, "USD").write(str(k), "k", Entry("s", "q" * 500, money=1.0))
 
     threads = [threading.Thread(target=write, args=(k,)) for k in range(16)]
     for thread in threads:
@@ -138,7 +138,7 @@ def test_lines_of_many_at_once_are_whole(tmp_path: Path) -> None:
 def test_a_disk_that_refuses_loses_no_answer_and_says_so(tmp_path: Path) -> None:
     (tmp_path / "spending").write_text("no folder")
     shared = run(tmp_path / "calls")
-    shared.account.resume(Spending(tmp_path / "spending" / "a.jsonl"))
+    shared.account.resume(Spending(tmp_path / "spending" / "a.jsonl", "USD"))
     with serving([Says()]) as server:
         assert ask(shared, server.url).status_code == 200
     assert "What this scene's calls cost cannot be written" in shared.account.notes[0]
@@ -147,7 +147,13 @@ def test_a_disk_that_refuses_loses_no_answer_and_says_so(tmp_path: Path) -> None
 def test_what_cannot_be_read_is_not_taken_for_nothing(tmp_path: Path) -> None:
     (tmp_path / "a.jsonl").mkdir()
     with pytest.raises(StorageError, match="cannot be read"):
-        Account().resume(Spending(tmp_path / "a.jsonl"))
+        Account().resume(Spending(tmp_path / "a.jsonl", "USD"))
+
+
+def test_money_of_another_kind_is_not_added_up(tmp_path: Path) -> None:
+    Spending.beside(tmp_path, "a", "EUR").write("one", "k", Entry("s", "q", money=0.25))
+    with pytest.raises(InputError, match="in EUR, and the price table is in USD"):
+        Account().resume(Spending.beside(tmp_path, "a", "USD"))
 
 
 def test_a_call_that_was_given_up_is_written_down_with_the_most(tmp_path: Path) -> None:
