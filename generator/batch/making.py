@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
+from ..backends import Mix
 from .jobs import Job
 
 if TYPE_CHECKING:
@@ -50,33 +51,31 @@ class Composing:
 class Generating:
     """Generates scenes from texts or pictures by all stages (``generator.pipeline``).
 
-    ``backend`` answers the stages' questions. What it asks of servers is kept in the folder
+    ``mix`` says who answers the stages' questions. What it asks of servers is kept in the folder
     ``calls``, if that is given, so that nothing is paid for twice.
     """
 
-    backend: str = "embedded"
+    mix: Mix = field(default_factory=Mix)
     config: Config | None = None
     calls: str | None = None
 
     def identity(self) -> dict[str, Any]:
-        """Return backend and settings."""
+        """Return backends and settings."""
         from ..pipeline import Config
         from ..provenance import plain
 
         settings = plain(self.config or Config())
-        return {"route": "generate", "backend": self.backend, "config": settings}
+        return {"route": "generate", **self.mix.identity(), "config": settings}
 
     def __call__(self, job: Job, folder: Path) -> Path:
         """Generate a job's scene."""
-        from ..backends import Backends
         from ..pipeline import generate
         from ..running import Session
         from ..running.store import CallStore
 
         _alone()
         session = Session(store=None if self.calls is None else CallStore(self.calls))
-        backends = Backends.select(self.backend, session=session)
-        generation = generate(job.text, backends, self.config, job.seed)
+        generation = generate(job.text, self.mix.select(session), self.config, job.seed)
         path = generation.save(folder)
         if any(entry.outcome != "cached" for entry in session.account.entries):
             session.account.save(path, session.prices)

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Literal
 
 from tyro.conf import Positional
 
+from ..errors import InputError
+from .choosing import USUAL, Chosen
 from .printing import emit
 
 if TYPE_CHECKING:
@@ -24,7 +26,7 @@ def batch(
     workers: int = 1,
     ray: str | None = None,
     route: Literal["generate", "compose"] = "generate",
-    backend: str = "embedded",
+    mix: Chosen = USUAL,
     seed: int = 0,
     variants: int = 1,
     retry: bool = False,
@@ -44,7 +46,7 @@ def batch(
         ray: Address of a Ray cluster to make them instead, which shares the folder; "local" starts
             Ray here (pip install 'tabletopgen[ray]').
         route: All stages of the paper, or composed without drawing a picture first.
-        backend: Who answers the questions about text and image.
+        mix: Who answers the questions about text and image; roles can differ from the rest.
         seed: Of each text.
         variants: How many seeds each text is made with, from its own on.
         retry: Try again what failed before by its text or its gate.
@@ -52,13 +54,14 @@ def batch(
         json: Print one JSON object instead of a table.
     """
     from .. import batch as batches
-    from ..backends import Backends
     from .paying import calls_folder
 
     make: Maker = batches.Composing()
     if route == "generate":
-        Backends.select(backend)  # an unknown one is refused before anything is made
-        make = batches.Generating(backend, calls=str(calls_folder(calls)))
+        mix.select()  # one that cannot answer is refused before anything is made
+        make = batches.Generating(mix, calls=str(calls_folder(calls)))
+    elif mix != USUAL:
+        raise InputError("--route compose asks nobody; leave out --backend and the roles.")
     jobs = batches.jobs_of(batches.read_prompts(prompts, seed), variants=variants)
     try:
         with _progress(len(jobs), quiet=json) as shown:

@@ -17,8 +17,11 @@ import toy_maker
 from toy_maker import ToyMaker, made
 
 from generator import batch, bundle
+from generator.backends import Mix
 from generator.batch.records import PLACE, key_of
 from generator.errors import InputError, StorageError
+from generator.pipeline import Config
+from generator.provenance import plain
 
 HERE = Path(__file__).parent
 TEXTS = ("a cube", "bad words", "another cube", "broken code", "a third cube")
@@ -163,6 +166,10 @@ def test_what_is_asked_for_is_told_apart(tmp_path: Path, log: Path) -> None:
     picture.write_bytes(b"two")
     keys |= {key_of(batch.Job(str(picture)), make)}
     assert len(keys) == 6
+    first = {"route": "generate", "backend": "embedded", "config": plain(Config())}
+    assert batch.Generating().identity() == first  # what folders of batches were made with
+    mixed = batch.Generating(Mix(modeler="folder"))
+    assert key_of(batch.Job("a"), mixed) != key_of(batch.Job("a"), batch.Generating())
     cheap = batch.Generating(calls="here")
     assert key_of(batch.Job("a"), cheap) == key_of(batch.Job("a"), batch.Generating(calls="there"))
 
