@@ -52,10 +52,10 @@ def test_the_processes_get_the_mix_of_the_command(
     monkeypatch.setattr(batch, "run", run)
     prompts = tmp_path / "prompts.txt"
     prompts.write_text(TEXT)
-    roles = ("--segmenter", "huggingface", "--modeler", "hunyuan3d", "--reasoner", "cloud")
+    roles = ("--modeler", "hunyuan3d", "--imager", "embedded")
     assert command("batch", str(prompts), "--out", str(tmp_path / "out"), *roles) == 0
     (made,) = makers
-    assert made.mix == Mix(reasoner="cloud", segmenter="huggingface", modeler="hunyuan3d")
+    assert made.mix == Mix(imager="embedded", modeler="hunyuan3d")
 
 
 def test_an_interrupted_batch_says_that_what_is_made_is_kept(
