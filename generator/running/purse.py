@@ -104,8 +104,11 @@ class Purse:
         return self.folder / _SPENDERS / f"{name}.lock"
 
     @contextlib.contextmanager
-    def _changing(self) -> Iterator[list[Sum]]:
-        """Yield the sum to be replaced in a list of one; what dead spenders held is spent."""
+    def _changing(self, own: str = "") -> Iterator[list[Sum]]:
+        """Yield the sum to be replaced in a list of one; what dead spenders held is spent.
+
+        ``own`` is the spender that asks: alive, whatever a disk's locks make of it.
+        """
         if not self.folder.is_dir():
             raise self._elsewhere()
         with _locked(self.folder):
@@ -114,7 +117,7 @@ class Purse:
                 raise self._elsewhere()
             known = [before]
             for name in before.held:
-                if self._dead(name):
+                if name != own and self._dead(name):
                     known[0] = _buried(known[0], name)
             yield known
             if known[0] != before:
@@ -156,7 +159,7 @@ class Spender:
         """
         if most == 0:
             return True
-        with self.purse._changing() as known:
+        with self.purse._changing(self.name) as known:
             spent = known[0]
             held = sum(map(math.fsum, spent.held.values()))
             if budget is not None and spent.money + held + most > budget:
@@ -179,7 +182,7 @@ class Spender:
         """
         if most == 0 and money == 0:
             return
-        with self.purse._changing() as known:
+        with self.purse._changing(self.name) as known:
             spent = known[0]
             own = list(spent.held.get(self.name, ()))
             if most in own:

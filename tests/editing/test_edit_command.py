@@ -10,6 +10,8 @@ from command import command
 
 import assets_cache
 from generator import bundle
+from generator.backends import Backends
+from generator.errors import InputError
 
 
 @pytest.fixture(autouse=True)
@@ -60,3 +62,18 @@ def test_a_wrong_edit_is_one_clear_line(
     assert command("edit", *args) == code
     assert words in capsys.readouterr().err
     assert not store.exists()
+
+
+def test_one_role_named_is_enough_to_have_it_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = []
+
+    def swap(path: Path, name: str, words: str, seed: int, backends: Backends | None) -> None:
+        asked.append(backends)
+        raise InputError("enough")
+
+    monkeypatch.setattr("generator.editing.swap", swap)
+    for more in ((), ("--modeler", "folder")):
+        assert command("edit", "vanity", "swap", "lipstick_1", "a mug", *more) == 2
+    nobody, drawn = asked
+    assert nobody is None
+    assert drawn.identity() == Backends.select("embedded", modeler="folder").identity()
