@@ -77,6 +77,8 @@ def test_a_damaged_bundle_fails_verification(
         (("compose", "机の上にマグカップがあります"), 2, "English"),
         (("generate", "nowhere/desk.png"), 2, "No picture"),
         (("generate", TEXT, "--backend", "embeded"), 3, "Did you mean 'embedded'"),
+        (("generate", TEXT, "--modeler", "hunyuan3"), 3, "Did you mean 'hunyuan3d'"),
+        (("generate", TEXT, "--backend", "cloud"), 3, "nobody answers segment"),
         (("inspect", "no-such-scene"), 4, "no-such-scene"),
         (("cache", "rm", "no-such-scene"), 4, "no-such-scene"),
     ],

@@ -73,7 +73,10 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.catalogue",
         ),
     ),
-    ("generator.backends", ("generator.backends.select",)),
+    (
+        "generator.backends",
+        ("generator.backends.mix", "generator.backends.select", "generator.running"),
+    ),
     ("generator.catalogue.sheet", (*VALUES, "generator.catalogue", "generator.render")),
     ("generator.catalogue", (*VALUES, "generator.catalogue")),
     ("generator.layout", (*VALUES, "generator.layout", "generator.catalogue")),

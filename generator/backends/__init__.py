@@ -1,5 +1,6 @@
-"""Backends: classes that answer the stages' questions. See ``protocols`` and ``select``."""
+"""Classes that answer the stages' questions. See ``protocols``, ``select`` and ``mix``."""
 
+from .mix import Mix
 from .select import Backends
 
-__all__ = ["Backends"]
+__all__ = ["Backends", "Mix"]

@@ -55,12 +55,34 @@ TABLE: Mapping[str, Mapping[str, str]] = {
 """Backend name, then question set, to the class that answers; loaded when selected."""
 
 
+def _check_names(default: str, roles: Mapping[str, Any]) -> None:
+    """Check that every role that is given by name has an answer; ``default`` for those left open.
+
+    Raises:
+        BackendError: an unknown name, or the questions that lack an answer.
+    """
+    if default not in TABLE:
+        raise BackendError(f"Unknown backend {default!r}.{choices(default, TABLE)}")
+    names = {role: pick for role in PROTOCOLS if isinstance(pick := roles.get(role, default), str)}
+    able = {role: [b for b, answers in TABLE.items() if role in answers] for role in PROTOCOLS}
+    for role, name in names.items():
+        if name not in TABLE:
+            raise BackendError(f"Unknown {role} {name!r}.{choices(name, able[role])}")
+    lacking = [
+        f"Backend {name!r} has no {role}: nobody answers {', '.join(_questions(role))}. Choose "
+        f"another {role}. Available: {', '.join(sorted(able[role]))}."
+        for role, name in names.items()
+        if name not in able[role]
+    ]
+    if lacking:
+        raise BackendError(" ".join(lacking))
+
+
+def _questions(role: str) -> list[str]:
+    return [method for method in vars(PROTOCOLS[role]) if not method.startswith("_")]
+
+
 def _load(name: str, role: str, session: Session) -> Any:
-    if name not in TABLE:
-        raise BackendError(f"Unknown backend {name!r}.{choices(name, TABLE)}")
-    if role not in TABLE[name]:
-        able = [backend for backend, roles in TABLE.items() if role in roles]
-        raise BackendError(f"Backend {name!r} has no {role}.{choices(name, able)}")
     module, _, attribute = TABLE[name][role].partition(":")
     kind = getattr(importlib.import_module(module), attribute)
     shares = "session" in getattr(kind, "__dataclass_fields__", {})
@@ -72,8 +94,7 @@ def _load(name: str, role: str, session: Session) -> Any:
 
 def _check(role: str, backend: Any) -> Any:
     if not isinstance(backend, PROTOCOLS[role]):
-        wanted = [m for m in vars(PROTOCOLS[role]) if not m.startswith("_")]
-        missing = [m for m in wanted if not callable(getattr(backend, m, None))]
+        missing = [m for m in _questions(role) if not callable(getattr(backend, m, None))]
         raise BackendError(
             f"{type(backend).__name__} cannot be the {role}: it lacks {', '.join(missing)}. "
             f"See generator.backends.protocols.{PROTOCOLS[role].__name__}."
@@ -104,12 +125,13 @@ class Backends:
             roles: ``reasoner``, ``imager``, ``segmenter``, ``modeler``, ``encoder``.
 
         Raises:
-            BackendError: unknown backend or role, a missing extra, or an object that lacks a
-                method of its protocol.
+            BackendError: unknown backend or role, a backend that does not answer a role's
+                questions, a missing extra, or an object that lacks a method of its protocol.
         """
         for role in roles:
             if role not in PROTOCOLS:
                 raise BackendError(f"Unknown role {role!r}.{choices(role, PROTOCOLS)}")
+        _check_names(default, roles)
         shared = Session() if session is None else session
         chosen = {role: roles.get(role, default) for role in PROTOCOLS}
         return cls(
@@ -126,6 +148,10 @@ class Backends:
         """
         session = getattr(getattr(self, role), "session", None)
         return session.each if isinstance(session, Session) else in_turn
+
+    def asks_servers(self) -> bool:
+        """Return whether a role has a ``session``: its answers come from a server."""
+        return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
     def identity(self) -> dict[str, dict[str, Any]]:
         """Return each role's class and fields: what provenance records. Holds no secret."""

@@ -11,6 +11,8 @@ from .jobs import read_prompts as read_prompts
 from .making import Composing as Composing
 from .making import Generating as Generating
 from .making import Maker as Maker
+from .place import purse_of as purse_of
 from .records import Outcome as Outcome
 from .running import run as run
 from .summary import Summary as Summary
+from .trying import try_out as try_out

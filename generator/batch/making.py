@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import contextlib
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
+from ..backends import Mix
+from ..errors import InputError, require
+from ..running.prices import Prices
+from ..running.purse import Purse
 from .jobs import Job
 
 if TYPE_CHECKING:
     from ..pipeline import Config
+    from ..running import Session
 
 
 class Maker(Protocol):
@@ -50,37 +57,79 @@ class Composing:
 class Generating:
     """Generates scenes from texts or pictures by all stages (``generator.pipeline``).
 
-    ``backend`` answers the stages' questions. What it asks of servers is kept in the folder
-    ``calls``, if that is given, so that nothing is paid for twice.
+    Attributes:
+        mix: who answers the stages' questions.
+        config: settings of the stages; None for the usual ones.
+        calls: folder where answers of servers are kept, so that nothing is paid for twice; None
+            keeps nothing.
+        prices: what calls of servers cost; None: the table that comes with the package.
+        purse: the sum that all scenes are paid from, see ``purse_of``; None adds up nothing.
+        budget: what all scenes may cost together, those of earlier runs too, in the currency of
+            ``prices``; needs ``purse``. A call that might exceed it is not sent.
+        dry: nothing is sent: the first call that is not kept raises DryRunError.
+
+    Raises:
+        InputError: a budget without a purse, or none from 0 on.
     """
 
-    backend: str = "embedded"
+    mix: Mix = field(default_factory=Mix)
     config: Config | None = None
     calls: str | None = None
+    prices: Prices | None = None
+    purse: Purse | None = None
+    budget: float | None = None
+    dry: bool = False
+
+    def __post_init__(self) -> None:
+        if self.budget is None:
+            return
+        require(self, "budget", least=0)
+        if self.purse is None:
+            raise InputError(
+                "Generating needs a purse for its budget: processes spend it together. Give "
+                "purse=purse_of(FOLDER) of the batch's folder."
+            )
 
     def identity(self) -> dict[str, Any]:
-        """Return backend and settings."""
+        """Return backends and settings."""
         from ..pipeline import Config
         from ..provenance import plain
 
         settings = plain(self.config or Config())
-        return {"route": "generate", "backend": self.backend, "config": settings}
+        return {"route": "generate", **self.mix.identity(), "config": settings}
 
     def __call__(self, job: Job, folder: Path) -> Path:
-        """Generate a job's scene."""
-        from ..backends import Backends
+        """Generate a job's scene.
+
+        Raises:
+            BudgetError: it cannot be afforded; DryRunError: it would have asked a server.
+        """
         from ..pipeline import generate
-        from ..running import Session
-        from ..running.store import CallStore
 
         _alone()
-        session = Session(store=None if self.calls is None else CallStore(self.calls))
-        backends = Backends.select(self.backend, session=session)
-        generation = generate(job.text, backends, self.config, job.seed)
-        path = generation.save(folder)
-        if any(entry.outcome != "cached" for entry in session.account.entries):
-            session.account.save(path, session.prices)
+        with self._session() as session:
+            generation = generate(job.text, self.mix.select(session), self.config, job.seed)
+            path = generation.save(folder)
+            if any(entry.outcome != "cached" for entry in session.account.entries):
+                session.account.save(path, session.prices)
         return path
+
+    @contextlib.contextmanager
+    def _session(self) -> Iterator[Session]:
+        """Return what the calls of one scene share."""
+        from ..running import Session
+        from ..running.account import Account
+        from ..running.store import CallStore
+
+        with contextlib.ExitStack() as open_:
+            spender = None if self.purse is None else open_.enter_context(self.purse.spending())
+            yield Session(
+                store=None if self.calls is None else CallStore(self.calls),
+                account=Account(spender),
+                prices=self.prices or Prices.shipped(),
+                budget=self.budget,
+                dry=self.dry,
+            )
 
 
 def _alone() -> None:

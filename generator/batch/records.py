@@ -21,13 +21,18 @@ import numpy as np
 from filelock import FileLock, Timeout
 
 from ..bundle import load_fingerprint, load_report
-from ..errors import BackendError, BundleError, StorageError, TabletopError
+from ..errors import (
+    BackendError,
+    BudgetError,
+    BundleError,
+    DryRunError,
+    StorageError,
+    TabletopError,
+)
 from ..files import write_whole
 from .jobs import Job, key
 from .making import Maker
-
-PLACE = ".batch"
-"""Where a batch's folder keeps its records."""
+from .place import PLACE
 
 KEPT = frozenset({"InputError", "SceneError"})
 """Failures that the same job meets again: they are not tried anew unless asked for."""
@@ -35,7 +40,7 @@ KEPT = frozenset({"InputError", "SceneError"})
 CRASH = "Crash"
 """The kind of failure of a job whose process died."""
 
-State = Literal["made", "there", "failed", "busy"]
+State = Literal["made", "there", "failed", "unpaid", "busy"]
 
 
 @dataclass(frozen=True)
@@ -44,9 +49,10 @@ class Outcome:
 
     Attributes:
         job: the job.
-        state: "made" now, "there" already, "failed", or "busy": someone else is at it.
+        state: "made" now, "there" already, "failed", "unpaid": a call that it needs was not sent,
+            for want of money or in a dry run, or "busy": someone else is at it.
         bundle: the name of its bundle, if there is one.
-        kind: the class of the error, if it failed.
+        kind: the class of the error, if it failed or is unpaid.
         error: what it says.
         seconds: how long it took whoever made it.
         gate: figures of the recorded gate: see ``summary``.
@@ -131,6 +137,9 @@ def _made(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
         report = load_report(made)
     except StorageError:
         raise
+    except (BudgetError, DryRunError) as error:  # nothing is written down: it is no fault of it
+        spent = round(time.perf_counter() - start, 2)
+        return Outcome(job, "unpaid", None, type(error).__name__, str(error), spent)
     except TabletopError as error:
         kind = "BackendError" if isinstance(error, BackendError) else type(error).__name__
         return failed(job, folder, name, str(error), kind, time.perf_counter() - start)

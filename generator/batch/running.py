@@ -9,11 +9,12 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from ..errors import StorageError, require_number
+from ..errors import require_number
 from .crews import Crew, Died, OnRay, Processes
 from .jobs import Job, jobs_of
 from .making import Generating, Maker
-from .records import CRASH, PLACE, Outcome, failed, key_of, recorded, work
+from .place import place_of
+from .records import CRASH, Outcome, failed, key_of, recorded, work
 from .summary import Summary, write_summary
 
 Progress = Callable[[Outcome, int, int], None]
@@ -37,8 +38,9 @@ def run(
 ) -> Summary:
     """Make many scenes into one folder; what is there already is not made again.
 
-    A job that fails does not stop the others. An interrupted batch is gone on with by the same
-    call. Processes are spawned, so a script calls this under ``if __name__ == "__main__":``.
+    A job that fails, or that a budget does not allow, does not stop the others. An interrupted
+    batch is gone on with by the same call. Processes are spawned, so a script calls this under
+    ``if __name__ == "__main__":``.
 
     Args:
         prompts: texts, paths of pictures, or jobs with seeds of their own.
@@ -61,13 +63,7 @@ def run(
     """
     require_number("A batch needs workers", workers, least=1, most=1024, whole=True)
     jobs, make, folder = jobs_of(prompts, seed, variants), make or Generating(), Path(folder)
-    try:
-        (folder / PLACE).mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise StorageError(
-            f"The batch's folder {folder} cannot be made: {error.strerror or error}. Choose "
-            "another folder."
-        ) from error
+    place_of(folder)
     done: dict[Job, Outcome] = {}
 
     def told(outcome: Outcome) -> None:

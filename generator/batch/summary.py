@@ -30,10 +30,15 @@ class Summary:
         """The jobs that have no scene."""
         return tuple(o for o in self.outcomes if o.state == "failed")
 
+    @property
+    def unpaid(self) -> tuple[Outcome, ...]:
+        """The jobs that have no scene since a call was not sent; run again, they are tried."""
+        return tuple(o for o in self.outcomes if o.state == "unpaid")
+
     def counts(self) -> dict[str, int]:
-        """Return how many scenes were made, were there, and failed."""
+        """Return how many scenes were made, were there, failed, and could not be paid for."""
         states = Counter(o.state for o in self.outcomes)
-        return {state: states[state] for state in ("made", "there", "failed")}
+        return {state: states[state] for state in ("made", "there", "failed", "unpaid")}
 
     def kinds(self) -> dict[str, int]:
         """Return how many failed by kind of error, most frequent first."""

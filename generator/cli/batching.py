@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from tyro.conf import Positional
 
+from ..errors import InputError, require_number
+from .choosing import USUAL, Chosen, lines_of, roles_of
 from .printing import emit
 
 if TYPE_CHECKING:
-    from ..batch import Maker, Outcome, Summary
+    from ..backends import Backends, Mix
+    from ..batch import Generating, Job, Maker, Outcome, Summary
 
 
 def batch(
@@ -24,17 +28,22 @@ def batch(
     workers: int = 1,
     ray: str | None = None,
     route: Literal["generate", "compose"] = "generate",
-    backend: str = "embedded",
+    mix: Chosen = USUAL,
     seed: int = 0,
     variants: int = 1,
     retry: bool = False,
+    budget: float | None = None,
+    dry_run: bool = False,
     calls: Path | None = None,
+    prices: Path | None = None,
     json: bool = False,
 ) -> int:
     """Make many scenes into one folder, some at a time; the same command goes on where it ended.
 
     The same text and seed give the same bytes, however many workers there are. A text that cannot
     be made does not stop the others; the exit code is then 1. Several batches may share a folder.
+    Scenes that the budget does not allow are left, without a failure, and made when the command is
+    run again with a larger one; if nothing else is missing, the exit code is 3.
 
     Args:
         prompts: A text or the path of a picture a line, # for remarks; or a .json array of texts,
@@ -44,22 +53,37 @@ def batch(
         ray: Address of a Ray cluster to make them instead, which shares the folder; "local" starts
             Ray here (pip install 'tabletopgen[ray]').
         route: All stages of the paper, or composed without drawing a picture first.
-        backend: Who answers the questions about text and image.
+        mix: Who answers the questions about text and image; roles can differ from the rest.
         seed: Of each text.
         variants: How many seeds each text is made with, from its own on.
         retry: Try again what failed before by its text or its gate.
+        budget: With a backend that asks servers: what all scenes may cost together, those of
+            earlier runs into this folder too. It is not exceeded, however many workers there are.
+        dry_run: Send nothing to servers and make nothing; print who answers what, and the first
+            calls that each scene would make.
         calls: Folder where answers of servers are kept; as for generate.
+        prices: Table of what calls cost (TOML); as for generate.
         json: Print one JSON object instead of a table.
     """
     from .. import batch as batches
-    from ..backends import Backends
-    from .paying import calls_folder
 
     make: Maker = batches.Composing()
+    asks: Backends | None = None
     if route == "generate":
-        Backends.select(backend)  # an unknown one is refused before anything is made
-        make = batches.Generating(backend, calls=str(calls_folder(calls)))
+        asks = mix.select()  # one that cannot answer is refused before anything is made
+        make = _generating(mix, calls, prices)
+    elif mix != USUAL or budget is not None or dry_run:
+        raise InputError(
+            "--route compose asks nobody; leave out --backend, the roles, --budget and --dry-run."
+        )
+    if budget is not None:
+        require_number("batch needs --budget", budget, least=0)
     jobs = batches.jobs_of(batches.read_prompts(prompts, seed), variants=variants)
+    if dry_run and isinstance(make, batches.Generating) and asks is not None:
+        return _tried(jobs, out, make, asks, workers, retry, json)
+    if isinstance(make, batches.Generating) and asks is not None and asks.asks_servers():
+        purse = batches.purse_of(out, make.prices)
+        make = replace(make, purse=purse, budget=budget)
     try:
         with _progress(len(jobs), quiet=json) as shown:
             summary = batches.run(
@@ -68,11 +92,71 @@ def batch(
     except KeyboardInterrupt:
         print("interrupted; what is made is kept, the same command goes on", file=sys.stderr)
         return 130
+    spent = _spent(make)
     if json:
-        emit({"folder": str(out), **summary.facts()}, True, list)
+        emit({"folder": str(out), **spent, **summary.facts()}, True, list)
     else:
-        _print(summary, out)
-    return 1 if summary.failures else 0
+        _print(summary, out, spent)
+    if summary.failures:
+        return 1
+    return 3 if summary.unpaid else 0
+
+
+def _generating(mix: Mix, calls: Path | None, prices: Path | None) -> Generating:
+    from ..batch import Generating
+    from ..running.prices import Prices
+    from .paying import calls_folder
+
+    table = Prices.shipped() if prices is None else Prices.load(prices)
+    return Generating(mix, calls=str(calls_folder(calls).absolute()), prices=table)
+
+
+def _spent(make: Maker) -> dict[str, Any]:
+    """Return what was spent from a maker's purse in all runs, nothing where it has none."""
+    purse, budget = getattr(make, "purse", None), getattr(make, "budget", None)
+    if purse is None:
+        return {}
+    told = purse.sum()
+    return {
+        "spent": {
+            "money": round(told.money, 6),
+            "currency": told.currency,
+            "unpriced": told.unpriced,
+            "budget": budget,
+        }
+    }
+
+
+def _tried(
+    jobs: Sequence[Job],
+    out: Path,
+    make: Generating,
+    backends: Backends,
+    workers: int,
+    retry: bool,
+    as_json: bool,
+) -> int:
+    """Print who answers, and what each scene would ask first; return the exit code."""
+    from .. import batch as batches
+
+    roles = roles_of(make.mix, backends)
+    rows: list[dict[str, Any]] = []
+    if backends.asks_servers():
+        summary = batches.try_out(jobs, out, make, workers=workers, retry=retry)
+        for o in summary.outcomes:
+            told = (o.error or "").splitlines() if o.state in ("unpaid", "failed") else []
+            state = {"unpaid": "to ask", "made": "nothing to ask"}.get(o.state, o.state)
+            rows.append({"text": o.job.text, "seed": o.job.seed, "state": state, "calls": told})
+
+    def lines() -> list[str]:
+        told = [f"{r['text'][:60]!r}, seed {r['seed']}: {r['state']}" for r in rows]
+        scenes = [part for r, line in zip(rows, told, strict=True)
+                  for part in (line, *(f"  {call}" for call in r["calls"]))]  # fmt: skip
+        rest = "Nothing was sent; what comes after depends on the answers."
+        return [*lines_of(roles), *scenes, rest if rows else "No server is asked."]
+
+    emit({"backends": roles, "dry_run": rows}, as_json, lines)
+    return 0
 
 
 @contextmanager
@@ -98,16 +182,23 @@ def _progress(total: int, *, quiet: bool) -> Iterator[Callable[[Outcome, int, in
         yield show
 
 
-def _print(summary: Summary, out: Path) -> None:
+def _print(summary: Summary, out: Path, spent: Mapping[str, Any]) -> None:
     from rich.console import Console
     from rich.table import Table
 
     console = Console(file=sys.stdout, highlight=False, markup=False, emoji=False)
     counts = summary.counts()
+    left = f", {counts['unpaid']} not paid for" if counts["unpaid"] else ""
     console.print(
-        f"{out}: {counts['made']} made, {counts['there']} there already, {counts['failed']} failed",
+        f"{out}: {counts['made']} made, {counts['there']} there already, {counts['failed']} failed"
+        + left,
         soft_wrap=True,
     )
+    if spent:
+        told = spent["spent"]
+        most = "" if told["budget"] is None else f" of {told['budget']:g}"
+        unknown = f", and {told['unpriced']} calls of unknown price" if told["unpriced"] else ""
+        console.print(f"  spent in all runs: {told['money']:.4f}{most} {told['currency']}{unknown}")
     for kind, count in summary.kinds().items():
         console.print(f"  {count} {kind}")
     table = Table("gate", "mean", "most")
@@ -115,5 +206,6 @@ def _print(summary: Summary, out: Path) -> None:
         table.add_row(name, f"{figures['mean']:g}", f"{figures['most']:g}")
     if table.row_count:
         console.print(table)
-    for outcome in summary.failures:
-        console.print(f"  failed: {outcome.job.text[:60]!r}: {outcome.error}", soft_wrap=True)
+    for outcome in (*summary.failures, *summary.unpaid):
+        how = "failed" if outcome.state == "failed" else "not made"
+        console.print(f"  {how}: {outcome.job.text[:60]!r}: {outcome.error}", soft_wrap=True)

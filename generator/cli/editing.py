@@ -10,6 +10,7 @@ from tyro import conf
 from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
+from .choosing import NOBODY, Chosen, roles_of
 from .paying import answering, open_session, paid, scene_key, told
 from .printing import print_scene, progress
 from .store import one, store
@@ -41,7 +42,7 @@ def edit(
     out: Path | None = None,
     replace: bool = False,
     seed: int = 0,
-    backend: str | None = None,
+    mix: Chosen = NOBODY,
     budget: float | None = None,
     dry_run: bool = False,
     calls: Path | None = None,
@@ -66,16 +67,16 @@ def edit(
         out: Folder the new bundle goes into; the user cache if left out.
         replace: Put the new bundle in the place of the one edited, which is removed.
         seed: The same bundle, edit and seed give the same scene.
-        backend: Who draws and models what is new; the catalogue if left out.
+        mix: Who draws and models what is new; the catalogue if nobody is named. The roles left
+            open are then embedded, unless --backend says otherwise.
         budget: With a backend that asks servers: stop before the calls cost more than this.
-        dry_run: Send nothing to servers; print the first calls that would be made.
+        dry_run: Send nothing to servers; print who answers what, and the first calls
+            that would be made.
         calls: Folder where answers of servers are kept; as for generate.
         prices: Table of what calls cost (TOML); as for generate.
         json: Print one JSON object instead of text.
     """
     import assets_cache
-
-    from ..backends import Backends
 
     path = one(bundle)
     _check_form(action, words, to, turn)
@@ -84,7 +85,8 @@ def edit(
             raise InputError("--replace puts the bundle where the old one is; leave out --out.")
         assets_cache.check_removable(path, path.parent)
     session = open_session(calls, prices, budget, dry_run)
-    chosen = None if backend is None else Backends.select(backend, session=session)
+    chosen = mix.select(session) if mix.given else None
+    roles = roles_of(mix, chosen) if dry_run and chosen is not None else None
     yaw = 0.0 if turn is None else float(np.deg2rad(turn))
     who = None if chosen is None else chosen.identity()
     scene = scene_key("edit", path.name, action, words, to, turn, seed, who)
@@ -95,12 +97,12 @@ def edit(
             edited = _edited(path, action, words, to, yaw, seed, chosen)
             made = edited.save(path.parent if replace else store(out))
     except DryRunError as error:
-        return told(error, json)
+        return told(error, roles, json)
     if paid(session, made):
         session.account.save(made, session.prices)
     if replace and made.resolve() != path.resolve():
         assets_cache.remove(path, path.parent)
-    return print_scene(made, edited.scene, json, session=session)
+    return print_scene(made, edited.scene, json, session=session, roles=roles)
 
 
 def _check_form(

@@ -9,6 +9,7 @@ from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
 from ..scene import Intrinsics
+from .choosing import USUAL, Chosen, roles_of
 from .paying import answering, open_session, paid, scene_key, told
 from .printing import print_scene, progress
 from .store import store
@@ -26,7 +27,7 @@ def generate(
     out: Path | None = None,
     name: str | None = None,
     seed: int = 0,
-    backend: str = "embedded",
+    mix: Chosen = USUAL,
     figures: Path | None = None,
     without: Literal["dro", "tsa", "both"] | None = None,
     timings: bool = False,
@@ -47,21 +48,21 @@ def generate(
         out: Folder the bundle goes into; the user cache if left out.
         name: Name of the scene; made from the text if left out.
         seed: The same source and seed give the same scene.
-        backend: Who answers the questions about text and image.
+        mix: Who answers the questions about text and image; roles can differ from the rest.
         figures: Also write the stage-by-stage pictures of the paper's Sec. 6.1 here.
         without: Leave a stage out, as in the paper's ablations: the backend guesses from the
             picture what dro (rotations), tsa (places and sizes) or both would have found. Nothing
             is refined then.
         timings: Also print the seconds of every stage.
         budget: With a backend that asks servers: stop before the calls cost more than this.
-        dry_run: Send nothing to servers; print the first calls that would be made.
+        dry_run: Send nothing to servers; print who answers what, and the first calls
+            that would be made.
         calls: Folder where answers of servers are kept, so that nothing is paid for twice;
             TABLETOPGEN_CALLS, else the user cache, if left out.
         prices: Table of what calls cost (TOML); the one that comes with the package if left out.
         allow_failed: Publish even if the scene fails its physical gate.
         json: Print one JSON object instead of text.
     """
-    from ..backends import Backends
     from ..bundle import check_name
     from ..pipeline import Config
     from ..pipeline import generate as run
@@ -71,9 +72,10 @@ def generate(
         check_name(name)
     camera = None if intrinsics is None else _intrinsics(intrinsics)
     session = open_session(calls, prices, budget, dry_run)
-    chosen = Backends.select(backend, session=session)
+    chosen = mix.select(session)
     what = Path(source) if is_picture_name(source) else source
     scene = scene_key("generate", what, depth, intrinsics, seed, without, chosen.identity())
+    roles = roles_of(mix, chosen) if dry_run else None
     try:
         with answering(session, scene), progress(quiet=json) as shown:
             generation = run(
@@ -84,11 +86,11 @@ def generate(
                 generation.save_figures(figures)
             path = generation.save(store(out), allow_failed=allow_failed)
     except DryRunError as error:
-        return told(error, json)
+        return told(error, roles, json)
     if paid(session, path):
         session.account.save(path, session.prices)
     seconds = generation.seconds if timings else None
-    return print_scene(path, generation.scene, json, seconds, session)
+    return print_scene(path, generation.scene, json, seconds, session, roles)
 
 
 def compose(

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import DryRunError
 from ..provenance import plain
+from .choosing import Roles, lines_of
 
 if TYPE_CHECKING:
     from ..running import Session
@@ -95,11 +96,12 @@ def paid(session: Session, made: Path) -> bool:
     return now or (any(e.earlier for e in entries) and not (made / LEDGER).exists())
 
 
-def told(error: DryRunError, as_json: bool) -> int:
-    """Print what a dry run came to; return the exit code of success."""
+def told(error: DryRunError, roles: Roles | None, as_json: bool) -> int:
+    """Print who answers, and what a dry run came to; return the exit code of success."""
     from .printing import emit
 
     calls = str(error).splitlines()
     rest = "Nothing was sent; what comes after depends on the answers."
-    emit({"dry_run": calls}, as_json, lambda: [*calls, rest])
+    facts = {"dry_run": calls} | ({"backends": roles} if roles else {})
+    emit(facts, as_json, lambda: [*lines_of(roles or {}), *calls, rest])
     return 0

@@ -14,6 +14,7 @@ from typing import Any, Literal
 from ..errors import BudgetError, StorageError
 from ..files import write_whole
 from .prices import Price, Prices
+from .purse import Spender
 from .spending import Spending, new_call
 
 __all__ = ["Account", "Entry", "Outcome", "Price", "Prices", "Row"]
@@ -68,9 +69,13 @@ class Row:
 
 
 class Account:
-    """The calls of one scene, entered by any thread."""
+    """The calls of one scene, entered by any thread.
 
-    def __init__(self) -> None:
+    With a ``spender`` a budget is that of all who spend from its purse, in any process.
+    """
+
+    def __init__(self, spender: Spender | None = None) -> None:
+        self._spender = spender
         self._lock = threading.Lock()
         self._ended = threading.Condition(self._lock)
         self._entries: list[Entry] = []
@@ -178,16 +183,15 @@ class Account:
             )
         asked = most or 0.0
         with self._ended:
-            while not self._fits(asked, budget, what):
+            while not self._taken(asked, budget, what):
                 check()
                 self._ended.wait(_POLL)
-            self._reserved.append(asked)
         left = [asked]
 
         def enter(entry: Entry | None) -> None:
             with self._ended:
                 if left:
-                    self._reserved.remove(left.pop())
+                    self._settle(left.pop(), entry)
                 if entry is not None:
                     self._entries.append(entry)
                 self._ended.notify_all()
@@ -197,10 +201,13 @@ class Account:
         finally:
             enter(None)
 
-    def _fits(self, asked: float, budget: float | None, what: str) -> bool:
-        """Return whether a call may be sent now, or only when others have ended."""
+    def _taken(self, asked: float, budget: float | None, what: str) -> bool:
+        """Set aside what a call may cost, if it may be sent now; else others have to end first."""
+        if self._spender is not None:
+            return self._spender.hold(asked, budget, what)
         spent = sum(entry.money or 0.0 for entry in self._entries)
         if budget is None or spent + sum(self._reserved) + asked <= budget:
+            self._reserved.append(asked)
             return True
         if spent + asked > budget:
             raise BudgetError(
@@ -208,6 +215,20 @@ class Account:
                 f"{spent:.4f} is spent. What was answered is kept; raise the budget to go on."
             )
         return False
+
+    def _settle(self, asked: float, entry: Entry | None) -> None:
+        """Give back what was set aside for a call, and spend what it cost.
+
+        One that nobody entered broke off: a purse, which others trust, counts it as answered.
+        """
+        if self._spender is None:
+            self._reserved.remove(asked)
+            return
+        try:
+            self._spender.settle(asked, asked if entry is None else entry.money)
+        except StorageError as error:  # what is set aside stays so; the answer must not be lost
+            if str(error) not in self._notes:
+                self._notes.append(str(error))
 
     def summary(self) -> tuple[Row, ...]:
         """Return a row for each question, server and model, in the order first asked."""

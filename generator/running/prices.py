@@ -59,6 +59,10 @@ class Prices:
     currency: str = "USD"
     models: Mapping[str, Price] = dataclasses.field(default_factory=dict)
 
+    def __reduce__(self) -> tuple[type[Prices], tuple[str, str, dict[str, Price]]]:
+        """Let it be pickled, which what it looks prices up in cannot be."""
+        return Prices, (self.date, self.currency, dict(self.models))
+
     @classmethod
     def shipped(cls) -> Prices:
         """Return the examples that come with the package."""

@@ -100,7 +100,10 @@ class Model:
 
     ``size`` is the commonsense extent in metres along the canonical axes. ``parts`` are convex
     pieces in the canonical frame; empty means "not known", and assembly decomposes the mesh.
-    ``container`` says that things can be put into it.
+    ``container`` says that things can be put into it. ``orientation`` turns canonical axes into
+    those of the world, as the thing's modeler saw it in the picture (a rotation matrix; columns are
+    the model's axes); None where it says nothing. It is a hint to what poses the thing, not a pose,
+    and no bundle keeps it.
     """
 
     name: str
@@ -111,6 +114,7 @@ class Model:
     parts: tuple[ConvexPart, ...] = ()
     category: str = "generic"
     container: bool = False
+    orientation: Float[np.ndarray, "3 3"] | None = None
 
     def __post_init__(self) -> None:
         size = frozen_array(self.size, np.float64, (3,), "Model.size")
@@ -122,6 +126,11 @@ class Model:
                 f"its bounds are {self.mesh.bounds.tolist()}. Use geometry.to_unit_box."
             )
         freeze(self, size=size)
+        if self.orientation is not None:
+            seen = frozen_array(self.orientation, np.float64, (3, 3), "Model.orientation")
+            if not (np.allclose(seen @ seen.T, np.eye(3), atol=1e-6) and np.linalg.det(seen) > 0):
+                raise InputError(f"Model.orientation must be a rotation matrix, got {seen}.")
+            freeze(self, orientation=seen)
 
 
 @dataclass(frozen=True, eq=False)

@@ -107,12 +107,14 @@ def size_axes_turn(
 
 
 def turned(model: Model, steps: Steps) -> Model:
-    """Return a model turned by multiples of 90 degrees, its size carried along."""
+    """Return a model turned by multiples of 90 degrees, size and orientation carried along."""
     turn = quarter_turn(steps)
     if (turn == np.eye(3, dtype=int)).all():
         return model
     mesh, parts = apply_quarter_turns(model.mesh, model.parts, steps)
-    return dataclasses.replace(model, mesh=mesh, parts=parts, size=np.abs(turn) @ model.size)
+    seen = None if model.orientation is None else model.orientation @ turn.T
+    size = np.abs(turn) @ model.size
+    return dataclasses.replace(model, mesh=mesh, parts=parts, size=size, orientation=seen)
 
 
 def quarter_turn(steps: Steps) -> Int[np.ndarray, "3 3"]:

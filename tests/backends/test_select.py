@@ -1,11 +1,12 @@
 from __future__ import annotations
 
 import json
+import pickle
 from dataclasses import dataclass, field
 
 import pytest
 
-from generator.backends import Backends, select
+from generator.backends import Backends, Mix, select
 from generator.backends.protocols import in_turn
 from generator.errors import BackendError
 from generator.running import Session
@@ -55,6 +56,43 @@ def test_names_and_roles_are_checked() -> None:
 def test_an_object_without_the_methods_is_refused() -> None:
     with pytest.raises(BackendError, match="lacks draw, complete, top_view"):
         Backends.select("embedded", imager=MyModeler())
+
+
+def test_a_name_is_looked_for_among_those_that_have_the_role() -> None:
+    with pytest.raises(BackendError) as told:
+        Backends.select("embedded", modeler="hunyuan3")
+    assert "Unknown modeler 'hunyuan3'. Did you mean 'hunyuan3d'?" in str(told.value)
+    assert "huggingface" not in str(told.value)
+
+
+def test_questions_that_nobody_answers_are_named_all_at_once_before_anything_loads(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(select, "_load", lambda *_: pytest.fail("it loads"))
+    with pytest.raises(BackendError) as told:
+        Backends.select("cloud", encoder="hunyuan3d", modeler=MyModeler())
+    assert "'cloud' has no segmenter: nobody answers segment." in str(told.value)
+    assert "'hunyuan3d' has no encoder: nobody answers features." in str(told.value)
+    assert "Available: embedded, huggingface." in str(told.value)
+    assert "modeler" not in str(told.value)
+
+
+def test_a_mix_of_names_is_what_select_makes_of_them() -> None:
+    mix = Mix(segmenter="huggingface", modeler="hunyuan3d", imager="embedded")
+    session = Session()
+    mixed = mix.select(session)
+    plain = Backends.select(segmenter="huggingface", modeler="hunyuan3d", session=session)
+    assert mixed.identity() == plain.identity()
+    assert getattr(mixed.modeler, "session") is session  # noqa: B009
+    assert mixed.asks_servers() and not Mix().select().asks_servers()
+    assert mix.identity() == {
+        "backend": "embedded", "roles": {"segmenter": "huggingface", "modeler": "hunyuan3d"}
+    }  # fmt: skip
+    assert Mix(modeler="embedded").identity() == Mix().identity() == {"backend": "embedded"}
+    assert Mix(backend=None, modeler="folder").roles()["imager"] == "embedded"
+    assert pickle.loads(pickle.dumps(mix)) == mix
+    assert Mix().given and Mix(backend=None, encoder="embedded").given
+    assert not Mix(backend=None).given
 
 
 @dataclass(frozen=True)

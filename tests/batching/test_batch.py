@@ -14,11 +14,15 @@ from pathlib import Path
 
 import pytest
 import toy_maker
+from running.paid_server import Says, serving
 from toy_maker import ToyMaker, made
 
 from generator import batch, bundle
+from generator.backends import Mix
 from generator.batch.records import PLACE, key_of
 from generator.errors import InputError, StorageError
+from generator.pipeline import Config
+from generator.provenance import plain
 
 HERE = Path(__file__).parent
 TEXTS = ("a cube", "bad words", "another cube", "broken code", "a third cube")
@@ -163,6 +167,10 @@ def test_what_is_asked_for_is_told_apart(tmp_path: Path, log: Path) -> None:
     picture.write_bytes(b"two")
     keys |= {key_of(batch.Job(str(picture)), make)}
     assert len(keys) == 6
+    first = {"route": "generate", "backend": "embedded", "config": plain(Config())}
+    assert batch.Generating().identity() == first  # what folders of batches were made with
+    mixed = batch.Generating(Mix(modeler="folder"))
+    assert key_of(batch.Job("a"), mixed) != key_of(batch.Job("a"), batch.Generating())
     cheap = batch.Generating(calls="here")
     assert key_of(batch.Job("a"), cheap) == key_of(batch.Job("a"), batch.Generating(calls="there"))
 
@@ -208,12 +216,18 @@ def test_ray_makes_the_same_bytes(
     monkeypatch.setenv("PYTHONPATH", path)  # what Ray's processes import from
     monkeypatch.delenv("RAY_USAGE_STATS_ENABLED", raising=False)
     texts, out = ["a cube", "bad words", "deadly one", "another cube"], tmp_path / "ray"
-    summary = batch.run(texts, out, ToyMaker(str(log)), workers=2, ray="local")
-    assert [o.state for o in summary.outcomes] == ["made", "failed", "failed", "made"]
+    with serving([Says()]) as server:
+        make = ToyMaker(str(log), server.url, batch.purse_of(out), 0.05)
+        paid = ["paid one", "paid two"]
+        summary = batch.run([*texts, *paid], out, make, workers=2, ray="local")
+    assert [o.state for o in summary.outcomes[:4]] == ["made", "failed", "failed", "made"]
     assert [o.kind for o in summary.failures] == ["InputError", "Crash"]
+    assert sorted(o.state for o in summary.outcomes[4:]) == ["made", "unpaid"]
+    assert len(server.asked) == 1
     assert "RAY_USAGE_STATS_ENABLED" not in os.environ
     batch.run(["a cube", "another cube"], tmp_path / "here", ToyMaker(str(log)))
-    assert bundles(out) == bundles(tmp_path / "here")
+    others = {o.bundle for o in summary.outcomes[4:]}
+    assert bundles(out) - others == bundles(tmp_path / "here")
 
 
 def test_the_maker_of_the_tests_is_found_by_processes() -> None:

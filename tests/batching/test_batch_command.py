@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
+import pickle
 from pathlib import Path
 
 import pytest
 from command import command
 
 from generator import batch
+from generator.backends import Mix
 from generator.bundle import save
 from generator.compose import compose
 from generator.figures import preview
@@ -38,6 +40,24 @@ def test_a_batch_makes_what_compose_makes(
     assert "penetration_mm" in shown.out
 
 
+def test_the_processes_get_the_mix_of_the_command(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    makers = []
+
+    def run(jobs: object, out: Path, make: batch.Generating, **_: object) -> batch.Summary:
+        makers.append(pickle.loads(pickle.dumps(make)))
+        return batch.Summary(())
+
+    monkeypatch.setattr(batch, "run", run)
+    prompts = tmp_path / "prompts.txt"
+    prompts.write_text(TEXT)
+    roles = ("--modeler", "hunyuan3d", "--imager", "embedded")
+    assert command("batch", str(prompts), "--out", str(tmp_path / "out"), *roles) == 0
+    (made,) = makers
+    assert made.mix == Mix(imager="embedded", modeler="hunyuan3d")
+
+
 def test_an_interrupted_batch_says_that_what_is_made_is_kept(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -57,6 +77,8 @@ def test_an_interrupted_batch_says_that_what_is_made_is_kept(
     [
         (("no-such.txt",), 2, "no file of prompts"),
         (("prompts.txt", "--backend", "embeded"), 3, "Did you mean 'embedded'"),
+        (("prompts.txt", "--encoder", "cloud"), 3, "nobody answers features"),
+        (("prompts.txt", "--route", "compose", "--imager", "cloud"), 2, "asks nobody"),
         (("prompts.txt", "--workers", "0", "--route", "compose"), 2, "workers"),
     ],
 )

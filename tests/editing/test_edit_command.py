@@ -10,6 +10,8 @@ from command import command
 
 import assets_cache
 from generator import bundle
+from generator.backends import Backends
+from generator.errors import InputError
 
 
 @pytest.fixture(autouse=True)
@@ -49,6 +51,7 @@ def test_remove_move_and_replace(
         (("vanity", "move", "lipstick_1", "on the mirror", "--to", "0", "0"), 2, "--to X Y"),
         (("vanity", "remove", "lipstick_1", "--replace"), 5, "only what is there is removed"),
         (("vanity", "swap", "lipstick_1", "a mug", "--backend", "clod"), 3, "cloud"),
+        (("vanity", "swap", "lipstick_1", "a mug", "--imager", "hunyuan3d"), 3, "answers draw"),
         (("no-such", "remove", "mug_1"), 4, "no-such"),
         (("vanity", "polish", "mug_1"), 2, "polish"),
     ],
@@ -59,3 +62,18 @@ def test_a_wrong_edit_is_one_clear_line(
     assert command("edit", *args) == code
     assert words in capsys.readouterr().err
     assert not store.exists()
+
+
+def test_one_role_named_is_enough_to_have_it_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked = []
+
+    def swap(path: Path, name: str, words: str, seed: int, backends: Backends | None) -> None:
+        asked.append(backends)
+        raise InputError("enough")
+
+    monkeypatch.setattr("generator.editing.swap", swap)
+    for more in ((), ("--modeler", "folder")):
+        assert command("edit", "vanity", "swap", "lipstick_1", "a mug", *more) == 2
+    nobody, drawn = asked
+    assert nobody is None
+    assert drawn.identity() == Backends.select("embedded", modeler="folder").identity()

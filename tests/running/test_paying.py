@@ -129,12 +129,28 @@ def test_a_dry_run_prints_the_calls_and_sends_none(
     server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     assert generate("--dry-run") == 0
-    call, rest = capsys.readouterr().out.splitlines()
+    *roles, call, rest = capsys.readouterr().out.splitlines()
+    assert roles[0].split() == ["reasoner", "remote"] and len(roles) == 5
     assert call.startswith("Would ask cloud, plan_scene (m), for at most 0.0400 EUR")
     assert "Nothing was sent" in rest
     assert generate("--dry-run", "--json") == 0
-    assert json.loads(capsys.readouterr().out) == {"dry_run": [call]}
+    told = json.loads(capsys.readouterr().out)
+    assert told["dry_run"] == [call]
+    assert told["backends"] == {role: {"name": "remote"} for role in select.PROTOCOLS}
     assert server.asked == [] and not (tmp_path / "scenes").exists()
+
+
+def test_a_dry_run_says_what_each_role_is(
+    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    more = ("--segmenter", "embedded", "--modeler", "remote", "--encoder", "huggingface")
+    assert generate("--dry-run", *more) == 0
+    roles = capsys.readouterr().out.splitlines()[:5]
+    assert [line.split()[:2] for line in roles] == [
+        ["reasoner", "remote"], ["imager", "remote"], ["segmenter", "embedded"],
+        ["modeler", "remote"], ["encoder", "huggingface"],
+    ]  # fmt: skip
+    assert "weights=dinov2" in roles[4]
 
 
 def test_a_failure_after_a_paid_call_says_what_it_cost(

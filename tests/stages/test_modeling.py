@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from generator.errors import BackendError, InputError
-from generator.geometry import ray_view
+from generator.geometry import quaternion_matrix, ray_view
 from generator.scene import (
     ConvexPart,
     Instance,
@@ -31,6 +31,19 @@ from generator.stages.modeling import (
 AXES = "xyz"
 CORNERS = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))
 VIEW = View(0.1, 0.9, 0.6)
+
+
+def test_the_orientation_a_modeler_saw_goes_along_with_the_turns():
+    """What the model's corners do in the world is the same before and after."""
+    seen = quaternion_matrix(np.array([0.8, 0.1, -0.5, 0.3]))
+    model = dataclasses.replace(wedge(), orientation=seen)
+    for steps in ([("x", 90)], [("z", 90), ("y", 180)], [("y", -90), ("x", 90), ("z", 90)]):
+        made = turned(model, steps)
+        assert made.orientation is not None
+        before = (model.mesh.vertices * model.size) @ seen.T
+        after = (made.mesh.vertices * made.size) @ made.orientation.T
+        np.testing.assert_allclose(after, before, atol=1e-7)
+    assert turned(wedge(), [("x", 90)]).orientation is None
 
 
 def wedge() -> Model:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import importlib.util
+import logging
 import os
 import threading
 from dataclasses import dataclass, field
@@ -11,8 +13,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from jaxtyping import Float
 
 from ...errors import BackendError
+from ...geometry import quaternion_matrix, view_rotation
 from ...scene import Instance, Model, SizePrior, View
 from .installed import call, only_mesh, working
 from .normalising import Normal, foreign_model, normal_trimesh
@@ -20,13 +24,16 @@ from .normalising import Normal, foreign_model, normal_trimesh
 HOME = "TABLETOPGEN_SAM3D"
 """The environment's name for the checkout, where ``Sam3D.home`` is empty."""
 
+_UNIT = 1e-2  # by how much a quaternion's length may miss 1
+
 
 @dataclass(frozen=True)
 class Sam3D:
     """Runs SAM 3D Objects where it is installed, one instance at a time; needs 32 GB of CUDA.
 
-    Of its answer the mesh is used; the pose in it (rotation, translation, scale) has no place in
-    ``Model``.
+    Of its answer the mesh is used, and the rotation as a hint to the rotation stage
+    (``Model.orientation``); translation and scale are not. Tried on a played model only, never on
+    the real weights: see ``orientation`` for where its convention comes from.
 
     Attributes:
         home: the checkout of github.com/facebookresearch/sam-3d-objects; empty: the one that the
@@ -62,7 +69,8 @@ class Sam3D:
             told = call(self._inference, "sam3d", image, mask, seed=self.seed)
             made = told["glb"]
         mesh = normal_trimesh(only_mesh(made, what), what, up="y", to=to)
-        return foreign_model(mesh, instance, size)
+        seen = orientation(told.get("rotation"), view, what)
+        return dataclasses.replace(foreign_model(mesh, instance, size), orientation=seen)
 
     @cached_property
     def _inference(self) -> Any:
@@ -80,3 +88,34 @@ class Sam3D:
         loaded = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(loaded)
         return call(loaded.Inference, "sam3d", str(config))
+
+
+def orientation(rotation: Any, view: View, what: str) -> Float[np.ndarray, "3 3"] | None:
+    """Return the rotation that turns a model's axes into the world's, by SAM 3D's own pose.
+
+    The model's maintainers say (issues 56, 100 and 103 of its repository): ``rotation`` is a wxyz
+    quaternion that takes the Gaussians' frame, which is z-up as a GLB turned upright is, to the
+    frame of PyTorch3D's cameras: x left, y up, z forward. PyTorch3D turns points as rows, so on
+    columns the transposed matrix acts. None of it was tried on real weights.
+
+    Args:
+        rotation: four numbers, of whatever kind of array; None where the answer has none.
+        view: under which the picture that SAM 3D was shown sees the instance, along its own ray.
+        what: begins the warning about a rotation that is none; that is not used.
+    """
+    if rotation is None:
+        return None
+    try:
+        for step in ("detach", "cpu"):  # of a tensor
+            rotation = getattr(rotation, step, lambda kept=rotation: kept)()
+        quaternion = np.asarray(rotation, np.float64).reshape(4)
+    except (TypeError, ValueError):
+        quaternion = np.full(4, np.nan)
+    if not abs(float(np.linalg.norm(quaternion)) - 1) <= _UNIT:
+        told = " ".join(str(rotation).split())[:80]
+        logging.getLogger(__name__).warning(
+            "%s its rotation is no unit quaternion (%s); it is not used.", what, told
+        )
+        return None
+    to_camera = np.diag([-1.0, -1.0, 1.0]) @ quaternion_matrix(quaternion).T
+    return view_rotation(view).T @ to_camera

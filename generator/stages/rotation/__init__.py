@@ -25,6 +25,7 @@ from .objective import (
     make_objectives,
     make_target,
 )
+from .prior import preferred, prior_yaw, same_side
 from .search import coarse_losses, coarse_search, losses_at, refine, search, selected
 from .symmetry import looks_order, looks_round, turning_changes
 
@@ -50,8 +51,11 @@ __all__ = [
     "make_target",
     "margin",
     "optimise_rotation",
+    "preferred",
+    "prior_yaw",
     "refine",
     "rotation_loss",
+    "same_side",
     "search",
     "selected",
     "silhouette_loss",

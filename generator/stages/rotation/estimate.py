@@ -16,6 +16,7 @@ from ...scene import TABLE, Instance, Model, Reference, Rotation, View
 from .config import RotationConfig
 from .found import Answer
 from .objective import make_objectives
+from .prior import prior_yaw
 from .search import search
 
 
@@ -31,6 +32,7 @@ def estimate_rotations(
 ) -> dict[str, Rotation]:
     """Estimate r_i of every instance but the table, whose yaw is 0 by the view's definition.
 
+    The orientation that a model comes with, if any, decides where the picture cannot (``prior``).
     On CUDA all instances are one batch; on a CPU each is searched by a thread of its own.
     ``progress`` is called with each instance's name before its search begins.
 
@@ -55,7 +57,7 @@ def estimate_rotations(
             view, encoder, config, (width, height), seed,
             [hidden[k] for k in group],
         )  # fmt: skip
-        return search(levels)
+        return search(levels, [prior_yaw(models[things[k].name]) for k in group])
 
     from ...render.soft import single_thread
 
@@ -81,7 +83,8 @@ def optimise_rotation(
     """Find the yaw of one object: coarse search, then gradient descent on the candidates.
 
     Args:
-        model: canonical model; its ``size`` gives the proportions.
+        model: canonical model; its ``size`` gives the proportions, its ``orientation``, if any,
+            one more start, and the side where the picture cannot tell.
         instance: the completed crop (its alpha is S) and its place in the image.
         view: camera of the reference image.
         encoder: appearance features Phi.
@@ -91,7 +94,7 @@ def optimise_rotation(
         hidden: where in the image something else may hide the object.
 
     Returns:
-        The best yaw in [-pi, pi) with its loss, and every refined (yaw, loss), best first.
+        The best yaw in [-pi, pi) with its loss, and every refined (yaw, loss), that one first.
 
     Raises:
         InputError: the crop is empty or the model has no surface.
@@ -102,7 +105,7 @@ def optimise_rotation(
         levels = make_objectives(
             [model], [instance], view, encoder, config, image_size, seed, [hidden]
         )
-        (found,) = search(levels)
+        (found,) = search(levels, [prior_yaw(model)])
     return _rotation(instance.name, found)
 
 

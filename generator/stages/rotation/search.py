@@ -12,10 +12,11 @@ import numpy as np
 from jaxtyping import Float
 
 from ...geometry import wrap
-from .certainty import margin, widths
+from .certainty import OTHER, margin, widths
 from .config import RotationConfig
 from .found import Answer, Found, Place, Rows
 from .objective import Candidates, Levels, Objective
+from .prior import agrees, preferred, same_side
 from .sides import reaching_past
 from .symmetry import looks_order, looks_round
 
@@ -27,57 +28,84 @@ _CHUNK = 24  # coarse candidates of an object rendered at once
 _SHIFT = 0.3  # Adam's step of shift and zoom, per step of yaw
 
 
-def search(levels: Levels) -> list[Answer]:
+def search(levels: Levels, priors: Sequence[float | None] | None = None) -> list[Answer]:
     """Return what is found for every object.
 
-    An object that looks the same from all sides has one candidate, yaw 0.
+    An object that looks the same from all sides has one candidate, yaw 0. ``priors`` are yaws
+    (radians) that the models' own orientations imply, see ``prior``; None where there is none.
     """
     config, coarse, fine = levels.coarse.config, levels.coarse, levels.fine
-    starts, crowded, still, whole = _starts(levels)
+    hints = [None] * len(coarse) if priors is None else list(priors)
+    starts, crowded, still, whole = _starts(levels, hints)
+
+    def rivals_of(rows: Rows, most: int, share: float) -> Rows:
+        return [
+            _rivals(found, most, share, config, hint)
+            for found, hint in zip(rows, hints, strict=True)
+        ]
+
     rounds = [starts]
     if config.coarse_steps:
         apart = [[] if crowd else found for found, crowd in zip(starts, crowded, strict=True)]
         refined = refine(coarse, apart, config.coarse_steps)
         rounds.append([new or old for new, old in zip(refined, starts, strict=True)])
     if config.rival_steps:
-        rivals = [_rivals(found, config.rivals, config.rival, config) for found in rounds[-1]]
+        rivals = rivals_of(rounds[-1], config.rivals, config.rival)
         rounds.append(refine(fine, rivals, config.rival_steps))
-    rivals = [_rivals(found, config.rivals, config.doubt, config) for found in rounds[-1]]
+    rivals = rivals_of(rounds[-1], config.rivals, config.doubt)
     close = levels.close() if config.close_steps and any(rivals) else fine
     if config.close_steps:
         doubtful = [found if len(found) > 1 else [] for found in rivals]
         refined = refine(close, doubtful, config.close_steps)
         rounds.append([new or old[:1] for new, old in zip(refined, rivals, strict=True)])
-    finalists = [_rivals(found, config.finalists, config.tie, config) for found in rounds[-1]]
-    rounds.append(refine(close, finalists, config.steps))
+    finalists = rivals_of(rounds[-1], config.finalists, config.tie)
+    last = refine(close, finalists, config.steps)
+    rounds.append([preferred(found, hint) for found, hint in zip(last, hints, strict=True)])
     exact = widths(close, [flat or found[0] for flat, found in zip(still, rounds[-1], strict=True)])
     answers = []
     for k, flat in enumerate(still):
         looks = [found[k] for found in reversed(rounds)]
-        answer = Answer([[flat]]) if flat else _answer(levels, k, looks, exact[k], whole[k])
-        answers.append(answer)
+        if flat is not None:
+            answers.append(Answer([[flat]]))
+        else:
+            answers.append(_answer(levels, k, looks, exact[k], whole[k], hints[k]))
     return answers
 
 
-def _answer(levels: Levels, number: int, looks: Rows, width: float, whole: list[Found]) -> Answer:
+def _answer(
+    levels: Levels,
+    number: int,
+    looks: Rows,
+    width: float,
+    whole: list[Found],
+    prior: float | None,
+) -> Answer:
     """Return an object's answer; where another side fits about as well, look if it is the same.
 
-    ``whole`` is the coarse search: all candidates may be of sides that are the same.
+    ``whole`` is the coarse search: all candidates may be of sides that are the same. Of those that
+    are, the one that the prior speaks for is taken.
     """
     config, sure, order = levels.coarse.config, margin(looks), 1
+    least = min(looks[0], key=lambda f: f.loss).yaw
     if config.flat and sure < config.doubt:
         order = looks_order(levels.close(), number, looks[0][0].yaw, config.flat)
-        sure = margin(looks, order) or margin([looks[0][:1], whole], order)
+        overruled = abs(wrap(order * (least - looks[0][0].yaw))) / order >= OTHER
+        sure = margin(looks, order)
+        sure = sure if overruled else sure or margin([looks[0][:1], whole], order)
+        looks = [[same_side(looks[0][0], order, prior), *looks[0][1:]], *looks[1:]]
     return Answer(looks, sure, width, False, order)
 
 
-def _starts(levels: Levels) -> tuple[Rows, list[bool], list[Found | None], Rows]:
+def _starts(
+    levels: Levels, priors: Sequence[float | None]
+) -> tuple[Rows, list[bool], list[Found | None], Rows]:
     """Search the whole turn.
 
     Returns:
-        every object's best candidates, none if it looks the same from all sides; whether they are
-        crowded: so alike that they were chosen at full resolution; the one candidate of an
-        object that looks the same from all sides, None of others; and all that was looked at.
+        every object's best candidates and its prior, none if it looks the same from all sides;
+        whether they are crowded: so alike that they were chosen at full resolution; the one
+        candidate of an object that looks the same from all sides, None of others; and all that
+        was looked at.
     """
     config = levels.coarse.config
     yaws = np.arange(0, 2 * np.pi - 1e-9, config.coarse_step)
@@ -94,6 +122,9 @@ def _starts(levels: Levels) -> tuple[Rows, list[bool], list[Found | None], Rows]
             row = losses_at(levels.fine, k, yaws, places[k])
             best = selected(yaws, row, config)
         found = [Found(float(yaws[n]), float(row[n]), 0.0, places[k][n]) for n in best]
+        hint = priors[k]
+        if hint is not None:
+            found = _with_start(levels.fine if crowded[-1] else levels.coarse, k, found, hint)
         starts.append([] if flat[k] else found)
     still = [Found(0.0, float(row[0])) if f else None for f, row in zip(flat, losses, strict=True)]
     whole = [
@@ -101,6 +132,15 @@ def _starts(levels: Levels) -> tuple[Rows, list[bool], list[Found | None], Rows]
         for row in losses
     ]
     return starts, crowded, still, whole
+
+
+def _with_start(objective: Objective, number: int, found: list[Found], yaw: float) -> list[Found]:
+    """Return starts, best first, with one at ``yaw`` (radians), unless one is there already."""
+    if any(abs(wrap(f.yaw - yaw)) < objective.config.separation / 3 for f in found):
+        return found
+    nearest = min(found, key=lambda f: abs(wrap(f.yaw - yaw)))
+    (loss,) = losses_at(objective, number, np.array([yaw]), [nearest.place])
+    return sorted([*found, Found(yaw, float(loss), 0.0, nearest.place)], key=lambda f: f.loss)
 
 
 def coarse_search(
@@ -241,14 +281,22 @@ def _found(loss: float, yaw: float, tilt: float, x: float, y: float, zoom: float
     return Found(wrap(yaw), loss, tilt, (x, y, zoom))
 
 
-def _rivals(found: list[Found], most: int, share: float, config: RotationConfig) -> list[Found]:
-    """Return the best candidates, without those that have come to the same place or lie behind."""
+def _rivals(
+    found: list[Found], most: int, share: float, config: RotationConfig, prior: float | None
+) -> list[Found]:
+    """Return the best candidates, without those that have come to the same place or lie behind.
+
+    One that agrees with the prior is among them, unless it lies behind.
+    """
     kept: list[Found] = []
     for candidate in sorted(found, key=lambda f: f.loss):
         near = any(abs(wrap(candidate.yaw - f.yaw)) < config.separation / 3 for f in kept)
         if not near and candidate.loss <= (1 + share) * (kept[0].loss if kept else np.inf):
             kept.append(candidate)
-    return kept[:most]
+    best = kept[:most]
+    if prior is not None and not any(agrees(f.yaw, prior) for f in best):
+        best[-1:] = next(([f] for f in kept[most:] if agrees(f.yaw, prior)), best[-1:])
+    return best
 
 
 def _bounded(raw: Tensor, most: float) -> Tensor:

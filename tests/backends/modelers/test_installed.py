@@ -5,17 +5,21 @@ from __future__ import annotations
 import contextlib
 import sys
 import types
+from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
 from backends.modelers.foreign import instance, prior, striped_box
+from scipy.spatial.transform import Rotation
 
 from generator.backends.modelers.sam3d import Sam3D
 from generator.backends.modelers.trellis import Trellis
 from generator.backends.modelers.triposr import TripoSR
 from generator.errors import BackendError, InputError
-from generator.scene import USUAL_VIEW, Model
+from generator.geometry import Camera
+from generator.scene import USUAL_VIEW, Model, View
+from generator.stages.rotation import prior_yaw
 
 
 def install(monkeypatch, name: str, **members) -> None:
@@ -28,8 +32,8 @@ def install(monkeypatch, name: str, **members) -> None:
     vars(sys.modules[name]).update(members)
 
 
-def ask(modeler) -> Model:
-    return modeler.model(instance("mug"), prior("mug"), USUAL_VIEW)
+def ask(modeler, view: View = USUAL_VIEW) -> Model:
+    return modeler.model(instance("mug"), prior("mug"), view)
 
 
 def tall(up: int) -> trimesh.Trimesh:
@@ -195,18 +199,28 @@ class Inference:
     def __call__(self, image, mask, seed=None, pointmap=None, export_usd_path=None):
         assert image.shape == (60, 80, 3) and image.dtype == np.uint8
         assert mask.shape == (60, 80) and mask.dtype == bool and mask[30, 40] and not mask[0, 0]
-        made = trimesh.creation.box(extents=(1, 2, 1))
-        return {"glb": made if seed else None, "rotation": [1, 0, 0, 0]}
+        made = MESH
+        return {"glb": made if seed else None, "rotation": ROTATION}
 """
+
+
+BOX = "trimesh.creation.box(extents=(1, 2, 1))"
+
+
+def checkout(folder: Path, rotation: str, mesh: str = BOX) -> Sam3D:
+    """Return SAM 3D played by a script that answers every picture with a rotation and a mesh."""
+    (folder / "notebook").mkdir(parents=True)
+    script = SCRIPT.replace("ROTATION", rotation).replace("MESH", mesh)
+    (folder / "notebook/inference.py").write_text(script)
+    (folder / "checkpoints/hf").mkdir(parents=True)
+    (folder / "checkpoints/hf/pipeline.yaml").write_text("")
+    return Sam3D(str(folder))
 
 
 def test_sam3d_is_loaded_from_its_checkout(monkeypatch, tmp_path):
     with pytest.raises(BackendError, match="TABLETOPGEN_SAM3D"):
         ask(Sam3D(str(tmp_path)))
-    (tmp_path / "notebook").mkdir()
-    (tmp_path / "notebook/inference.py").write_text(SCRIPT)
-    (tmp_path / "checkpoints/hf").mkdir(parents=True)
-    (tmp_path / "checkpoints/hf/pipeline.yaml").write_text("")
+    checkout(tmp_path, "[1, 0, 0, 0]")
     monkeypatch.setenv("TABLETOPGEN_SAM3D", str(tmp_path))
     path = list(sys.path)
     made = ask(Sam3D())
@@ -214,6 +228,88 @@ def test_sam3d_is_loaded_from_its_checkout(monkeypatch, tmp_path):
     assert sys.path == path
     with pytest.raises(BackendError, match="it made NoneType"):
         ask(Sam3D(seed=0))
+
+
+def in_pytorch3d(view: View, axes: np.ndarray) -> np.ndarray:
+    """Return the quaternion that SAM 3D says of a thing whose axes (rows) lie so in the world.
+
+    By hand: a camera of PyTorch3D has x to the left, y up and z ahead, and points are rows that
+    its matrices are applied to from the right.
+    """
+    level = np.array([np.sin(view.azimuth), -np.cos(view.azimuth), 0.0])
+    ahead = -(np.cos(view.elevation) * level + [0, 0, np.sin(view.elevation)])
+    left = np.cross([0.0, 0.0, 1.0], ahead)
+    left /= np.linalg.norm(left)
+    up = np.cross(ahead, left)
+    rows = np.stack([axes @ left, axes @ up, axes @ ahead], 1)
+    return Rotation.from_matrix(rows).as_quat(scalar_first=True)
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.5, -0.5, 2.8, -2.0])
+@pytest.mark.parametrize("azimuth", [0.0, 0.7, -0.7])
+@pytest.mark.parametrize("elevation", [0.4, 1.1])
+def test_sam3ds_pose_is_a_hint_of_the_yaw(tmp_path, yaw, azimuth, elevation):
+    view = View(azimuth, elevation, 0.6)
+    c, s = np.cos(yaw), np.sin(yaw)
+    told = in_pytorch3d(view, np.array([[c, s, 0.0], [-s, c, 0], [0, 0, 1]]))
+    made = ask(checkout(tmp_path, str(told.tolist())), view)
+    assert made.orientation is not None
+    np.testing.assert_allclose(made.orientation[:, 0], [c, s, 0], atol=1e-9)
+    np.testing.assert_allclose(made.orientation[:, 2], [0, 0, 1], atol=1e-9)
+    assert prior_yaw(made) == pytest.approx(yaw)
+
+
+def test_the_mesh_lies_in_the_frame_of_the_pose(tmp_path):
+    """A cone along the GLB's z, which is y-up: its tip as the model's maintainers carry it over."""
+    told = in_pytorch3d(USUAL_VIEW, np.eye(3))
+    cone = "trimesh.creation.cone(radius=0.5, height=2.0, sections=12)"
+    made = ask(checkout(tmp_path, str(told.tolist()), cone))
+    tip = np.array([0.0, 0, 1]) @ np.array([[1, 0, 0], [0, 0, 1], [0, -1, 0]])
+    along = made.mesh.vertices @ tip
+    at_tip, at_base = (made.mesh.vertices[np.isclose(along, e)] for e in (0.5, -0.5))
+    assert np.ptp(at_tip, 0).max() < 0.01 < np.ptp(at_base, 0).max()
+
+
+def test_the_hand_made_camera_sees_what_ours_sees():
+    """Left and up in its frame are left and up in the picture: pixels agree with ``Camera``."""
+    view = View(-0.7, 0.5, 0.6)
+    camera = Camera.looking_at(np.zeros(3), view, 2.0, 640, 480)
+    points = np.array([[0.3, 0.1, 0.2], [-0.2, 0.4, -0.1], [0.1, -0.3, 0.5]])
+    quaternion = in_pytorch3d(view, np.eye(3))
+    seen = points @ Rotation.from_quat(quaternion, scalar_first=True).as_matrix() + [0, 0, 2.0]
+    pixels = [320, 240] - camera.focal * seen[:, :2] / seen[:, 2:]
+    np.testing.assert_allclose(pixels, camera.project(points), atol=1e-6)
+
+
+def test_sam3ds_pose_of_a_thing_that_leans_is_none(tmp_path):
+    for k, degrees in enumerate((20.0, 40.0, 90.0)):
+        axes = Rotation.from_euler("zx", [30.0, degrees], degrees=True).as_matrix().T
+        told = in_pytorch3d(USUAL_VIEW, axes)
+        made = ask(checkout(tmp_path / str(k), str(told.tolist())))
+        assert (prior_yaw(made) is None) == (degrees > 30)
+
+
+def test_sam3ds_pose_may_be_a_tensor(tmp_path):
+    told = in_pytorch3d(USUAL_VIEW, np.eye(3)).tolist()
+    made = ask(checkout(tmp_path, f"__import__('torch').tensor([{told}], requires_grad=True)"))
+    assert prior_yaw(made) == pytest.approx(0.0, abs=1e-5)
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    ["[float('nan'), 0, 0, 0]", "[0, 0, 0, 0]", "[2, 0, 0, 0]", "[1, 0, 0]", "'sideways'",
+     "[float('inf'), 0, 0, 0]", "[[1, 0, 0, 0], [1, 0, 0, 0]]", "{'w': 1}"],
+)  # fmt: skip
+def test_a_pose_of_sam3d_that_is_none_is_dropped_with_a_warning(tmp_path, caplog, wrong):
+    made = ask(checkout(tmp_path, wrong))
+    assert made.orientation is None and made.size[2] > 0.1
+    (record,) = caplog.records
+    assert "model of 'mug_1': its rotation is no unit quaternion" in record.getMessage()
+
+
+def test_no_pose_of_sam3d_is_no_fault(tmp_path, caplog):
+    assert ask(checkout(tmp_path, "None")).orientation is None
+    assert caplog.records == []
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,39 @@
+"""Where a batch's folder keeps what is no bundle: its records, and what it has spent."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..errors import StorageError
+from ..running.prices import Prices
+from ..running.purse import Purse
+
+PLACE = ".batch"
+"""The folder within a batch's folder."""
+
+
+def place_of(folder: Path) -> Path:
+    """Return where a batch's folder keeps its records; both are made if missing.
+
+    Raises:
+        StorageError: they cannot be made.
+    """
+    place = folder / PLACE
+    try:
+        place.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise StorageError(
+            f"The batch's folder {folder} cannot be made: {error.strerror or error}. Choose "
+            "another folder."
+        ) from error
+    return place
+
+
+def purse_of(folder: str | Path, prices: Prices | None = None) -> Purse:
+    """Return the sum of money that all batches in a folder spend from, begun if there is none.
+
+    Raises:
+        InputError: the folder's sum is in another currency than ``prices``.
+        StorageError: it cannot be read, or the folder not be written.
+    """
+    return Purse.open(place_of(Path(folder)), (prices or Prices.shipped()).currency)

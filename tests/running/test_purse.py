@@ -1,0 +1,173 @@
+"""A sum of money that processes spend together: never overdrawn, whoever dies."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+from paid_server import PRICES, Says, ask, serving, session
+
+from generator.errors import BudgetError, InputError, StorageError
+from generator.running.account import Account, Entry
+from generator.running.purse import FILE, Purse, Spender
+
+HOLDS = """
+import sys, time
+from generator.running.purse import Purse
+with Purse.open(sys.argv[1], "USD").spending() as spender:
+    assert spender.hold(0.25, 1.0, "a call") and spender.hold(0.25, 1.0, "another")
+    spender.settle(0.25, 0.125)
+    print("held", flush=True)
+    time.sleep(60)
+"""
+
+
+def test_many_spenders_never_overdraw_it(tmp_path: Path) -> None:
+    purse, sent, refused = Purse.open(tmp_path, "USD"), [], []
+    gate = threading.Barrier(6)
+
+    def call() -> None:
+        with purse.spending() as spender:
+            account = Account(spender)
+            gate.wait()
+            try:
+                with account.reserving(0.25, 1.0, "a call") as enter:
+                    sent.append(purse.sum())
+                    enter(Entry("s", "q", money=0.25))
+            except BudgetError as error:
+                refused.append(str(error))
+
+    threads = [threading.Thread(target=call) for _ in range(6)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert (len(sent), len(refused)) == (4, 2)
+    assert all(s.money + sum(map(sum, s.held.values())) <= 1.0 for s in sent)
+    assert (purse.sum().money, purse.sum().held) == (1.0, {})
+    assert "budget of 1 for all scenes, 1.0000 is spent" in refused[0]
+
+
+def test_it_is_there_in_the_next_run(tmp_path: Path) -> None:
+    for run, kept in enumerate((True, False)):
+        with Purse.open(tmp_path, "USD").spending() as spender:
+            if kept:
+                assert spender.hold(0.75, 1.0, "a call")
+                spender.settle(0.75, 0.5)
+            else:
+                with pytest.raises(BudgetError, match=r"0\.5000 is spent"):
+                    spender.hold(0.75, 1.0, "a call")
+                assert spender.hold(0.75, 2.0, "a call")  # with a larger budget
+                spender.settle(0.75, None)
+        assert Purse.open(tmp_path, "USD").sum().unpriced == run
+    assert list(tmp_path.glob("*/*.lock")) == []
+
+
+def test_who_lives_is_waited_for_and_what_costs_nothing_is_not_stopped(tmp_path: Path) -> None:
+    purse = Purse.open(tmp_path, "USD")
+    with purse.spending() as one, purse.spending() as two:
+        assert one.hold(0.75, 1.0, "one")
+        assert not two.hold(0.5, 1.0, "two")
+        one.settle(0.75, 0.25)
+        assert two.hold(0.5, 1.0, "two")
+        two.settle(0.5, 1.0)
+        before = (tmp_path / FILE).read_bytes()
+        assert one.hold(0.0, 1.0, "free")
+        one.settle(0.0, 0.0)
+        assert (tmp_path / FILE).read_bytes() == before
+
+
+@pytest.mark.skipif(os.name == "nt", reason="kills by signal")
+def test_what_a_killed_process_had_under_way_is_spent(tmp_path: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-c", HOLDS, str(tmp_path)], stdout=subprocess.PIPE,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+    )  # fmt: skip
+    assert process.stdout is not None and process.stdout.readline() == b"held\n"
+    purse = Purse.open(tmp_path, "USD")
+    assert (purse.sum().money, len(purse.sum().held)) == (0.125, 1)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    process.stdout.close()
+    assert (purse.sum().money, purse.sum().held) == (0.375, {})
+
+
+def test_a_call_that_broke_off_is_spent(tmp_path: Path) -> None:
+    purse = Purse.open(tmp_path, "USD")
+    with purse.spending() as spender, ExitStack() as broken:
+        broken.enter_context(pytest.raises(KeyboardInterrupt))
+        broken.enter_context(Account(spender).reserving(0.25, 1.0, "a call"))
+        raise KeyboardInterrupt
+    assert purse.sum().money == 0.25
+
+
+def test_calls_of_sessions_are_paid_from_it(tmp_path: Path) -> None:
+    purse = pickle.loads(pickle.dumps(Purse.open(tmp_path, "USD")))
+    with serving([Says()]) as server, ExitStack() as open_:
+        first, second = (
+            session(account=Account(open_.enter_context(purse.spending())), budget=0.07)
+            for _ in range(2)
+        )
+        ask(first, server.url, "one")
+        ask(second, server.url, "two")
+        with pytest.raises(BudgetError, match=r"0\.0420 is spent"):
+            ask(first, server.url, "three")  # it may cost 0.04
+    assert len(server.asked) == 2
+    assert (first.account.money, purse.sum().money) == (0.021, pytest.approx(0.042))
+
+
+def test_another_folder_of_that_name_is_refused(tmp_path: Path) -> None:
+    """As on a machine of a Ray cluster that does not share it."""
+    purse = Purse.open(tmp_path, "USD")
+    (tmp_path / FILE).unlink()
+    with pytest.raises(StorageError, match="folder that all machines share"):
+        purse.spending().__enter__()
+    Purse.open(tmp_path, "USD")
+    with pytest.raises(StorageError, match="folder that all machines share"):
+        purse.spending().__enter__()
+    with pytest.raises(StorageError, match="folder that all machines share"):
+        Purse(tmp_path / "no", "m").sum()
+    assert not (tmp_path / "no").exists()
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{}", "[1]", '{"mark": "m", "currency": "USD", "money": NaN}']
+)
+def test_a_damaged_sum_is_never_taken_for_nothing(tmp_path: Path, text: str) -> None:
+    (tmp_path / FILE).write_text(text)
+    with pytest.raises(StorageError, match="does not say what was spent"):
+        Purse.open(tmp_path, "USD")
+
+
+def test_another_currency_is_refused(tmp_path: Path) -> None:
+    Purse.open(tmp_path, "USD")
+    with pytest.raises(InputError, match="spent in USD, and the price table is in EUR"):
+        Purse.open(tmp_path, "EUR")
+
+
+def test_a_disk_that_refuses_loses_no_answer(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*known: object) -> None:
+        raise StorageError("full")
+
+    monkeypatch.setattr(Spender, "settle", full)
+    purse = Purse.open(tmp_path, "USD")
+    with serving([Says()]) as server, purse.spending() as spender:
+        shared = session(account=Account(spender))
+        assert ask(shared, server.url).status_code == 200
+        assert shared.account.notes == ("full",)
+    assert purse.sum().money > shared.account.money  # the most it can have cost
+
+
+def test_prices_can_be_sent_to_processes() -> None:
+    assert pickle.loads(pickle.dumps(PRICES)) == PRICES
+    shipped = type(PRICES).shipped()
+    assert pickle.loads(pickle.dumps(shipped)).models == dict(shipped.models)
