@@ -13,6 +13,7 @@ from ..errors import InputError, require
 from ..running.prices import Prices
 from ..running.purse import Purse
 from .jobs import Job
+from .records import key_of
 
 if TYPE_CHECKING:
     from ..pipeline import Config
@@ -107,7 +108,7 @@ class Generating:
         from ..pipeline import generate
 
         _alone()
-        with self._session() as session:
+        with self._session(job) as session:
             generation = generate(job.text, self.mix.select(session), self.config, job.seed)
             path = generation.save(folder)
             if any(entry.outcome != "cached" for entry in session.account.entries):
@@ -115,21 +116,26 @@ class Generating:
         return path
 
     @contextlib.contextmanager
-    def _session(self) -> Iterator[Session]:
-        """Return what the calls of one scene share."""
+    def _session(self, job: Job) -> Iterator[Session]:
+        """Return what the calls of one scene share; it knows what earlier runs spent on it."""
         from ..running import Session
         from ..running.account import Account
+        from ..running.spending import Spending
         from ..running.store import CallStore
 
         with contextlib.ExitStack() as open_:
             spender = None if self.purse is None else open_.enter_context(self.purse.spending())
-            yield Session(
+            session = Session(
                 store=None if self.calls is None else CallStore(self.calls),
                 account=Account(spender),
                 prices=self.prices or Prices.shipped(),
                 budget=self.budget,
                 dry=self.dry,
             )
+            if session.store is not None:
+                folder, scene = session.store.folder, key_of(job, self)
+                session.account.resume(Spending.beside(folder, scene, session.prices.currency))
+            yield session
 
 
 def _alone() -> None:

@@ -15,7 +15,7 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 from filelock import FileLock, Timeout
@@ -31,8 +31,10 @@ from ..errors import (
 )
 from ..files import write_whole
 from .jobs import Job, key
-from .making import Maker
 from .place import PLACE
+
+if TYPE_CHECKING:
+    from .making import Maker
 
 KEPT = frozenset({"InputError", "SceneError"})
 """Failures that the same job meets again: they are not tried anew unless asked for."""
