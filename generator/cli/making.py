@@ -54,8 +54,8 @@ def generate(
             picture what dro (rotations), tsa (places and sizes) or both would have found. Nothing
             is refined then.
         timings: Also print the seconds of every stage.
-        budget: With a backend that asks servers: stop before the calls cost more than this, those of
-            earlier runs of the same scene counted.
+        budget: With a backend that asks servers: stop before the calls cost more than this, those
+            of earlier runs of the same scene counted.
         dry_run: Send nothing to servers; print who answers what, and the first calls
             that would be made.
         calls: Folder where answers of servers are kept, so that nothing is paid for twice;
