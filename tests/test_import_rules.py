@@ -22,6 +22,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.paper_json", VALUES),
     ("generator.render", (*VALUES, "generator.render")),
     ("generator.backends.protocols", VALUES),
+    ("generator.backends.installing", ("generator.errors",)),
     ("generator.running", ("generator.errors", "generator.files", "generator.running")),
     (
         "generator.backends.select",
@@ -43,6 +44,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         (
             *VALUES,
             "generator.backends.protocols",
+            "generator.backends.installing",
             "generator.backends.modelers",
             "generator.backends.embedded",
             "generator.catalogue",
@@ -68,7 +70,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             *VALUES,
             "generator.backends.protocols",
             "generator.backends.huggingface",
-            "generator.backends.modelers.installed",
+            "generator.backends.installing",
             "generator.catalogue",
         ),
     ),

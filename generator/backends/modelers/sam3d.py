@@ -14,7 +14,8 @@ import numpy as np
 
 from ...errors import BackendError
 from ...scene import Instance, Model, SizePrior, View
-from .installed import call, only_mesh, working
+from ..installing import working
+from .installed import call, only_mesh
 from .normalising import Normal, foreign_model, normal_trimesh
 
 HOME = "TABLETOPGEN_SAM3D"
