@@ -9,7 +9,8 @@ from scipy.spatial import KDTree
 from ...scene import Mesh
 from ..embedded.baking import lay_out, textured
 from ..embedded.unwrap import Atlas, face_normals, unwrap
-from .surface import MOST_TEXTURE, Surface
+from .pictures import MOST_TEXTURE
+from .surface import Surface
 
 _SAMPLES = 60_000  # points by which the nearest triangles are found
 _NEAR = 4  # of them, tried for each texel

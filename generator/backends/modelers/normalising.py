@@ -17,9 +17,10 @@ from ...geometry import to_unit_box
 from ...scene import Instance, Mesh, Model, Physics, SizePrior
 from ..embedded.modeler import known_category, metric
 from .coloring import best_size, own_texture, painted_faces, painted_shape
+from .pictures import MOST_TEXTURE
 from .reducing import reduced, volume
 from .repairing import check_surface, cleaned, filled, inside_out, welded_shape
-from .surface import MOST_TEXTURE, Axis, Kind, Surface, read_surface, surface_of
+from .surface import Axis, Kind, Surface, read_surface, surface_of
 
 _FILLED = 0.4  # share of its box that an open mesh is taken to fill
 
