@@ -126,14 +126,14 @@ def _rims(faces: Faces) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
 
 def _single(corner: Faces) -> Bool[np.ndarray, "m"]:
     """Tell which faces stay where several have the same corners."""
-    ordered = np.sort(corner, axis=1)
-    _, group = np.unique(ordered, axis=0, return_inverse=True)
-    group = group.reshape(-1)
+    group = _grouped(np.sort(corner, axis=1))
+    if int(group.max()) + 1 == len(corner):
+        return np.ones(len(corner), bool)
     lowest = corner.argmin(1)
     turned = np.take_along_axis(corner, (lowest[:, None] + np.arange(3)) % 3, axis=1)
     way = np.where(turned[:, 1] < turned[:, 2], 1, -1)
     first = np.zeros(len(corner), bool)
-    first[np.unique(np.column_stack([group, way]), axis=0, return_index=True)[1]] = True
+    first[np.unique(2 * group + (way > 0), return_index=True)[1]] = True
     both = np.bincount(group[first], minlength=group.max() + 1)[group] > 1
     if both.mean() > _SHEET:
         first[:] = False
@@ -142,11 +142,20 @@ def _single(corner: Faces) -> Bool[np.ndarray, "m"]:
     return first & ~both
 
 
+def _grouped(rows: Int[np.ndarray, "m k"]) -> Int[np.ndarray, "m"]:
+    """Return a number for each row, the same for equal ones, in their order."""
+    group = np.zeros(len(rows), np.int64)
+    for column in rows.T:
+        group = np.unique(group * (int(column.max()) + 1) + column, return_inverse=True)[1]
+        group = group.reshape(-1)
+    return group
+
+
 def _sizable(surface: Surface, corner: Faces) -> Bool[np.ndarray, "m"]:
     """Tell which faces belong to a connected piece of some size."""
     size = int(corner.max()) + 1
-    ends = np.concatenate([corner[:, [0, 1]], corner[:, [1, 2]]])
-    links = sparse.coo_matrix((np.ones(len(ends)), ends.T), shape=(size, size))
+    ends = np.concatenate([corner[:, [0, 1]], corner[:, [1, 2]]]).astype(np.int32)
+    links = sparse.coo_matrix((np.ones(len(ends), np.int8), ends.T), shape=(size, size))
     piece = connected_components(links, directed=False)[1][corner[:, 0]]
     a, b, c = surface.vertices[surface.faces].transpose(1, 0, 2)
     area = np.bincount(piece, np.linalg.norm(np.cross(b - a, c - a), axis=1))
