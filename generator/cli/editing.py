@@ -91,6 +91,8 @@ def edit(
             if shown is not None:
                 shown(action, 1, 1)
             edited = _edited(path, action, words, to, yaw, seed, chosen)
+            if dry_run:  # it came to no call
+                raise DryRunError("")
             made = edited.save(path.parent if replace else store(out))
     except DryRunError as error:
         return told(error, json)

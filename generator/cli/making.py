@@ -9,7 +9,7 @@ from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
 from ..scene import Intrinsics
-from .paying import answering, open_session, paid, told
+from .paying import answering, check_asked, open_session, paid, told
 from .printing import print_scene, progress
 from .store import store
 
@@ -73,10 +73,13 @@ def generate(
     chosen = Backends.select(backend, session=session)
     try:
         with answering(session), progress(quiet=json) as shown:
+            check_asked(session, chosen)
             generation = run(
                 source, chosen, Config(without=_left_out(without)), seed, name=name,
                 progress=shown, depth=depth, intrinsics=camera,
             )  # fmt: skip
+            if dry_run:  # all answers are kept
+                raise DryRunError("")
             if figures is not None:
                 generation.save_figures(figures)
             path = generation.save(store(out), allow_failed=allow_failed)

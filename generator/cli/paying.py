@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from ..errors import DryRunError
 
 if TYPE_CHECKING:
+    from ..backends import Backends
     from ..running import Session
 
 VARIABLE = "TABLETOPGEN_CALLS"
@@ -63,11 +64,23 @@ def paid(session: Session) -> bool:
     return any(entry.outcome != "cached" for entry in session.account.entries)
 
 
+def check_asked(session: Session, backends: Backends) -> None:
+    """End a dry run before it begins if none of the backends asks servers.
+
+    Raises:
+        DryRunError: it is one, and none does.
+    """
+    if session.dry and not any(getattr(b, "session", None) for b in vars(backends).values()):
+        raise DryRunError("")
+
+
 def told(error: DryRunError, as_json: bool) -> int:
     """Print what a dry run came to; return the exit code of success."""
     from .printing import emit
 
     calls = str(error).splitlines()
     rest = "Nothing was sent; what comes after depends on the answers."
+    if not calls:
+        rest = "No server would be asked. Nothing was made; leave out --dry-run for that."
     emit({"dry_run": calls}, as_json, lambda: [*calls, rest])
     return 0
