@@ -14,11 +14,11 @@ from ...scene import Mesh
 from ..embedded.baking import lay_out, textured
 from ..embedded.unwrap import Atlas, face_normals, unwrap
 from .pictures import MOST_TEXTURE
-from .surface import Surface
+from .surface import Surface, areas
 
 _SAMPLES = 60_000  # points by which the nearest triangles are found, besides one on each
 _MOST_SAMPLES = 400_000  # of them; more triangles than that do not have one each
-_AT_ONCE = 100_000  # texels or triangles worked on together
+_AT_ONCE = 100_000  # texels worked on together
 _NEAR = 4  # of them, tried for each texel
 _FACING = 0.02  # of the diagonal: what a triangle that looks the other way counts as away
 _ROOM = 40  # texels for each face, its gutter included, where none lie together
@@ -98,9 +98,8 @@ class Nearby:
     def of(cls, surface: Surface) -> Nearby:
         """Spread samples over a surface."""
         owner, samples = _spread(surface)
-        return cls(
-            surface, owner, samples, face_normals(surface.vertices, surface.faces[owner])
-        )  # fmt: skip
+        normals = face_normals(surface.vertices, surface.faces[owner])
+        return cls(surface, owner, samples, normals)
 
     @cached_property
     def reach(self) -> float:
@@ -146,12 +145,7 @@ def _spread(surface: Surface) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "
     At least one on each face, unless there are too many.
     """
     faces = surface.faces
-    area = np.concatenate(
-        [
-            _areas(surface.vertices[part])
-            for part in np.split(faces, range(_AT_ONCE, len(faces), _AT_ONCE))
-        ]
-    )
+    area = areas(surface.vertices, faces)
     if len(faces) <= _MOST_SAMPLES:
         count = 1 + (area / area.sum() * _SAMPLES).astype(np.int64)
         owner = np.repeat(np.arange(len(faces)), count)
@@ -165,11 +159,6 @@ def _spread(surface: Surface) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "
     u[first] = v[first] = 1 / 3
     a, b, c = surface.vertices[faces[owner]].transpose(1, 0, 2)
     return owner, a + u[:, None] * (b - a) + v[:, None] * (c - a)
-
-
-def _areas(triangles: Float[np.ndarray, "m 3 3"]) -> Float[np.ndarray, "m"]:
-    a, b, c = triangles.transpose(1, 0, 2)
-    return np.linalg.norm(np.cross(b - a, c - a), axis=1)
 
 
 def _closest(

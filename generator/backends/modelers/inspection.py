@@ -8,6 +8,7 @@ import hashlib
 import io
 import json
 import struct
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -102,6 +103,8 @@ def only_colors(raw: bytes, header: Header) -> bytes:
 def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
     """Check that an OBJ file is text with faces, and not too many.
 
+    Faces of more than three corners are counted once here, and as triangles when they are read.
+
     Raises:
         BackendError: it is none, or too large.
     """
@@ -111,6 +114,9 @@ def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
     count = raw.count(b"\nf ") + raw.count(b"\nf\t") + raw.startswith((b"f ", b"f\t"))
     if not 0 < count <= most_faces:
         raise BackendError(f"{what} has {count} faces; 1 to {most_faces} are read.")
+    count = raw.count(b"\nv ") + raw.count(b"\nv\t")
+    if count > 3 * most_faces:
+        raise BackendError(f"{what} has {count} vertices; at most {3 * most_faces} are read.")
 
 
 def check_pictures(pictures: Iterable[bytes], most: int = MOST_TEXELS_TOGETHER) -> str | None:
@@ -213,16 +219,18 @@ def _faces(header: Header, most: int) -> str | None:
     listed = [root for scene in header.get("scenes", ()) for root in scene.get("nodes", ())]
     waiting = listed.copy() or list(range(len(nodes)))
     seen: set[int] = set()
-    drawn = [] if nodes else per_mesh.copy()
+    drawn = Counter(() if nodes else range(len(per_mesh)))
     while waiting:
         at = waiting.pop()
         if at in seen and listed:
             return "is damaged: a node has two parents. Export it again."
         node = nodes[at]
         seen.add(at)
-        drawn += [per_mesh[node["mesh"]]] if "mesh" in node else []
+        drawn.update([node["mesh"]] if "mesh" in node else ())
         waiting += node.get("children", ()) if listed else ()
-    faces, vertices, parts = (sum(amounts) for amounts in zip((0, 0, 0), *drawn, strict=True))
+    faces, vertices, parts = (
+        sum(times * per_mesh[mesh][k] for mesh, times in drawn.items()) for k in range(3)
+    )
     if not 0 < faces <= most:
         return f"has {faces} triangles; 1 to {most} are read."
     if vertices > 3 * most:

@@ -1,4 +1,4 @@
-"""Loose, doubled and inside-out triangles of a foreign mesh put right, and what cannot be refused.
+"""Loose, doubled and inside-out triangles of a foreign mesh put right; what stays torn is refused.
 
 In this order: vertices at one place are one; slivers, doubled faces, crumbs and fins go
 (``cleaned``); faces are turned outwards; small holes are closed (``filled``). What then has more
@@ -15,12 +15,12 @@ from scipy.sparse.csgraph import connected_components
 
 from ...errors import BackendError
 from ..embedded.unwrap import welded
-from .surface import Surface
+from .surface import Surface, areas
 
 _CRUMB = 5e-4  # share of the whole area below which a loose piece is none
 _SHEET = 0.5  # share of faces with a back of their own from which a mesh is a doubled sheet
 _GAP = 0.2  # of the diagonal: length of rim of the largest hole that is closed
-_FIN = 0.05  # share of the whole area of the largest piece that hangs on edges of three faces
+_FIN = 0.05  # share of the whole area that may go of pieces that hang on edges of three faces
 _FLAWED = 0.01  # share of edges above which a mesh is no surface
 _FLAT = 1e-3  # of the longest side: thinner things are flat
 
@@ -30,9 +30,9 @@ Faces = Int[np.ndarray, "m 3"]
 def cleaned(surface: Surface, what: str) -> Surface:
     """Return a surface without slivers, doubled faces, loose crumbs and fins.
 
-    A crumb is a piece with less than 0.05 % of the area; a fin hangs on an edge of two other faces
-    and has 5 % at most. Two faces on the same corners that look apart are an inner wall, and both
-    go; where most faces are so doubled, it is a sheet, and one of each stays.
+    A crumb is a piece with less than 0.05 % of the area; fins hang on edges of two other faces, and
+    have 5 % together at most. Two faces on the same corners that look apart are an inner wall, and
+    both go; where most faces are so doubled, it is a sheet, and one of each stays.
 
     Raises:
         BackendError: nothing is left, or it is flat.
@@ -76,10 +76,13 @@ def filled(
 ) -> tuple[Float[np.ndarray, "n 3"], Faces]:
     """Close holes with a rim of at most a fifth of the diagonal; a bowl's mouth stays open.
 
-    Each gets a fan around its middle; holes that meet in a corner get one each.
+    Each gets a fan around its middle, also those that meet in a corner; single triangles get none.
     trimesh's own filling goes by the number of a rim's corners, and puts lids on boxes.
     """
-    start, end = _rims(faces)
+    sides, edge, total = _edges(faces)
+    rim = total[edge] == 1
+    rim &= ~_single_sides(rim)
+    start, end = sides[rim].T
     if not len(start):
         return vertices, faces
     rim = _loops(start, end)
@@ -126,8 +129,7 @@ def flaws(faces: Faces) -> tuple[float, float]:
     starts = np.bincount(sides[rim, 0], minlength=int(faces.max()) + 1)
     ends = np.bincount(sides[rim, 1], minlength=int(faces.max()) + 1)
     meeting = (starts != 1) | (ends != 1)
-    single = np.tile(rim.reshape(3, -1).all(0), 3)
-    torn = rim & (single | meeting[sides].any(1))
+    torn = rim & (_single_sides(rim) | meeting[sides].any(1))
     return float(torn.sum() / len(total)), float(uneven.sum() / len(total))
 
 
@@ -139,9 +141,18 @@ def _edges(
     The first side of every face comes first, then every second and third one.
     """
     sides = np.concatenate([faces[:, [k, (k + 1) % 3]] for k in range(3)]).astype(np.int64)
-    keys = np.sort(sides, axis=1) @ [int(faces.max()) + 1, 1]
-    _, edge, total = np.unique(keys, return_inverse=True, return_counts=True)
+    _, edge, total = np.unique(_edge_keys(faces), return_inverse=True, return_counts=True)
     return sides, edge.reshape(-1), total
+
+
+def _edge_keys(faces: Faces) -> Int[np.ndarray, "s"]:
+    """Return a number for each side, the same for those on one edge."""
+    radix = int(faces.max()) + 1
+    keys = np.empty((3, len(faces)), np.int64)
+    for k in range(3):
+        one, other = faces[:, k], faces[:, (k + 1) % 3]
+        keys[k] = np.minimum(one, other) * radix + np.maximum(one, other)
+    return keys.reshape(-1)
 
 
 def _sound(
@@ -150,8 +161,7 @@ def _sound(
     """Tell which faces stay: no slivers, doubled ones, loose crumbs or fins."""
     corner = weld[faces]
     kept = np.flatnonzero((corner != np.roll(corner, 1, axis=1)).all(1))
-    a, b, c = vertices[faces].transpose(1, 0, 2)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    area = areas(vertices, faces)
     for stays in (_single, _sizable, _finless):
         if len(kept):
             kept = kept[stays(corner[kept], area[kept])]
@@ -166,9 +176,11 @@ def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"
     A piece is what hangs together by edges of two faces. Smaller ones go first, of those with a
     free rim; what then hangs on sound edges stays.
     """
-    _, edge, total = _edges(faces)
-    if not ((total > 2) & (total % 2 == 1)).any():
+    total = np.unique(_edge_keys(faces), return_counts=True)[1]
+    odd = (total > 2) & (total % 2 == 1)
+    if not odd.any():
         return np.ones(len(faces), bool)
+    _, edge, total = _edges(faces)
     owner = np.tile(np.arange(len(faces)), 3)
     order = np.argsort(edge, kind="stable")
     pairs = owner[order[total[edge[order]] == 2]].reshape(-1, 2)
@@ -179,21 +191,20 @@ def _finless(faces: Faces, area: Float[np.ndarray, "m"]) -> Bool[np.ndarray, "m"
     by_piece = np.argsort(piece[owner], kind="stable")
     starts = np.searchsorted(piece[owner][by_piece], np.arange(count + 1))
     gone = np.zeros(count, bool)
-    for k in np.lexsort((area, ~free)):
-        if area[k] > _FIN * area.sum():
-            continue
+    room = _FIN * float(area.sum())
+    hanging = np.unique(piece[owner][odd[edge]])
+    for k in hanging[np.lexsort((area[hanging], ~free[hanging]))]:
         own = edge[by_piece[starts[k] : starts[k + 1]]]
-        if ((total[own] > 2) & (total[own] % 2 == 1)).any():
+        if area[k] <= room and ((total[own] > 2) & (total[own] % 2 == 1)).any():
             np.subtract.at(total, own, 1)
             gone[k] = True
+            room -= float(area[k])
     return ~gone[piece]
 
 
-def _rims(faces: Faces) -> tuple[Int[np.ndarray, "k"], Int[np.ndarray, "k"]]:
-    """Return where the sides begin and end that belong to one face alone."""
-    sides, edge, total = _edges(faces)
-    start, end = sides[total[edge] == 1].T
-    return start, end
+def _single_sides(rim: Bool[np.ndarray, "s"]) -> Bool[np.ndarray, "s"]:
+    """Tell which sides are of faces with nothing but rims, given which sides are rims."""
+    return np.tile(rim.reshape(3, -1).all(0), 3)
 
 
 def _loops(start: Int[np.ndarray, "k"], end: Int[np.ndarray, "k"]) -> Int[np.ndarray, "k"]:

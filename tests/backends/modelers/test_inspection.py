@@ -277,6 +277,8 @@ def test_obj_files_are_text_with_faces():
         inspect_obj(b"v 0 0 0\n", "it")
     with pytest.raises(BackendError, match="has 2 faces; 1 to 1"):
         inspect_obj(b"f 1 2 3\nf 1 2 3\n", "it", most_faces=1)
+    with pytest.raises(BackendError, match="has 4 vertices; at most 3"):
+        inspect_obj(b"f 1 2 3" + b"\nv 0 0 0" * 4, "it", most_faces=1)
     corners = b"".join(b"v %d %d 0\n" % (k, k * k) for k in range(9))
     fan = corners + b"f " + b" ".join(b"%d" % (k + 1) for k in range(9)) + b"\n"
     assert len(read_surface(fan, "it", "obj", most_faces=7).faces) == 7
