@@ -9,11 +9,12 @@ from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
 from ..scene import Intrinsics
-from .paying import answering, check_asked, open_session, paid, told
+from .paying import answering, open_session, paid, told
 from .printing import print_scene, progress
 from .store import store
 
 if TYPE_CHECKING:
+    from ..backends import Backends
     from ..pipeline import Ablation
 
 
@@ -73,7 +74,8 @@ def generate(
     chosen = Backends.select(backend, session=session)
     try:
         with answering(session), progress(quiet=json) as shown:
-            check_asked(session, chosen)
+            if dry_run and not _asks(chosen):
+                raise DryRunError("")
             generation = run(
                 source, chosen, Config(without=_left_out(without)), seed, name=name,
                 progress=shown, depth=depth, intrinsics=camera,
@@ -118,6 +120,11 @@ def compose(
     scene = run(text, seed, name=name)
     path = save(scene, store(out), images={"preview": preview(scene)})
     return print_scene(path, scene, json)
+
+
+def _asks(backends: Backends) -> bool:
+    """Return whether any of the backends asks servers."""
+    return any(getattr(backend, "session", None) for backend in vars(backends).values())
 
 
 def _left_out(word: Literal["dro", "tsa", "both"] | None) -> tuple[Ablation, ...]:

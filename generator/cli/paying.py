@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING
 from ..errors import DryRunError
 
 if TYPE_CHECKING:
-    from ..backends import Backends
     from ..running import Session
 
 VARIABLE = "TABLETOPGEN_CALLS"
@@ -62,16 +61,6 @@ def answering(session: Session) -> Iterator[None]:
 def paid(session: Session) -> bool:
     """Return whether anything was asked of a server, rather than of the store alone."""
     return any(entry.outcome != "cached" for entry in session.account.entries)
-
-
-def check_asked(session: Session, backends: Backends) -> None:
-    """End a dry run before it begins if none of the backends asks servers.
-
-    Raises:
-        DryRunError: it is one, and none does.
-    """
-    if session.dry and not any(getattr(b, "session", None) for b in vars(backends).values()):
-        raise DryRunError("")
 
 
 def told(error: DryRunError, as_json: bool) -> int:

@@ -51,7 +51,7 @@ def test_a_dry_run_makes_and_removes_nothing(
     assert command(*edit, "--replace") == 0
     assert "No server would be asked. Nothing was made" in capsys.readouterr().out
     assert command(*edit, "--json") == 0
-    assert json.loads(capsys.readouterr().out) == {"dry_run": []}
+    assert json.loads(capsys.readouterr().out)["dry_run"] == []
     assert [p.name for p in mine.parent.iterdir()] == [vanity.name]
     assert bundle.verify(mine) == []
     assert not store.exists()

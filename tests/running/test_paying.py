@@ -136,21 +136,6 @@ def test_a_dry_run_prints_the_calls_and_sends_none(
     assert server.asked == [] and not (tmp_path / "scenes").exists()
 
 
-def test_a_dry_run_that_needs_no_call_makes_nothing(
-    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
-    assert generate() == 0  # its answer is kept
-    shutil.rmtree(tmp_path / "scenes")
-    for names in ((), ("--backend", "embedded")):
-        capsys.readouterr()
-        assert generate("--dry-run", *names) == 0
-        assert capsys.readouterr().out.startswith("No server would be asked. Nothing was made")
-    assert generate("--dry-run", "--json", "--figures", str(tmp_path / "figures")) == 0
-    assert json.loads(capsys.readouterr().out) == {"dry_run": []}
-    assert not (tmp_path / "scenes").exists() and not (tmp_path / "figures").exists()
-    assert len(server.asked) == 1
-
-
 def test_a_failure_after_a_paid_call_says_what_it_cost(
     server: Served,
     generate: Callable[..., int],
@@ -170,3 +155,18 @@ def test_a_wrong_price_table_is_bad_input(
     (tmp_path / "prices.toml").write_text("modles = 1")
     assert generate() == 2
     assert server.asked == []
+
+
+def test_a_dry_run_that_needs_no_call_makes_nothing(
+    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert generate() == 0  # its answer is kept
+    shutil.rmtree(tmp_path / "scenes")
+    for names in ((), ("--backend", "embedded")):
+        capsys.readouterr()
+        assert generate("--dry-run", *names) == 0
+        assert "No server would be asked. Nothing was made" in capsys.readouterr().out
+    assert generate("--dry-run", "--json", "--figures", str(tmp_path / "figures")) == 0
+    assert json.loads(capsys.readouterr().out)["dry_run"] == []
+    assert not (tmp_path / "scenes").exists() and not (tmp_path / "figures").exists()
+    assert len(server.asked) == 1
