@@ -23,6 +23,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.paper_json", VALUES),
     ("generator.render", (*VALUES, "generator.render")),
     ("generator.backends.protocols", VALUES),
+    ("generator.backends.installing", ("generator.errors",)),
     ("generator.running", ("generator.errors", "generator.files", "generator.running")),
     (
         "generator.backends.select",
@@ -44,6 +45,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         (
             *VALUES,
             "generator.backends.protocols",
+            "generator.backends.installing",
             "generator.backends.modelers",
             "generator.backends.embedded",
             "generator.catalogue",
@@ -69,7 +71,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             *VALUES,
             "generator.backends.protocols",
             "generator.backends.huggingface",
-            "generator.backends.modelers.installed",
+            "generator.backends.installing",
             "generator.catalogue",
         ),
     ),

@@ -95,6 +95,8 @@ def edit(
             if shown is not None:
                 shown(action, 1, 1)
             edited = _edited(path, action, words, to, yaw, seed, chosen)
+            if dry_run:  # it came to no call
+                raise DryRunError("")
             made = edited.save(path.parent if replace else store(out))
     except DryRunError as error:
         return told(error, roles, json)
@@ -102,7 +104,7 @@ def edit(
         session.account.save(made, session.prices)
     if replace and made.resolve() != path.resolve():
         assets_cache.remove(path, path.parent)
-    return print_scene(made, edited.scene, json, session=session, roles=roles)
+    return print_scene(made, edited.scene, json, session=session)
 
 
 def _check_form(

@@ -79,10 +79,14 @@ def generate(
     roles = roles_of(mix, chosen) if dry_run else None
     try:
         with answering(session, scene), progress(quiet=json) as shown:
+            if dry_run and not chosen.asks_servers():
+                raise DryRunError("")
             generation = run(
                 source, chosen, Config(without=_left_out(without)), seed, name=name,
                 progress=shown, depth=depth, intrinsics=camera,
             )  # fmt: skip
+            if dry_run:  # all answers are kept
+                raise DryRunError("")
             if figures is not None:
                 generation.save_figures(figures)
             path = generation.save(store(out), allow_failed=allow_failed)
@@ -91,7 +95,7 @@ def generate(
     if paid(session, path):
         session.account.save(path, session.prices)
     seconds = generation.seconds if timings else None
-    return print_scene(path, generation.scene, json, seconds, session, roles)
+    return print_scene(path, generation.scene, json, seconds, session)
 
 
 def compose(

@@ -102,6 +102,8 @@ def told(error: DryRunError, roles: Roles | None, as_json: bool) -> int:
 
     calls = str(error).splitlines()
     rest = "Nothing was sent; what comes after depends on the answers."
+    if not calls:
+        rest = "No server would be asked. Nothing was made; leave out --dry-run for that."
     facts = {"dry_run": calls} | ({"backends": roles} if roles else {})
     emit(facts, as_json, lambda: [*lines_of(roles or {}), *calls, rest])
     return 0

@@ -9,8 +9,6 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .choosing import Roles, lines_of
-
 if TYPE_CHECKING:
     from ..ledger import Seconds
     from ..running import Session
@@ -66,17 +64,14 @@ def print_scene(
     as_json: bool,
     seconds: Mapping[str, Seconds] | None = None,
     session: Session | None = None,
-    roles: Roles | None = None,
 ) -> int:
     """Print what a bundle holds, how long its stages took, and the calls that servers answered.
 
-    ``roles`` says who answered, where that was asked for. Returns the exit code of success.
+    Returns the exit code of success.
     """
     facts = describe(path, scene)
     if session is not None and session.account.entries:
         facts["ledger"] = session.account.facts(session.prices)
-    if roles is not None:
-        facts["backends"] = roles
     if seconds is not None:
         facts["seconds"] = {
             stage: {"wall": round(s.wall, 3), "cpu": round(s.cpu, 3)}
@@ -98,7 +93,7 @@ def print_scene(
         )
         notes = [f"  note: {w}" for w in facts["warnings"]]
         spent = [*_timings(seconds or {}), *_ledger(session)]
-        return [*lines_of(roles or {}), str(path), *rows, f"  gate: {gate}", *notes, *spent]
+        return [str(path), *rows, f"  gate: {gate}", *notes, *spent]
 
     emit(facts, as_json, lines)
     return 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -39,6 +40,23 @@ def test_remove_move_and_replace(
     assert lipstick.pose.position[:2] == pytest.approx([-0.1, -0.15], abs=2e-3)
     asked = [edit.asked for edit in bundle.load(second).provenance.edits]
     assert asked == ["cream_jar_1", "to -0.1 -0.15 m turned by 30 deg"]
+
+
+@pytest.mark.parametrize("backend", [(), ("--backend", "embedded")])
+def test_a_dry_run_makes_and_removes_nothing(
+    store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], backend: tuple[str, ...]
+) -> None:
+    (vanity,) = assets_cache.find("vanity")
+    mine = tmp_path / "out" / vanity.name
+    shutil.copytree(vanity, mine)
+    edit = ("edit", str(mine), "remove", "cream_jar_1", "--dry-run", *backend)
+    assert command(*edit, "--replace") == 0
+    assert "No server would be asked. Nothing was made" in capsys.readouterr().out
+    assert command(*edit, "--json") == 0
+    assert json.loads(capsys.readouterr().out)["dry_run"] == []
+    assert [p.name for p in mine.parent.iterdir()] == [vanity.name]
+    assert bundle.verify(mine) == []
+    assert not store.exists()
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -206,3 +207,18 @@ def test_a_wrong_price_table_is_bad_input(
     (tmp_path / "prices.toml").write_text("modles = 1")
     assert generate() == 2
     assert server.asked == []
+
+
+def test_a_dry_run_that_needs_no_call_makes_nothing(
+    server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert generate() == 0  # its answer is kept
+    shutil.rmtree(tmp_path / "scenes")
+    for names in ((), ("--backend", "embedded")):
+        capsys.readouterr()
+        assert generate("--dry-run", *names) == 0
+        assert "No server would be asked. Nothing was made" in capsys.readouterr().out
+    assert generate("--dry-run", "--json", "--figures", str(tmp_path / "figures")) == 0
+    assert json.loads(capsys.readouterr().out)["dry_run"] == []
+    assert not (tmp_path / "scenes").exists() and not (tmp_path / "figures").exists()
+    assert len(server.asked) == 1

@@ -34,7 +34,8 @@ def welded(vertices: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "n"]:
     """Return one common index for vertices that share a position."""
     span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
     keys = np.round(vertices / span * 1e5).astype(np.int64)
-    return np.unique(keys, axis=0, return_inverse=True)[1].reshape(-1)
+    x, y, z = (keys - keys.min(0)).T  # each below 2**17
+    return np.unique((x << 40) + (y << 20) + z, return_inverse=True)[1].reshape(-1)
 
 
 def face_normals(

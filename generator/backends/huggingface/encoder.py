@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from jaxtyping import Float
 
 from ...errors import BackendError, require
-from ..modelers.installed import working
+from ..installing import working
 from .folder import models_folder
 from .loading import Once, device_for, load_model
 from .pins import pin

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from ...errors import BackendError
-from ..modelers.installed import module
+from ..installing import module
 from .folder import found, snapshot
 from .pins import WEIGHTS, Pin
 

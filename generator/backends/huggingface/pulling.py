@@ -9,7 +9,7 @@ from pathlib import Path
 import safetensors
 
 from ...errors import BackendError, StorageError
-from ..modelers.installed import module
+from ..installing import module
 from .folder import PICKLES, missing, snapshot
 from .pins import WEIGHTS, Pin
 

@@ -13,7 +13,7 @@ from ...catalogue import CATEGORIES
 from ...errors import SceneError, require
 from ...geometry import mask_box
 from ...scene import TABLE, Detection, Intrinsics
-from ..modelers.installed import working
+from ..installing import working
 from .finds import Find, Finder, Masker
 from .folder import models_folder
 from .ground import on_table

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
 import numpy as np
 from jaxtyping import Float, Int
 from scipy.spatial import KDTree
@@ -9,9 +13,12 @@ from scipy.spatial import KDTree
 from ...scene import Mesh
 from ..embedded.baking import lay_out, textured
 from ..embedded.unwrap import Atlas, face_normals, unwrap
-from .surface import MOST_TEXTURE, Surface
+from .pictures import MOST_TEXTURE
+from .surface import Surface, areas
 
-_SAMPLES = 60_000  # points by which the nearest triangles are found
+_SAMPLES = 60_000  # points by which the nearest triangles are found, besides one on each
+_MOST_SAMPLES = 400_000  # of them; more triangles than that do not have one each
+_AT_ONCE = 100_000  # texels worked on together
 _NEAR = 4  # of them, tried for each texel
 _FACING = 0.02  # of the diagonal: what a triangle that looks the other way counts as away
 _ROOM = 40  # texels for each face, its gutter included, where none lie together
@@ -39,8 +46,9 @@ def own_texture(surface: Surface) -> Mesh | None:
 def painted_faces(surface: Surface, size: int) -> Mesh:
     """Return a surface with all its materials in one new texture of side ``size``, texels."""
     atlas = unwrap(surface.vertices, surface.faces, size)
-    colors = surface.colors_at(atlas.face, atlas.weights)
-    return textured(atlas, surface.vertices, lay_out(atlas, colors), surface.opacity)
+    colors = [surface.colors_at(atlas.face[k], atlas.weights[k]) for k in _chunks(atlas)]
+    texture = lay_out(atlas, np.concatenate(colors))
+    return textured(atlas, surface.vertices, texture, surface.opacity)
 
 
 def painted_shape(
@@ -51,10 +59,14 @@ def painted_shape(
 ) -> Mesh:
     """Return a shape of other triangles in the colours that ``surface`` has next to them."""
     atlas = unwrap(vertices, faces, size)
-    face, weights = nearest_places(surface, *_texels(atlas, vertices, faces))
-    return textured(
-        atlas, vertices, lay_out(atlas, surface.colors_at(face, weights)), surface.opacity
-    )
+    nearby = Nearby.of(surface)
+    normals = face_normals(vertices, faces)
+    colors = []
+    for part in _chunks(atlas):
+        face = atlas.face[part]
+        point = (vertices[faces[face]] * atlas.weights[part, :, None]).sum(1)
+        colors.append(surface.colors_at(*nearby.places(point, normals[face])))
+    return textured(atlas, vertices, lay_out(atlas, np.concatenate(colors)), surface.opacity)
 
 
 def best_size(surface: Surface, most: int, faces: int) -> int:
@@ -70,56 +82,83 @@ def best_size(surface: Surface, most: int, faces: int) -> int:
     return min(size, MOST_TEXTURE)
 
 
-def nearest_places(
-    surface: Surface, point: Float[np.ndarray, "t 3"], normal: Float[np.ndarray, "t 3"]
-) -> tuple[Int[np.ndarray, "t"], Float[np.ndarray, "t 3"]]:
-    """Return the face of ``surface`` nearest to each point, and the place on it by its weights.
+@dataclass(frozen=True, eq=False)
+class Nearby:
+    """A surface searched for the places nearest to others.
 
-    Of those about as near, one that faces the same way is taken: both sides of a thin wall keep
-    their colours.
+    ``samples`` are points all over it, each on the face ``owner`` with the unit normal ``normals``.
     """
-    triangles = surface.vertices[surface.faces]
-    owner, samples = _spread(triangles)
-    own_normals = face_normals(surface.vertices, surface.faces)
-    diagonal = float(np.linalg.norm(np.ptp(samples, axis=0)))
-    reach = _FACING * diagonal
-    tree = KDTree(np.hstack([samples, reach * own_normals[owner]]))
-    _, found = tree.query(np.hstack([point, reach * normal]), k=min(_NEAR, len(samples)))
-    best = np.full(len(point), np.inf)
-    face = np.zeros(len(point), np.int64)
-    weights = np.zeros((len(point), 3))
-    for k in range(np.reshape(found, (len(point), -1)).shape[1]):
-        at = owner[np.reshape(found, (len(point), -1))[:, k]]
-        place, gap = _closest(point, triangles[at])
-        gap += reach**2 * (1 - (own_normals[at] * normal).sum(1))
-        better = gap < best
-        best[better], face[better], weights[better] = gap[better], at[better], place[better]
-    return face, weights
+
+    surface: Surface
+    owner: Int[np.ndarray, "s"]
+    samples: Float[np.ndarray, "s 3"]
+    normals: Float[np.ndarray, "s 3"]
+
+    @classmethod
+    def of(cls, surface: Surface) -> Nearby:
+        """Spread samples over a surface."""
+        owner, samples = _spread(surface)
+        normals = face_normals(surface.vertices, surface.faces[owner])
+        return cls(surface, owner, samples, normals)
+
+    @cached_property
+    def reach(self) -> float:
+        """The distance for which facing the other way counts."""
+        return _FACING * float(np.linalg.norm(np.ptp(self.samples, axis=0)))
+
+    @cached_property
+    def tree(self) -> KDTree:
+        """Samples by place and normal."""
+        return KDTree(np.hstack([self.samples, self.reach * self.normals]))
+
+    def places(
+        self, point: Float[np.ndarray, "t 3"], normal: Float[np.ndarray, "t 3"]
+    ) -> tuple[Int[np.ndarray, "t"], Float[np.ndarray, "t 3"]]:
+        """Return the face nearest to each point, and the place on it by its weights.
+
+        Of those about as near, one that faces the same way is taken: both sides of a thin wall
+        keep their colours.
+        """
+        near = min(_NEAR, len(self.samples))
+        _, found = self.tree.query(np.hstack([point, self.reach * normal]), k=near)
+        best = np.full(len(point), np.inf)
+        face = np.zeros(len(point), np.int64)
+        weights = np.zeros((len(point), 3))
+        for sample in np.reshape(found, (len(point), -1)).T:
+            at = self.owner[sample]
+            place, gap = _closest(point, self.surface.vertices[self.surface.faces[at]])
+            gap += self.reach**2 * (1 - (self.normals[sample] * normal).sum(1))
+            better = gap < best
+            best[better], face[better], weights[better] = gap[better], at[better], place[better]
+        return face, weights
 
 
-def _texels(
-    atlas: Atlas, vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> tuple[Float[np.ndarray, "t 3"], Float[np.ndarray, "t 3"]]:
-    """Return where each texel lies, and the normal of its face."""
-    corner = vertices[faces[atlas.face]]
-    return (corner * atlas.weights[:, :, None]).sum(1), face_normals(vertices, faces)[atlas.face]
+def _chunks(atlas: Atlas) -> Iterator[slice]:
+    """Yield an atlas' texels in parts: what is worked out for each of all takes much memory."""
+    for first in range(0, len(atlas.face), _AT_ONCE):
+        yield slice(first, first + _AT_ONCE)
 
 
-def _spread(
-    triangles: Float[np.ndarray, "m 3 3"],
-) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "s 3"]]:
-    """Return points all over triangles, at least one each, and whose they are."""
-    a, b, c = triangles.transpose(1, 0, 2)
-    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    count = 1 + (area / area.sum() * _SAMPLES).astype(np.int64)
-    owner = np.repeat(np.arange(len(triangles)), count)
+def _spread(surface: Surface) -> tuple[Int[np.ndarray, "s"], Float[np.ndarray, "s 3"]]:
+    """Return points all over a surface, by area, and whose they are.
+
+    At least one on each face, unless there are too many.
+    """
+    faces = surface.faces
+    area = areas(surface.vertices, faces)
+    if len(faces) <= _MOST_SAMPLES:
+        count = 1 + (area / area.sum() * _SAMPLES).astype(np.int64)
+        owner = np.repeat(np.arange(len(faces)), count)
+    else:
+        steps = (np.arange(_MOST_SAMPLES) + 0.5) / _MOST_SAMPLES
+        owner = np.searchsorted(np.cumsum(area) / area.sum(), steps).clip(0, len(faces) - 1)
+    first = np.append(True, owner[1:] != owner[:-1])
     u, v = np.random.default_rng(0).random((2, len(owner)))
     over = u + v > 1
     u, v = np.where(over, 1 - u, u), np.where(over, 1 - v, v)
-    first = np.cumsum(count) - count
     u[first] = v[first] = 1 / 3
-    spread = a[owner] + u[:, None] * (b - a)[owner] + v[:, None] * (c - a)[owner]
-    return owner, spread
+    a, b, c = surface.vertices[faces[owner]].transpose(1, 0, 2)
+    return owner, a + u[:, None] * (b - a) + v[:, None] * (c - a)
 
 
 def _closest(

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 from ...errors import BackendError
-from .inspection import MOST_BYTES, check_picture
+from .inspection import MOST_BYTES, check_pictures
 
 _LIBRARY = re.compile(rb"^[ \t]*mtllib[ \t]+(.+?)[ \t\r]*$", re.MULTILINE)
 _PICTURE = re.compile(rb"^[ \t]*map_Kd[ \t]+(.+?)[ \t\r]*$", re.MULTILINE | re.IGNORECASE)
@@ -25,13 +25,15 @@ def companions(raw: bytes, what: str, folder: Path | None) -> Mapping[str, bytes
         BackendError: a file is missing, outside the folder, too large, or no picture.
     """
     found: dict[str, bytes] = {}
+    shown: dict[str, bytes] = {}
     for library in _names(_LIBRARY, raw):
         found[library] = _read(library, what, folder)
         for picture in _names(_PICTURE, found[library]):
             found[picture] = _read(picture, what, folder)
-            reason = check_picture(found[picture])
-            if reason:
-                raise BackendError(f"{what} {reason} ({picture})")
+            shown[picture] = found[picture]
+    reason = check_pictures(shown.values())
+    if reason:
+        raise BackendError(f"{what} {reason} It names {', '.join(shown)}.")
     return found
 
 

@@ -26,7 +26,9 @@ _FORMATS = (".glb", ".obj")  # the first is taken where there are both
 class Folder:
     """Answers with your own files, by name ("mug_1.glb"), then by label or category ("mug.obj").
 
-    Their texture stays; their size is the prior's, their proportions are their own.
+    A texture that all of a file's parts share stays, unless it repeats or the triangles are changed
+    (see ``normalising``); several are painted into one. The size is the prior's, the proportions
+    are the file's own.
 
     Attributes:
         path: the folder; empty: the one that the environment's ``TABLETOPGEN_ASSETS`` names.

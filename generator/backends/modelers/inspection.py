@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import base64
 import binascii
+import hashlib
 import io
 import json
 import struct
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from PIL import Image
@@ -17,14 +19,20 @@ from ...errors import BackendError
 MOST_BYTES = 256 * 2**20
 """Larger files are refused."""
 
-MOST_FACES = 10_000_000
-"""Meshes of more triangles are refused."""
+MOST_FACES = 2_000_000
+"""Meshes of more triangles are refused, and of more than three vertices for each of these."""
+
+MOST_PARTS = 5_000
+"""Files of more pieces, repeated ones counted each time, are refused."""
 
 MOST_TEXELS = 64 * 2**20
 """Pictures of more pixels are refused: a small file may unpack to any size."""
 
+MOST_TEXELS_TOGETHER = 128 * 2**20
+"""Files whose colour textures have more pixels together, equal ones counted once, are refused."""
+
 _MOST_HEADER = 32 * 2**20  # bytes of JSON
-_CLAIMED = 4  # times the file's size that its numbers may take: accessors may share bytes
+_CLAIMED = 4  # times the file's size that its numbers, or views of its bytes, may take together
 _JSON = 0x4E4F534A
 _COMPRESSED = {
     "KHR_draco_mesh_compression",
@@ -32,6 +40,7 @@ _COMPRESSED = {
     "KHR_meshopt_compression",
     "KHR_texture_basisu",
 }
+_GLOSS = "KHR_materials_pbrSpecularGlossiness"
 _UNDERSTOOD = ("KHR_materials_", "KHR_lights_punctual", "EXT_texture_webp", "KHR_texture_transform")
 _COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
 _WIDTHS = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
@@ -40,13 +49,19 @@ _DAMAGE = (KeyError, IndexError, TypeError, AttributeError, ValueError)
 Header = Mapping[str, Any]
 
 
-def inspect_glb(raw: bytes, what: str, most_faces: int = MOST_FACES) -> Header:
+def inspect_glb(
+    raw: bytes,
+    what: str,
+    most_faces: int = MOST_FACES,
+    most_texels: int = MOST_TEXELS_TOGETHER,
+) -> Header:
     """Return the JSON header of a GLB file (glTF 2.0) that can be read without harm.
 
     Args:
         raw: the file's content.
         what: how messages call it: the backend and the thing it was asked for.
         most_faces: meshes of more triangles, repeated ones counted each time, are refused.
+        most_texels: colour textures of more pixels together, equal ones counted once, are refused.
 
     Raises:
         BackendError: no GLB, cut off, too large, compressed, with files outside itself, without
@@ -59,7 +74,7 @@ def inspect_glb(raw: bytes, what: str, most_faces: int = MOST_FACES) -> Header:
             or _links(header)
             or _amounts(header, len(raw))
             or _faces(header, most_faces)
-            or _pictures(header, data)
+            or _pictures(header, data, most_texels)
         )
     except _DAMAGE as error:
         reason = f"is damaged ({type(error).__name__}: {error}). Export it again."
@@ -68,8 +83,27 @@ def inspect_glb(raw: bytes, what: str, most_faces: int = MOST_FACES) -> Header:
     return header
 
 
+def only_colors(raw: bytes, header: Header) -> bytes:
+    """Return an inspected GLB without the parts of its materials that are never looked at.
+
+    Of each the base colour stays, so that no other picture is ever decoded; the old form by
+    specular and glossiness gives its diffuse colour.
+    """
+    plain = [
+        {"pbrMetallicRoughness": _base(material), "alphaMode": material.get("alphaMode", "OPAQUE")}
+        for material in header.get("materials", ())
+    ]
+    text = json.dumps({**header, "materials": plain}).encode()
+    text += b" " * (-len(text) % 4)
+    rest = raw[20 + struct.unpack_from("<I", raw, 12)[0] :]
+    start = struct.pack("<4sIIII", b"glTF", 2, 20 + len(text) + len(rest), len(text), _JSON)
+    return b"".join([start, text, rest])
+
+
 def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
     """Check that an OBJ file is text with faces, and not too many.
+
+    Faces of more than three corners are counted once here, and as triangles when they are read.
 
     Raises:
         BackendError: it is none, or too large.
@@ -80,19 +114,30 @@ def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
     count = raw.count(b"\nf ") + raw.count(b"\nf\t") + raw.startswith((b"f ", b"f\t"))
     if not 0 < count <= most_faces:
         raise BackendError(f"{what} has {count} faces; 1 to {most_faces} are read.")
+    count = raw.count(b"\nv ") + raw.count(b"\nv\t")
+    if count > 3 * most_faces:
+        raise BackendError(f"{what} has {count} vertices; at most {3 * most_faces} are read.")
 
 
-def check_picture(raw: bytes) -> str | None:
-    """Return why a picture cannot be used, or None. Only its header is read."""
-    try:
-        with Image.open(io.BytesIO(raw)) as picture:
-            width, height = picture.size
-    except (Image.DecompressionBombError, Image.DecompressionBombWarning):
-        return "has a texture that unpacks to more pixels than any needs. Make it smaller."
-    except Exception as error:  # whatever a decoder may stumble over in a foreign file
-        return f"has a texture that cannot be read ({error}). Use PNG or JPEG."
-    if width * height > MOST_TEXELS:
-        return f"has a texture of {width} x {height} pixels; at most {MOST_TEXELS} are read."
+def check_pictures(pictures: Iterable[bytes], most: int = MOST_TEXELS_TOGETHER) -> str | None:
+    """Return why pictures cannot be used, or None. Only their headers are read.
+
+    ``most`` bounds their pixels together; equal pictures count once.
+    """
+    sizes: dict[bytes, int] = {}
+    for raw in pictures:
+        try:
+            with Image.open(io.BytesIO(raw)) as picture:
+                width, height = picture.size
+        except (Image.DecompressionBombError, Image.DecompressionBombWarning):
+            return "has a texture that unpacks to more pixels than any needs. Make it smaller."
+        except Exception as error:  # whatever a decoder may stumble over in a foreign file
+            return f"has a texture that cannot be read ({error}). Use PNG or JPEG."
+        if width * height > MOST_TEXELS:
+            return f"has a texture of {width} x {height} pixels; at most {MOST_TEXELS} are read."
+        sizes[hashlib.sha256(raw).digest()] = width * height
+        if sum(sizes.values()) > most:
+            return f"has textures of more than {most} pixels together. Make them smaller or fewer."
     return None
 
 
@@ -136,7 +181,7 @@ def _extensions(header: Header) -> str | None:
     if foreign:
         return f"needs {', '.join(foreign)}, not read. Export plain glTF 2.0."
     for material in header.get("materials", ()):
-        color = material.get("pbrMetallicRoughness", {}).get("baseColorTexture", {})
+        color = _base(material).get("baseColorTexture", {})
         if "KHR_texture_transform" in color.get("extensions", {}):
             return "moves its texture by KHR_texture_transform, not read. Apply it to the UV map."
     return None
@@ -161,52 +206,84 @@ def _amounts(header: Header, size: int) -> str | None:
         claimed += count * _COLUMNS[accessor["type"]] * _WIDTHS[accessor["componentType"]]
     if claimed > _CLAIMED * size:
         return f"is damaged: its accessors claim {claimed} bytes, the file has {size}."
+    lengths = [int(view["byteLength"]) for view in header.get("bufferViews", ())]
+    if sum(lengths) > _CLAIMED * size or min(lengths, default=0) < 0:
+        return f"is damaged: its views claim {sum(lengths)} bytes, the file has {size}."
     return None
 
 
 def _faces(header: Header, most: int) -> str | None:
     """Count triangles as they would be drawn: a mesh at two nodes is there twice."""
-    per_mesh = [_mesh_faces(header, mesh) for mesh in header.get("meshes", ())]
+    per_mesh = [_mesh_amounts(header, mesh) for mesh in header.get("meshes", ())]
     nodes = header.get("nodes", ())
     listed = [root for scene in header.get("scenes", ()) for root in scene.get("nodes", ())]
     waiting = listed.copy() or list(range(len(nodes)))
     seen: set[int] = set()
-    total = 0 if nodes else sum(per_mesh)
+    drawn = Counter(() if nodes else range(len(per_mesh)))
     while waiting:
         at = waiting.pop()
         if at in seen and listed:
             return "is damaged: a node has two parents. Export it again."
         node = nodes[at]
         seen.add(at)
-        total += per_mesh[node["mesh"]] if "mesh" in node else 0
+        drawn.update([node["mesh"]] if "mesh" in node else ())
         waiting += node.get("children", ()) if listed else ()
-    if not 0 < total <= most:
-        return f"has {total} triangles; 1 to {most} are read."
+    faces, vertices, parts = (
+        sum(times * per_mesh[mesh][k] for mesh, times in drawn.items()) for k in range(3)
+    )
+    if not 0 < faces <= most:
+        return f"has {faces} triangles; 1 to {most} are read."
+    if vertices > 3 * most:
+        return f"has {vertices} vertices; at most {3 * most} are read. Leave out unused ones."
+    if parts > MOST_PARTS:
+        return f"has {parts} pieces; at most {MOST_PARTS} are read. Join them."
     return None
 
 
-def _mesh_faces(header: Header, mesh: Header) -> int:
-    faces = 0
+def _mesh_amounts(header: Header, mesh: Header) -> tuple[int, int, int]:
+    """Return how many triangles, vertices and pieces a mesh has."""
+    faces = vertices = 0
     for primitive in mesh["primitives"]:
-        index = primitive.get("indices", primitive["attributes"].get("POSITION"))
+        place = primitive["attributes"].get("POSITION")
+        index = primitive.get("indices", place)
         count = int(header["accessors"][index]["count"]) if index is not None else 0
         mode = primitive.get("mode", 4)
         faces += count // 3 if mode == 4 else max(count - 2, 0) if mode in (5, 6) else 0
-    return faces
+        vertices += int(header["accessors"][place]["count"]) if place is not None else 0
+    return faces, vertices, len(mesh["primitives"])
 
 
-def _pictures(header: Header, data: bytes) -> str | None:
-    for image in header.get("images", ()):
-        if "bufferView" in image:
-            view = header["bufferViews"][image["bufferView"]]
-            start = view.get("byteOffset", 0)
-            raw = data[start : start + view["byteLength"]]
-        else:
-            try:
-                raw = base64.b64decode(image["uri"].partition("base64,")[2])
-            except binascii.Error as error:
-                return f"has a damaged texture ({error}). Export it again."
-        reason = check_picture(raw)
-        if reason:
-            return reason
-    return None
+def _pictures(header: Header, data: bytes, most: int) -> str | None:
+    """Check the pictures that base colours show; no others are decoded."""
+    shown = {}
+    for material in header.get("materials", ()):
+        base = _base(material)
+        if "baseColorTexture" in base:
+            texture = header["textures"][base["baseColorTexture"]["index"]]
+            other = texture.get("extensions", {}).get("EXT_texture_webp", {})
+            image = header["images"][other.get("source", texture.get("source"))]
+            shown[image.get("bufferView", image.get("uri"))] = image
+    views = [header["bufferViews"][at] for at in shown if isinstance(at, int)]
+    if any(view.get("buffer", 0) != 0 or "uri" in header["buffers"][0] for view in views):
+        return "keeps a texture outside its binary chunk, not read. Export plain glTF 2.0."
+    try:
+        return check_pictures((_encoded(header, image, data) for image in shown.values()), most)
+    except binascii.Error as error:
+        return f"has a damaged texture ({error}). Export it again."
+
+
+def _encoded(header: Header, image: Header, data: bytes) -> bytes:
+    if "bufferView" not in image:
+        return base64.b64decode(image["uri"].partition("base64,")[2])
+    view = header["bufferViews"][image["bufferView"]]
+    start = view.get("byteOffset", 0)
+    return data[start : start + view["byteLength"]]
+
+
+def _base(material: Header) -> Header:
+    """Return a material's base colour: its factor and texture, where it has them."""
+    plain = material.get("pbrMetallicRoughness", {})
+    found = {key: plain[key] for key in ("baseColorFactor", "baseColorTexture") if key in plain}
+    gloss = material.get("extensions", {}).get(_GLOSS, {})
+    old = {"baseColorFactor": "diffuseFactor", "baseColorTexture": "diffuseTexture"}
+    return found or {key: gloss[name] for key, name in old.items() if name in gloss}

@@ -1,36 +1,14 @@
-"""Models that run in this process where their repository is installed."""
+"""Calls of models whose repository is installed, whatever its version."""
 
 from __future__ import annotations
 
-import contextlib
-import importlib
 import inspect
-from collections.abc import Callable, Iterator
-from types import ModuleType
+from collections.abc import Callable
 from typing import Any
 
 import trimesh
 
 from ...errors import BackendError
-
-
-def module(name: str, backend: str, how: str) -> ModuleType:
-    """Import a module of a model's repository.
-
-    Args:
-        name: the module.
-        backend: who needs it.
-        how: how to install it, as a sentence.
-
-    Raises:
-        BackendError: it is not installed, or something that it needs is not.
-    """
-    try:
-        return importlib.import_module(name)
-    except ImportError as error:
-        raise BackendError(
-            f"{backend} needs {name}, which does not load ({error}). {how}"
-        ) from error
 
 
 def call(function: Callable[..., Any], backend: str, *given: Any, **named: Any) -> Any:
@@ -48,18 +26,6 @@ def call(function: Callable[..., Any], backend: str, *given: Any, **named: Any) 
             f"be called otherwise ({error}). Install the version that the documentation names."
         ) from error
     return function(*given, **named)
-
-
-@contextlib.contextmanager
-def working(what: str) -> Iterator[None]:
-    """Turn whatever a model raises into a BackendError that says what it worked on."""
-    try:
-        yield
-    except BackendError:
-        raise
-    except Exception as error:
-        said = " ".join(str(error).split())[:300]
-        raise BackendError(f"{what} it failed ({type(error).__name__}: {said}).") from error
 
 
 def only_mesh(made: Any, what: str) -> trimesh.Trimesh:

@@ -1,4 +1,4 @@
-"""From a foreign mesh to a model of the project: upright, closed, light, in one texture."""
+"""From a foreign mesh to a model of the project: upright, repaired, light, in one texture."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ from ...geometry import to_unit_box
 from ...scene import Instance, Mesh, Model, Physics, SizePrior
 from ..embedded.modeler import known_category, metric
 from .coloring import best_size, own_texture, painted_faces, painted_shape
+from .pictures import MOST_TEXTURE
 from .reducing import reduced, volume
-from .repairing import check_surface, cleaned, filled, inside_out, welded_shape
-from .surface import MOST_TEXTURE, Axis, Kind, Surface, read_surface, surface_of
+from .repairing import check_surface, cleaned, filled, inside_out, tidied, welded_shape
+from .surface import Axis, Kind, Surface, read_surface, surface_of
 
 _FILLED = 0.4  # share of its box that an open mesh is taken to fill
 
@@ -50,7 +51,14 @@ def normal_mesh(
     to: Normal | None = None,
     beside: Mapping[str, bytes] = MappingProxyType({}),
 ) -> Mesh:
-    """Return a GLB or OBJ file as one closed, textured mesh with +z up, in the file's units.
+    """Return a GLB or OBJ file as one textured mesh with +z up, in the file's units.
+
+    All its faces look outwards as far as that can be told, and of its edges, taken across seams of
+    the texture, 99 % or more join two faces (or two pairs, where things touch) or run around an
+    opening: what was closed, or had small holes only, is closed; cups, tubes and leaves stay open,
+    and are solid by their convex parts alone. See ``repairing``. At most four times as many
+    triangles stay as are wanted, and a texture that all parts share, does not repeat, and needs no
+    other triangles stays as it is, of 2048 texels at most.
 
     Args:
         raw: the file's content.
@@ -72,12 +80,13 @@ def normal_trimesh(mesh: trimesh.Trimesh, what: str, *, up: Axis, to: Normal | N
 
 
 def normal_surface(surface: Surface, what: str, *, up: Axis, to: Normal | None = None) -> Mesh:
-    """Return a surface as one closed, textured mesh with +z up; see ``normal_mesh``."""
+    """Return a surface as one textured mesh with +z up; see ``normal_mesh``."""
     to = to or Normal()
     surface = cleaned(surface.upright(up), what)
     vertices, faces = welded_shape(surface.vertices, surface.faces)
     if len(faces) > to.faces:
         vertices, faces = reduced(vertices, faces, to.faces, what)
+        faces = tidied(vertices, faces)
     own = len(faces) == len(surface.faces)
     over = inside_out(vertices, faces)
     faces = np.where(over[:, None], faces[:, ::-1], faces)

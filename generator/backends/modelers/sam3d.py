@@ -18,7 +18,8 @@ from jaxtyping import Float
 from ...errors import BackendError
 from ...geometry import quaternion_matrix, view_rotation
 from ...scene import Instance, Model, SizePrior, View
-from .installed import call, only_mesh, working
+from ..installing import working
+from .installed import call, only_mesh
 from .normalising import Normal, foreign_model, normal_trimesh
 
 HOME = "TABLETOPGEN_SAM3D"

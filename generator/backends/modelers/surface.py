@@ -11,19 +11,17 @@ from typing import Any, Literal
 import numpy as np
 import trimesh
 from jaxtyping import Bool, Float, Int, UInt8
-from PIL import Image
 from trimesh.resolvers import ZipResolver
 
 from ...errors import BackendError
 from ...render.shading import sample_texture
-from .inspection import Header, inspect_glb, inspect_obj
+from .inspection import MOST_FACES, Header, inspect_glb, inspect_obj, only_colors
+from .pictures import Pictures, light, shown
 
 Kind = Literal["glb", "obj"]
 Axis = Literal["y", "z"]
 
-MOST_TEXTURE = 2048
-"""Longest side of a texture kept, texels."""
-
+_AT_ONCE = 100_000  # faces worked on together
 _GREY = (190, 190, 190, 255)
 _LINEAR = np.arange(256) / 255.0
 
@@ -74,8 +72,24 @@ class Surface:
         return found
 
 
+def areas(
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> Float[np.ndarray, "m"]:
+    """Return twice the area of each face."""
+    found = np.zeros(len(faces))
+    for first in range(0, len(faces), _AT_ONCE):
+        part = slice(first, first + _AT_ONCE)
+        a, b, c = vertices[faces[part]].transpose(1, 0, 2)
+        found[part] = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    return found
+
+
 def read_surface(
-    raw: bytes, what: str, kind: Kind, beside: Mapping[str, bytes] = MappingProxyType({})
+    raw: bytes,
+    what: str,
+    kind: Kind,
+    beside: Mapping[str, bytes] = MappingProxyType({}),
+    most_faces: int = MOST_FACES,
 ) -> Surface:
     """Return everything in a GLB or OBJ file as one surface, node transforms applied.
 
@@ -86,21 +100,23 @@ def read_surface(
         what: how messages call it.
         kind: the format.
         beside: the files that an OBJ names, by name; see ``companions``.
+        most_faces: meshes of more triangles are refused.
 
     Raises:
         BackendError: see ``inspection``; or numbers that are not finite.
     """
     header: Header = {}
     if kind == "glb":
-        header = inspect_glb(raw, what)
+        header = inspect_glb(raw, what, most_faces)
+        raw = only_colors(raw, header)
     else:
-        inspect_obj(raw, what)
+        inspect_obj(raw, what, most_faces)
     files = ZipResolver({name: io.BytesIO(b) for name, b in beside.items()})
     try:
         loaded = trimesh.load_scene(io.BytesIO(raw), file_type=kind, resolver=files, process=False)
-        parts = [g for g in loaded.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
+        parts = _placed(loaded)
         maker = str(header.get("asset", {}).get("generator", ""))
-        return surface_of(parts, what, kind == "glb" and "trimesh" not in maker)
+        return surface_of(parts, what, kind == "glb" and "trimesh" not in maker, most_faces)
     except BackendError:
         raise
     except Exception as error:  # whatever a parser may stumble over in a foreign file
@@ -109,26 +125,32 @@ def read_surface(
         ) from error
 
 
-def surface_of(parts: list[trimesh.Trimesh], what: str, linear: bool = False) -> Surface:
+def surface_of(
+    parts: list[trimesh.Trimesh], what: str, linear: bool = False, most_faces: int = MOST_FACES
+) -> Surface:
     """Return meshes as one surface.
 
     Args:
         parts: the meshes, in one frame.
         what: how messages call them.
         linear: plain colours are linear, as glTF has them (trimesh writes them as they look).
+        most_faces: meshes of more triangles are refused.
 
     Raises:
-        BackendError: none has faces, or a vertex is not there, NaN or infinite.
+        BackendError: none has faces, they have too many, or a vertex is not there, NaN or infinite.
     """
-    if not sum(len(part.faces) for part in parts):
+    count = sum(len(part.faces) for part in parts)
+    if not count:
         raise BackendError(f"{what} has no triangles. Export a mesh with faces.")
+    if count > most_faces:
+        raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are read.")
     for part in parts:
         if not np.isfinite(np.asarray(part.vertices, np.float32)).all():
             raise BackendError(f"{what} holds NaN or infinity; every vertex must be finite.")
         faces = np.asarray(part.faces)
         if len(faces) and not 0 <= faces.min() <= faces.max() < len(part.vertices):
             raise BackendError(f"{what} is damaged: faces name vertices that are not there.")
-    pictures: list[np.ndarray] = []
+    pictures = Pictures(what)
     pieces = [_piece(part, pictures, linear) for part in parts]
     shift = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
     alphas = [alpha for *_, alpha in pieces]
@@ -138,13 +160,30 @@ def surface_of(parts: list[trimesh.Trimesh], what: str, linear: bool = False) ->
         np.concatenate([uv for uv, *_ in pieces]),
         np.concatenate([colors for _, colors, *_ in pieces]),
         np.repeat([k for _, _, k, _ in pieces], [len(p.faces) for p in parts]),
-        tuple(pictures),
+        tuple(pictures.kept),
         float(np.clip(np.mean(alphas), 0.05, 1.0)) if max(alphas) < 1 else 1.0,
     )
 
 
+def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
+    """Return the meshes of a scene where its nodes have them, their materials shared.
+
+    trimesh's own ``dump`` copies, and so decodes, the pictures of each.
+    """
+    placed = []
+    for node in scene.graph.nodes_geometry:
+        transform, name = scene.graph[node]
+        geometry = scene.geometry[name]
+        if isinstance(geometry, trimesh.Trimesh) and len(geometry.faces):
+            part = geometry.copy(include_visual=False)
+            part.apply_transform(transform)
+            part.visual = geometry.visual
+            placed.append(part)
+    return placed
+
+
 def _piece(
-    part: trimesh.Trimesh, pictures: list[np.ndarray], linear: bool
+    part: trimesh.Trimesh, pictures: Pictures, linear: bool
 ) -> tuple[np.ndarray, np.ndarray, int, float]:
     """Return a mesh's uv, vertex colours, picture (added to ``pictures``) or -1, and alpha."""
     visual: Any = part.visual
@@ -158,12 +197,10 @@ def _piece(
     image = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
     flat = _seen(factor, linear)
     if image is not None and getattr(visual, "uv", None) is not None:
-        tint = factor[:3] / 255 if linear else _light(factor[:3] / 255)
+        tint = factor[:3] / 255 if linear else light(factor[:3] / 255)
         if hasattr(material, "image"):  # an OBJ's: programs write a grey beside the picture
             tint = np.ones(3)
-        picture = _small(image)
-        pictures.append(picture if (tint == 1).all() else _tinted(picture, tint))
-        return uv, np.tile(flat, (count, 1)), len(pictures) - 1, alpha
+        return uv, np.tile(flat, (count, 1)), pictures.place(image, tint), alpha
     colors = getattr(visual, "vertex_attributes", {}).get("color", None)
     if colors is None and material is None and visual.kind is not None:
         colors = visual.vertex_colors
@@ -199,25 +236,5 @@ def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
 
 def _seen(colors: UInt8[np.ndarray, "*k"], linear: bool) -> UInt8[np.ndarray, "*k"]:
     """Return plain colours as they look (sRGB), without alpha."""
-    table = _shown(_LINEAR) if linear else _LINEAR
+    table = shown(_LINEAR) if linear else _LINEAR
     return np.round(255 * table).astype(np.uint8)[colors[..., :3]]
-
-
-def _shown(light: np.ndarray) -> np.ndarray:
-    return np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
-
-
-def _light(shown: np.ndarray) -> np.ndarray:
-    return np.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
-
-
-def _tinted(picture: UInt8[np.ndarray, "h w 3"], tint: np.ndarray) -> UInt8[np.ndarray, "h w 3"]:
-    table = np.round(255 * _shown(_light(_LINEAR)[:, None] * tint)).astype(np.uint8)
-    return np.stack([table[picture[..., c], c] for c in range(3)], axis=-1)
-
-
-def _small(image: Image.Image) -> UInt8[np.ndarray, "h w 3"]:
-    """Return a texture's colours, its longest side at most ``MOST_TEXTURE``."""
-    image = image.convert("RGB")
-    image.thumbnail((MOST_TEXTURE, MOST_TEXTURE), Image.Resampling.LANCZOS)
-    return np.asarray(image, np.uint8)

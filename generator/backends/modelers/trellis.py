@@ -13,8 +13,9 @@ from PIL import Image
 
 from ...errors import BackendError, choices, require
 from ...scene import Instance, Model, SizePrior, View
+from ..installing import module, working
 from .cutout import cutout
-from .installed import call, module, only_mesh, working
+from .installed import call, only_mesh
 from .normalising import Normal, foreign_model, normal_trimesh
 
 _HOW = "Install github.com/microsoft/TRELLIS (16 GB of GPU memory) or TRELLIS.2 (24 GB)."

@@ -12,8 +12,9 @@ from PIL import Image
 
 from ...errors import require
 from ...scene import Instance, Model, SizePrior, View
+from ..installing import module, working
 from .cutout import cutout, on_grey
-from .installed import call, module, only_mesh, working
+from .installed import call, only_mesh
 from .normalising import Normal, foreign_model, normal_trimesh
 
 _HOW = "Install github.com/VAST-AI-Research/TripoSR and put it on the path."

@@ -68,6 +68,16 @@ def test_an_obj_comes_with_its_material_and_picture(tmp_path):
         ask(tmp_path)
 
 
+def test_the_pictures_of_an_obj_are_bounded_together(tmp_path):
+    for k in range(9):  # blank pictures take few bytes
+        Image.new("1", (4096, 4096 - k)).save(tmp_path / f"{k}.png")
+    library = "".join(f"newmtl m{k}\nmap_Kd {k}.png\n" for k in range(9))
+    (tmp_path / "mug.mtl").write_text(library)
+    (tmp_path / "mug.obj").write_text("mtllib mug.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
+    with pytest.raises(BackendError, match=r"textures of more than 134217728 pixels together"):
+        ask(tmp_path)
+
+
 @pytest.mark.parametrize("name", ["../secret.mtl", "/etc/passwd", "http://example.org/a.mtl"])
 def test_an_obj_names_no_file_outside_its_folder(tmp_path, name):
     (tmp_path / "secret.mtl").write_text("newmtl a\n")

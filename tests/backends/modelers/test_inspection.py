@@ -6,11 +6,13 @@ import base64
 import io
 import struct
 import zlib
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 import trimesh
 from backends.modelers.foreign import edited, glb, striped_box
+from PIL import ImageFile
 
 from generator.backends.modelers import inspection
 from generator.backends.modelers.inspection import inspect_glb, inspect_obj
@@ -91,15 +93,39 @@ def test_no_faces_and_too_many_are_refused():
         inspect_glb(GOOD, "it", most_faces=11)
 
 
-def test_repeated_meshes_count_each_time():
-    def many(header: dict) -> None:
-        node = next(k for k, n in enumerate(header["nodes"]) if "mesh" in n)
-        first = len(header["nodes"])
-        header["nodes"] += [dict(header["nodes"][node]) for _ in range(50)]
-        header["scenes"][0]["nodes"] += list(range(first, first + 50))
+@pytest.mark.parametrize("faces", [1_500_000, 2_000_001, 10_000_000])
+def test_a_claim_of_too_many_faces_is_refused_before_they_are_read(faces):
+    """Only the header says how many; the bytes are zeros, and fewer than a mesh would take."""
 
+    def claim(header: dict) -> None:
+        count = {"count": 3 * faces, "componentType": 5121, "type": "SCALAR", "bufferView": 0}
+        header["accessors"].append(count)
+        header["meshes"][0]["primitives"][0]["indices"] = len(header["accessors"]) - 1
+
+    raw = edited(GOOD, claim) + bytes(3 * faces // 4 + 4096)
+    assert len(raw) < 8 * 2**20
+    if faces > 2_000_000:
+        assert f"has {faces} triangles; 1 to 2000000 are read" in refusal(raw)
+    else:
+        assert inspect_glb(raw, "it")["meshes"]
+
+
+def many(header: dict) -> None:
+    """Put the mesh at 50 more nodes."""
+    node = next(k for k, n in enumerate(header["nodes"]) if "mesh" in n)
+    first = len(header["nodes"])
+    header["nodes"] += [dict(header["nodes"][node]) for _ in range(50)]
+    header["scenes"][0]["nodes"] += list(range(first, first + 50))
+
+
+def test_repeated_meshes_count_each_time(monkeypatch):
     with pytest.raises(BackendError, match=f"has {51 * 12} triangles"):
         inspect_glb(edited(GOOD, many), "it", most_faces=600)
+    raw = glb(trimesh.Trimesh(np.random.default_rng(0).random((90, 3)), [[0, 1, 2]], process=False))
+    with pytest.raises(BackendError, match=f"has {51 * 90} vertices; at most 600 are read"):
+        inspect_glb(edited(raw, many), "it", most_faces=200)
+    monkeypatch.setattr(inspection, "MOST_PARTS", 50)
+    assert "has 51 pieces; at most 50" in refusal(edited(GOOD, many))
 
 
 def test_nodes_with_two_parents_are_refused():
@@ -120,6 +146,11 @@ def test_accessors_that_claim_more_than_is_there_are_refused():
         del header["accessors"][0]["bufferView"]
 
     assert "empty accessors" in refusal(edited(GOOD, empty))
+
+    def views(header: dict) -> None:
+        header["bufferViews"] += [{"buffer": 0, "byteLength": len(GOOD)}] * 9
+
+    assert "its views claim" in refusal(edited(GOOD, views))
     nonsense = edited(GOOD, lambda header: header.update(accessors=[7]))
     assert "is damaged (TypeError" in refusal(nonsense)
 
@@ -154,6 +185,76 @@ def test_bombs_and_broken_pictures_are_refused(picture, said):
     assert said in refusal(edited(GOOD, replace))
 
 
+def shows(*pictures: bytes) -> Callable[[dict], None]:
+    """Return what gives a file a material for each picture."""
+
+    def change(header: dict) -> None:
+        header["images"] = [
+            {"uri": "data:image/png;base64," + base64.b64encode(p).decode()} for p in pictures
+        ]
+        header["textures"] = [{"source": k} for k in range(len(pictures))]
+        header["materials"] = [
+            {"pbrMetallicRoughness": {"baseColorTexture": {"index": k}}}
+            for k in range(len(pictures))
+        ]
+
+    return change
+
+
+def test_pictures_are_bounded_together_and_equal_ones_count_once():
+    different = edited(GOOD, shows(*(png(5000, 5000 + k) for k in range(6))))
+    assert "has textures of more than 134217728 pixels together" in refusal(different)
+    inspect_glb(edited(GOOD, shows(*[png(5000, 5000)] * 40)), "it")
+    two = edited(GOOD, shows(png(10, 10), png(10, 11)))
+    inspect_glb(two, "it", most_texels=210)
+    with pytest.raises(BackendError, match="more than 209 pixels together"):
+        inspect_glb(two, "it", most_texels=209)
+
+
+def test_pictures_that_are_never_looked_at_are_never_decoded(monkeypatch):
+    """Of a material the base colour counts; a bomb for a normal map does nothing."""
+
+    def bump(header: dict) -> None:
+        bomb = "data:image/png;base64," + base64.b64encode(png(9000, 9000)).decode()
+        header["images"].append({"uri": bomb})
+        header["textures"].append({"source": 1})
+        look = header["materials"][0]
+        look["normalTexture"] = {"index": 1}
+        gloss = {"diffuseTexture": {"index": 1}, "specularGlossinessTexture": {"index": 1}}
+        look["extensions"] = {"KHR_materials_pbrSpecularGlossiness": gloss}
+
+    opened = []
+    load = ImageFile.ImageFile.load
+    monkeypatch.setattr(
+        ImageFile.ImageFile, "load", lambda image: (opened.append(image.size), load(image))[1]
+    )
+    mesh = normal_mesh(edited(GOOD, bump), "it")
+    assert mesh.texture.shape == (64, 64, 3)
+    assert {*opened} == {(64, 64)}
+
+
+def test_the_old_form_of_materials_has_its_diffuse_picture_checked_and_shown():
+    def gloss(header: dict) -> None:
+        look = header["materials"][0]
+        old = {"diffuseTexture": look.pop("pbrMetallicRoughness")["baseColorTexture"]}
+        look["extensions"] = {"KHR_materials_pbrSpecularGlossiness": old}
+
+    raw = edited(GOOD, gloss)
+    assert np.array_equal(normal_mesh(raw, "it").texture, normal_mesh(GOOD, "it").texture)
+    with pytest.raises(BackendError, match="more than 4095 pixels"):
+        inspect_glb(raw, "it", most_texels=4095)
+
+
+def test_pictures_lie_where_they_are_looked_for():
+    """A second buffer could hold another picture than the one that is checked."""
+
+    def elsewhere(header: dict) -> None:
+        header["buffers"].append({"byteLength": 10**4, "uri": "data:;base64,AAAA"})
+        header["bufferViews"][header["images"][0]["bufferView"]]["buffer"] = 1
+
+    assert "outside its binary chunk" in refusal(edited(GOOD, elsewhere))
+
+
 def test_large_files_are_refused(monkeypatch):
     monkeypatch.setattr(inspection, "MOST_BYTES", len(GOOD) - 1)
     assert "MiB; at most" in refusal(GOOD)
@@ -176,6 +277,13 @@ def test_obj_files_are_text_with_faces():
         inspect_obj(b"v 0 0 0\n", "it")
     with pytest.raises(BackendError, match="has 2 faces; 1 to 1"):
         inspect_obj(b"f 1 2 3\nf 1 2 3\n", "it", most_faces=1)
+    with pytest.raises(BackendError, match="has 4 vertices; at most 3"):
+        inspect_obj(b"f 1 2 3" + b"\nv 0 0 0" * 4, "it", most_faces=1)
+    corners = b"".join(b"v %d %d 0\n" % (k, k * k) for k in range(9))
+    fan = corners + b"f " + b" ".join(b"%d" % (k + 1) for k in range(9)) + b"\n"
+    assert len(read_surface(fan, "it", "obj", most_faces=7).faces) == 7
+    with pytest.raises(BackendError, match="has 7 triangles; 1 to 6 are read"):
+        read_surface(fan, "it", "obj", most_faces=6)
     with pytest.raises(BackendError, match="not text"):
         inspect_obj(b"v\0\0", "it")
     with pytest.raises(BackendError, match="cannot be read"):

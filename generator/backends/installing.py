@@ -1,0 +1,41 @@
+"""What backends need that run models in this process: their imports, and their failures told."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+from collections.abc import Iterator
+from types import ModuleType
+
+from ..errors import BackendError
+
+
+def module(name: str, backend: str, how: str) -> ModuleType:
+    """Import a module of a model's package or repository.
+
+    Args:
+        name: the module.
+        backend: who needs it.
+        how: how to install it, as a sentence.
+
+    Raises:
+        BackendError: it is not installed, or something that it needs is not.
+    """
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        raise BackendError(
+            f"{backend} needs {name}, which does not load ({error}). {how}"
+        ) from error
+
+
+@contextlib.contextmanager
+def working(what: str) -> Iterator[None]:
+    """Turn whatever a model raises into a BackendError that says what it worked on."""
+    try:
+        yield
+    except BackendError:
+        raise
+    except Exception as error:
+        said = " ".join(str(error).split())[:300]
+        raise BackendError(f"{what} it failed ({type(error).__name__}: {said}).") from error

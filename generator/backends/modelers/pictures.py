@@ -1,0 +1,103 @@
+"""The textures of a foreign mesh, each decoded and kept once, however many parts show it."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+from collections.abc import Hashable
+
+import numpy as np
+from jaxtyping import Float, UInt8
+from PIL import Image
+
+from ...errors import BackendError
+from .inspection import MOST_TEXELS_TOGETHER
+
+MOST_TEXTURE = 2048
+"""Longest side of a texture kept, texels."""
+
+Texels = UInt8[np.ndarray, "h w 3"]
+
+_LINEAR = np.arange(256) / 255.0
+
+
+class Pictures:
+    """Textures taken in one after the other; ``kept`` has each of them once for each tint."""
+
+    def __init__(self, what: str, most: int = MOST_TEXELS_TOGETHER) -> None:
+        """Begin with none.
+
+        Args:
+            what: how messages call the mesh.
+            most: texels that are kept.
+        """
+        self.kept: list[Texels] = []
+        self._what = what
+        self._room = most
+        self._sources: list[object] = []  # held, so that no other gets their identity
+        self._keys: dict[int, Hashable] = {}
+        self._plain: dict[Hashable, Texels] = {}
+        self._places: dict[Hashable, int] = {}
+
+    def place(self, image: Image.Image, tint: Float[np.ndarray, "3"]) -> int:
+        """Return where in ``kept`` a picture is, its light multiplied by ``tint``.
+
+        Raises:
+            BackendError: too much is kept.
+        """
+        file = _file(image)
+        key = self._key(image if file is None else file)
+        at = (key, tint.tobytes())
+        if at not in self._places:
+            if key not in self._plain:
+                self._plain[key] = _small(image.copy() if file is None else _opened(file))
+            plain = self._plain[key]
+            self._room -= plain.shape[0] * plain.shape[1]
+            if self._room < 0:
+                raise BackendError(
+                    f"{self._what} shows its textures in too many tints. Bake them, or use fewer."
+                )
+            self._places[at] = len(self.kept)
+            self.kept.append(plain if (tint == 1).all() else _tinted(plain, tint))
+        return self._places[at]
+
+    def _key(self, source: Image.Image | bytes) -> Hashable:
+        """Return the same for equal files, and for the same picture without one."""
+        if id(source) not in self._keys:
+            self._sources.append(source)
+            equal = hashlib.sha256(source).digest() if isinstance(source, bytes) else id(source)
+            self._keys[id(source)] = equal
+        return self._keys[id(source)]
+
+
+def shown(light: np.ndarray) -> np.ndarray:
+    """Return linear light, 0 to 1, as it looks (sRGB)."""
+    return np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+
+
+def light(shown: np.ndarray) -> np.ndarray:
+    """Return colours as they look (sRGB), 0 to 1, as linear light."""
+    return np.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
+
+
+def _file(image: Image.Image) -> bytes | None:
+    """Return the file of a picture that is not decoded yet, as long as it is in memory."""
+    file = getattr(image, "fp", None)
+    return file.getvalue() if isinstance(file, io.BytesIO) else None
+
+
+def _opened(file: bytes) -> Image.Image:
+    return Image.open(io.BytesIO(file))
+
+
+def _small(image: Image.Image) -> Texels:
+    """Return a texture's colours, its longest side at most ``MOST_TEXTURE``; ends the image."""
+    with image:
+        plain = image if image.mode == "RGB" else image.convert("RGB")
+        plain.thumbnail((MOST_TEXTURE, MOST_TEXTURE), Image.Resampling.LANCZOS)
+        return np.array(plain, np.uint8)
+
+
+def _tinted(picture: Texels, tint: Float[np.ndarray, "3"]) -> Texels:
+    table = np.round(255 * shown(light(_LINEAR)[:, None] * tint)).astype(np.uint8)
+    return np.stack([table[picture[..., c], c] for c in range(3)], axis=-1)

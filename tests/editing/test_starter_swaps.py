@@ -1,0 +1,60 @@
+"""A swap at each of five starter tables: one thing is another, all else is the same to the byte."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from changed import kept
+
+import assets_cache
+from generator import bundle, editing
+from generator.backends import Backends
+from generator.editing import edited
+from generator.physics.gate import judge
+from generator.pipeline import Config
+from generator.stages.rotation.config import RotationConfig
+
+SWAPS = {
+    "coffee-oval": ("plate_1", "a small teapot", "teapot"),
+    "lab": ("notebook_1", "a mug", "mug"),
+    "vanity": ("hand_mirror_1", "a candle", "candle"),
+    "kitchen-cutting": ("bowl_1", "a wine glass", "wine glass"),
+    "workbench-toys": ("bowl_1", "a mug", "mug"),
+}
+"""By starter: what goes, what is asked for, and what then stands there."""
+
+QUICK = Config(
+    rotation=RotationConfig(
+        coarse_step=np.deg2rad(15.0), candidates=2, coarse_steps=0, steps=5, rival_steps=2,
+        close_steps=0, points=1000,
+    )
+)  # fmt: skip
+"""A coarse search for the yaw of what was drawn; nothing else is left out."""
+
+
+@pytest.fixture(autouse=True)
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Previews of a few pixels."""
+    monkeypatch.setattr(edited, "preview", lambda scene: np.zeros((4, 4, 3), np.uint8))
+
+
+@pytest.mark.parametrize("backend", [None, "embedded"])
+@pytest.mark.parametrize("starter", SWAPS)
+def test_a_swap_at_a_starter_keeps_all_else(
+    starter: str, backend: str | None, tmp_path: Path
+) -> None:
+    (before,) = assets_cache.find(starter)
+    old, text, noun = SWAPS[starter]
+    backends = None if backend is None else Backends.select(backend)
+    after = editing.swap(before, old, text, 1, backends, QUICK).save(tmp_path)
+    names = {o.name for o in bundle.load(before).objects}
+    scene = bundle.load(after)
+    assert kept(before, after) == names - {old}
+    (new,) = {o.name for o in scene.objects} - (names - {old})
+    assert scene.object(new).label == noun
+    assert bundle.verify(after) == []
+    assert scene.report is not None and scene.report.passed
+    assert judge(scene).failures == ()
+    assert (scene.provenance.edits[-1].kind, scene.provenance.edits[-1].asked) == ("swap", text)
