@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import gymnasium as gym
 import numpy as np
 
-from generator.errors import InputError, SceneError, choices
+from generator.errors import BundleError, InputError, SceneError, choices
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
@@ -21,6 +21,7 @@ from .randomization import Randomization, Randomizer
 from .rendering import RENDERERS, Drawer, Kind, RendererChoice, drawer
 from .robot.panda import Panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
+from .scenes.fixed import is_there
 from .scenes.source import close, record
 from .tasks import task_named
 from .tasks.goals import SPOT, Goal, named_by
@@ -331,6 +332,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 return world, episode, known
             except SceneError as error:
                 tried.add(str(error))
+            except BundleError as error:
+                if is_there(ref):
+                    raise
+                tried.add(str(error))  # a pool dropped it between its draw and its loading
         raise SceneError(f"Nothing to do in {DRAWS} drawn scenes. " + " ".join(sorted(tried)[:3]))
 
     def _world_of(self, ref: SceneRef) -> World:
@@ -447,8 +452,18 @@ def make_env(
         settings: the other arguments of ``TabletopEnv``.
     """
     kind = GoalTabletopEnv if observation == "goal" else TabletopEnv
+    scenes, task = played_at(scenes, task, preset)
+    return kind(scenes, task=task, observation=observation, **settings)
+
+
+def played_at(
+    scenes: SceneChoice | None, task: Task | str, preset: str | None
+) -> tuple[SceneChoice, Task]:
+    """Return what the arguments of ``make_env`` of these names mean: where to play, and what.
+
+    Raises:
+        InputError: there is no such task or preset.
+    """
     if isinstance(task, str):
         task = task_named(task, preset)
-    if scenes is None:
-        scenes = task.scenes
-    return kind(scenes, task=task, observation=observation, **settings)
+    return (task.scenes if scenes is None else scenes), task
