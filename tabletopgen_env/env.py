@@ -74,8 +74,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         render_mode: None, "rgb_array", "depth_array" or "human".
         render_size: (height, width) of what ``render`` returns, or one number for both.
         renderer: "auto", "gl" or "software"; see ``rendering``.
-        randomization: what differs from episode to episode: a ``Randomization``, "light",
-            "strong", or None for nothing; see ``randomization``.
+        randomization: what differs between episodes of the same scene, target and goal, which
+            without it all start alike: a ``Randomization``, "starts" for a start a little off,
+            "light" or "strong" for everything else, or None for nothing; see ``randomization``.
         certified: at a bundle with a certificate (see ``certify``), draw targets and goals only
             among the instances of the task that the expert solved; False ignores certificates.
         robot: the robot; None for ``Panda()``.

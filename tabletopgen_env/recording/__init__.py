@@ -25,6 +25,9 @@ npz        a folder: ``episode_<k>.npz`` each, its nested names joined by slashe
            in ``dataset.json``
 =========  =======================================================================================
 
+Episodes start a little off, each in its own way (``RecordConfig.randomization``): without that
+those of the same scene, target and goal would be the same to the bit.
+
 Nothing is lossy and nothing is pickled. With the seed of an episode and its actions, the
 environment plays it again, if its scenes and their certificates are the same (scenes that the clock
 renews never are).

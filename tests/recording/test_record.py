@@ -92,6 +92,18 @@ def test_the_same_seed_gives_the_same_arrays_whatever_the_workers(
     assert contents(other / "data/main_data.hdf5") != contents(lift / "data/main_data.hdf5")
 
 
+def test_starts_differ_unless_asked_not_to() -> None:
+    def starts(config: RecordConfig) -> set[bytes]:
+        env = config.environment()
+        targets = {"target": env.reset(seed=0)[1]["target"]}
+        seen = {env.reset(seed=k, options=targets)[0].tobytes() for k in range(4)}
+        env.close()
+        return seen
+
+    assert len(starts(LIFT)) == 4
+    assert len(starts(replace(LIFT, randomization=None))) == 1
+
+
 @dataclass(frozen=True)
 class Counted(RecordConfig):
     """Notes in a folder, by process, each environment that is made, and that is closed."""
@@ -275,6 +287,12 @@ def test_the_command_records_and_says_where(
     given = ["record", "--task", "Lift", "--scenes", TABLE, "--format", "npz"]
     assert run([*given, "--episodes", "1", "--out", str(out)]) == 0
     told = capsys.readouterr()
+    assert json.loads((out / "dataset.json").read_text())["settings"]["randomization"] == "starts"
+    plain = ["--episodes", "1", "--randomization", "None", "--out", f"{out}-plain"]
+    assert run([*given, *plain]) == 0
+    settings = json.loads(Path(f"{out}-plain/dataset.json").read_text())["settings"]
+    assert settings["randomization"] is None
+    capsys.readouterr()
     assert f"{out}: 1 episodes of 1 played" in told.out and "1/1" in told.err
     wrong = {
         "is there already": [*given, "--out", str(out)],
