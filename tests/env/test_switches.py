@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from randomized import OPTIONS, STRONG, only, started
@@ -269,7 +271,7 @@ def test_a_hint_at_a_start_that_is_off_is_that_starts_own() -> None:
     def seen(env: TabletopEnv, seed: int) -> np.ndarray:
         return env.reset(seed=seed, options={"target": "cube_1"})[0]
 
-    settings = {"task": "Lift", "grasp_hint": "planned", "randomization": "starts"}
+    settings: dict[str, Any] = {"task": "Lift", "grasp_hint": "planned", "randomization": "starts"}
     fresh = [seen(make_env(toy_scene(), **settings), seed) for seed in range(3)]
     env = make_env(toy_scene(), **settings)
     again = [seen(env, seed) for seed in (2, 1, 0)][::-1]
