@@ -91,8 +91,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     offers nothing to do.
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
-    "instruction", "scene", "target" and "goal" (of the active goal: the object that carries it, or
-    "spot"), "goals" (the active goal's index and how many there are), "certified" (whether the
+    "instruction", "scene", "target" (of the active goal, None for the tool), "goal" (the object that
+    carries it, "spot" for a marked spot on the table, or None), "goals" (the active goal's index and how many there are), "certified" (whether the
     episode was drawn among certified instances) and "off_table" (the objects that fell off the
     table); that of ``reset`` also "randomization", what was drawn. An episode never terminates by
     itself, since the dense reward stays highest where the task stays done; the time limit truncates
@@ -321,9 +321,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """Draw scenes until one can be made and offers something; tell whether it is certified."""
         source = resolve(options["scene"]) if "scene" in options else self.source
         tried: set[str] = set()
+        seen: set[str] = set()
         self._randomizer.restart(self.np_random)
         for _ in range(DRAWS):
             ref = source.draw(self.np_random)
+            seen.add(ref.key)
             try:
                 world = self._world_of(ref)
                 self._randomizer.begin(world)
@@ -337,7 +339,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 if is_there(ref):
                     raise
                 tried.add(str(error))  # a pool dropped it between its draw and its loading
-        raise SceneError(f"Nothing to do in {DRAWS} drawn scenes. " + " ".join(sorted(tried)[:3]))
+        drawn = "the one scene drawn" if len(seen) == 1 else f"{len(seen)} drawn scenes"
+        raise SceneError(f"Nothing to do in {drawn}. " + " ".join(sorted(tried)[:3]))
 
     def _world_of(self, ref: SceneRef) -> World:
         def drop(world: World) -> None:
@@ -379,11 +382,16 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "instruction": self._instruction,
             "scene": self.world.scene.name,
             "target": self.goal.target,
-            "goal": self.goal.reference or SPOT,
+            "goal": self._place(),
             "goals": (self._active, len(self.episode.goals)),
             "certified": self._certified,
             "off_table": self.world.off_table(),
         }
+
+    def _place(self) -> str | None:
+        """Return what the active goal is at, by a word that ``reset`` takes."""
+        marked = self.goal.spot is not None and self.goal.target is not None
+        return self.goal.reference or (SPOT if marked else None)
 
     def _drawer(self, purpose: str) -> Drawer:
         """Return the drawer for "pixels" or "render", made on first use.

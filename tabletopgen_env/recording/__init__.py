@@ -12,8 +12,8 @@ truncations       (t,): True in the last row, where success had held or time was
 infos             (t + 1,) each: ``success``, ``goal_index`` (of the active goal), ``target``,
                   ``goal``, ``instruction``, and ``reward_terms`` by name
 facts             one each: ``seed``, ``instruction``, ``scene``, ``digest`` (of its table and
-                  objects), ``target``, ``goal`` (both of the first goal), ``certified``,
-                  ``success``, ``steps``
+                  objects), ``target``, ``goal`` (both of the first goal, "" where there is
+                  none), ``certified``, ``success``, ``steps``
 ================  ================================================================================
 
 =========  =======================================================================================
