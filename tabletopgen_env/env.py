@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import gymnasium as gym
@@ -19,7 +20,7 @@ from .observations import ObservationMode, flat_state, observation_space, slot_o
 from .point_cloud import point_cloud
 from .randomization import Randomization, Randomizer
 from .rendering import RENDERERS, Drawer, Kind, RendererChoice, drawer
-from .robot.panda import Panda
+from .robot.panda import Panda, panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .scenes.fixed import is_there
 from .scenes.source import close, record
@@ -91,12 +92,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     offers nothing to do.
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
-    "instruction", "scene", "target" (of the active goal, None for the tool), "goal" (the object that
-    carries it, "spot" for a marked spot on the table, or None), "goals" (the active goal's index and how many there are), "certified" (whether the
-    episode was drawn among certified instances) and "off_table" (the objects that fell off the
-    table); that of ``reset`` also "randomization", what was drawn. An episode never terminates by
-    itself, since the dense reward stays highest where the task stays done; the time limit truncates
-    it.
+    "instruction", "scene", "target" (of the active goal; None for the tool), "goal" (the object
+    that carries the active goal, "spot" for a marked spot on the table, else None), "goals" (the
+    active goal's index and how many there are), "certified" (whether the episode was drawn among
+    certified instances) and "off_table" (the objects that fell off the table); that of ``reset``
+    also "randomization", what was drawn. An episode never terminates by itself, since the dense
+    reward stays highest where the task stays done; the time limit truncates it.
 
     A copy (``pickle``, ``copy.deepcopy``) is a new environment with the same settings and random
     state: it has no episode, compiled world or window, and has to be reset first. What its next
@@ -163,7 +164,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._observation: ObservationMode = observation
         self._render_size = picture_size("render_size", render_size, _LARGEST_SHOWN)
         self._renderer = renderer
-        self._worlds = WorldCache(robot or Panda(), cache, masters)
+        self._worlds = WorldCache(panda(robot), cache, masters)
         self._drawers: dict[tuple[str, int], Drawer] = {}
         self._window = Window(1 / control_hz)
         self._world: World | None = None
@@ -459,10 +460,26 @@ def make_env(
         preset: a name of ``tasks.sequence.PRESETS``, for the task "Sequence".
         observation: see ``TabletopEnv``.
         settings: the other arguments of ``TabletopEnv``.
+
+    Raises:
+        InputError: a setting that there is not, or a wrong one.
     """
+    check_settings(settings)
     kind = GoalTabletopEnv if observation == "goal" else TabletopEnv
     scenes, task = played_at(scenes, task, preset)
     return kind(scenes, task=task, observation=observation, **settings)
+
+
+def check_settings(given: Iterable[str], *more: str) -> None:
+    """Check that ``make_env`` has the settings of these names, or that they are of ``more``.
+
+    Raises:
+        InputError: there is no such setting.
+    """
+    known = {*inspect.signature(TabletopEnv).parameters, "preset", *more}
+    for name in given:
+        if name not in known:
+            raise InputError(f"An environment has no setting {name!r}." + choices(name, known))
 
 
 def played_at(

@@ -11,6 +11,7 @@ does is bit for bit what a single environment with that seed does, whatever the 
 
 from __future__ import annotations
 
+import inspect
 import os
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -28,8 +29,8 @@ from jaxtyping import Bool, Float
 from generator.errors import InputError, choices, require_number
 
 from .actions import checked
-from .env import as_options, make_env, played_at
-from .robot.panda import Panda
+from .env import as_options, check_settings, make_env, played_at
+from .robot.panda import Panda, panda
 from .scenes import SceneChoice, resolve
 from .scenes.sharing import SharedScenes
 from .tasks.task import Task
@@ -104,7 +105,8 @@ class TabletopVectorEnv(SyncVectorEnv):
             if count is not None or name == "num_envs":
                 needs = f"A vector environment needs {name}"
                 require_number(needs, count, least=1, whole=True)
-        arm = robot or Panda()
+        check_settings(settings, *inspect.signature(TabletopVectorEnv).parameters)
+        arm = panda(robot)
         masters = Masters(arm, cache)
         scenes, task = played_at(scenes, task, preset)
         source = resolve(scenes)

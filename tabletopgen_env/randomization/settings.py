@@ -84,8 +84,8 @@ class Randomization:
         start_turn: the same of their turn about the vertical, radians, to 0.2.
 
     Raises:
-        InputError: a value that is negative, beyond its limit or no number, a factor of zero, a
-            range whose low end is above its high end.
+        InputError: a setting that there is not, a value that is negative, beyond its limit or no
+            number, a factor of zero, a range whose low end is above its high end.
     """
 
     light_turn: float = 0.0
@@ -110,6 +110,16 @@ class Randomization:
     start_joints: float = 0.0
     start_move: float = 0.0
     start_turn: float = 0.0
+
+    def __new__(cls, *given: Any, **settings: Any) -> Randomization:
+        known = [field.name for field in fields(cls)]
+        for name in settings:
+            if name in SWITCHES and name not in known:
+                own = " and ".join(SWITCHES[name])
+                raise InputError(f"Randomization: the switch {name!r} is turned on by {own}.")
+            if name not in known:
+                raise InputError(f"Randomization has no setting {name!r}." + choices(name, known))
+        return super().__new__(cls)
 
     def __post_init__(self) -> None:
         for name, most in _MOST.items():

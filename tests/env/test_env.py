@@ -98,6 +98,19 @@ def test_where_there_is_nothing_to_do_the_scenes_are_counted_once(count: int) ->
         env.reset(seed=0)
 
 
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"foo": 1}, "An environment has no setting 'foo'"),
+        ({"contol_hz": 10}, "Did you mean 'control_hz'"),
+        ({"robot": "panda"}, "robot must be a Panda .* got 'panda'"),
+    ],
+)
+def test_settings_that_there_are_not_are_refused_when_it_is_made(settings, message) -> None:
+    with pytest.raises(InputError, match=message):
+        gym.make(ID, scenes=toy_scene(), **settings)
+
+
 def test_info_names_what_fell_off_the_table() -> None:
     env = make_env(toy_scene())
     assert env.reset(seed=0)[1]["off_table"] == ()

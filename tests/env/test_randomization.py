@@ -59,6 +59,8 @@ def test_every_setting_belongs_to_one_switch_and_is_off() -> None:
         ({"distractors": (4, 2)}, "0 <= fewest <= most, got \\(4, 2\\)"),
         ({"distractors": (-1, 2)}, "0 <= fewest <= most"),
         ({"distractors": 3}, "two whole numbers"),
+        ({"lights": True}, "'lights' is turned on by light_turn and light_color and ambient"),
+        ({"masss": (0.5, 2.0)}, "no setting 'masss'.*Did you mean 'mass'"),
     ],
 )
 def test_wrong_settings_are_refused(settings, message) -> None:
