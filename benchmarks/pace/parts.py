@@ -16,8 +16,8 @@ from generator.compose import compose
 from generator.scene import Scene
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.scenes import STARTER, FixedScenes, FreshScenes, RefreshingScenes
-from tabletopgen_env.scenes.fixed import HeldRef
 from tabletopgen_env.scenes.refreshing import PER_MINUTE
+from tabletopgen_env.scenes.source import HeldRef
 from tabletopgen_env.vector import TabletopVectorEnv
 
 Found = list[tuple[str, str, float, str]]

@@ -112,6 +112,7 @@ class Randomization:
     start_turn: float = 0.0
 
     def __new__(cls, *given: Any, **settings: Any) -> Randomization:
+        """Refuse settings that there are not, with what there is."""
         known = [field.name for field in fields(cls)]
         for name in settings:
             if name in SWITCHES and name not in known:

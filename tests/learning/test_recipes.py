@@ -27,7 +27,7 @@ from tabletopgen_env.learning.making import (
 from tabletopgen_env.learning.recipes import FILE, recipe, recipe_of
 from tabletopgen_env.learning.training import cloning_config
 from tabletopgen_env.scenes import FixedScenes, RefreshingScenes
-from tabletopgen_env.scenes.fixed import HeldRef
+from tabletopgen_env.scenes.source import HeldRef
 
 NAMES = tuple(tomllib.loads(FILE.read_text(encoding="utf-8")))
 """The recipes that are shipped."""
