@@ -31,8 +31,7 @@ from generator.errors import InputError, choices, require_number
 from .actions import checked
 from .env import as_options, check_settings, make_env, played_at
 from .robot.panda import Panda, panda
-from .scenes import SceneChoice, resolve
-from .scenes.sharing import SharedScenes
+from .scenes import SceneChoice, SharedScenes, resolve
 from .tasks.task import Task
 from .worlds import Masters
 

@@ -35,7 +35,7 @@ def apply_start(world: World, drawn: Mapping[str, Any]) -> None:
 def shift_things(world: World, moved: Mapping[str, tuple[float, float, float]]) -> None:
     """Put things off by a move (x, y, metres) and a turn (radians) from where the scene has them.
 
-    Goals that were drawn before stay where they are.
+    Marked spots stay where they are.
     """
     import mujoco
 

@@ -16,10 +16,15 @@ from toy import toy_scene
 from generator.bundle import save
 from generator.errors import BundleError
 from tabletopgen_env.env import make_env
-from tabletopgen_env.scenes import FixedScenes, FreshScenes, RefreshingScenes, SceneRef
+from tabletopgen_env.scenes import (
+    FixedScenes,
+    FreshScenes,
+    RefreshingScenes,
+    SceneRef,
+    SharedScenes,
+)
 from tabletopgen_env.scenes.finding import fixed_scenes
 from tabletopgen_env.scenes.fixed import bundle_ref, folder
-from tabletopgen_env.scenes.sharing import SharedScenes
 from tabletopgen_env.vector import TabletopVectorEnv
 
 
