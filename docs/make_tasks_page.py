@@ -43,8 +43,11 @@ This page is made of the code: `python docs/make_tasks_page.py` (its text and ta
 
 TABLES = """\
 Tables: where scenes come from unless `scenes` says otherwise. An episode never terminates; the
-time limit truncates it. "Left" and "right" in instructions are as the robot sees the table; the
-pictures look at it from across, where they are swapped."""
+time limit truncates it. "Left" and "right" in instructions are the robot's, wherever it
+stands: its left is the side of +y in the base frame. The camera "top" shows them so; "front", what
+`render` shows and the pictures here look from across the table, where they are swapped. Episodes of
+the same scene, target and goal start alike unless `randomization` is set ([below](#randomisation)):
+with `"starts"` arm and things are a little off, each time anew."""
 
 SECTIONS = (
     ("Goals and success", "tabletopgen_env.tasks.goals"),
@@ -54,6 +57,7 @@ SECTIONS = (
     ("Pictures", "tabletopgen_env.views"),
     ("Point clouds", "tabletopgen_env.point_cloud"),
     ("Actions", "tabletopgen_env.actions"),
+    ("Randomisation", "tabletopgen_env.randomization"),
 )
 """Headings, and the modules whose docstrings stand below them."""
 

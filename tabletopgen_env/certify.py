@@ -1,11 +1,12 @@
 """Certificates: what the scripted expert has been seen to do at a table.
 
 For each *instance* (a task, its preset, target and goal) that a bundle's scene offers, up to a
-bound, the expert plays some episodes from perturbed starts: the arm's joints are off by up to
-0.06 rad, things that stand free by up to 3 mm and 3 degrees. ``certificate.json``, beside the
-bundle's own files, keeps how many it solved, with the digest of the scene, the terms and the
-versions it was made with. Bundles do not list it, so that they stay what they were. An instance
-that can no longer come to a share of ``LEAST`` is played no further: each failure is slow.
+bound, the expert plays some episodes from perturbed starts (``randomization``'s "starts"): the
+arm's joints are off by up to 0.06 rad, things that stand free by up to 3 mm and 3 degrees.
+``certificate.json``, beside the bundle's own files, keeps how many it solved, with the digest of
+the scene, the terms and the versions it was made with. Bundles do not list it, so that they stay
+what they were. An instance that can no longer come to a share of ``LEAST`` is played no further:
+each failure is slow.
 
 A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the time limit of the
 task's id.
@@ -26,7 +27,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from generator.errors import BundleError, SceneError, TabletopError, require_number
-from generator.geometry import inside_margin, quaternion_matrix, yaw_quaternion
 
 from .certificate import (
     LEAST,
@@ -39,6 +39,8 @@ from .certificate import (
 )
 from .certificate import certified_instances as certified_instances
 from .episodes import Held
+from .randomization import PRESETS
+from .randomization.starting import draw_start, shift_things, standing_free
 from .robot.panda import Panda
 from .scenes.fixed import bundle_ref
 from .tasks import NAMES, TaskName, task_named
@@ -50,15 +52,10 @@ if TYPE_CHECKING:
     from .tasks.task import Episode, Task
     from .world import World
 
-JOINT_JITTER = 0.06
-"""How far the arm's joints are off at the start, radians."""
-
-SHIFT, TURN = 0.003, float(np.deg2rad(3.0))
-"""How far things that stand free are off at the start, metres and radians."""
-
 DEFAULT = Terms()
 """The terms of the certificates that are shipped."""
 
+_STARTS = PRESETS["starts"]
 _DRAWS = 40
 _FAILURES = 8  # draws in a row that find nothing, after which nothing is looked for
 _VERSIONS = ("tabletopgen", "mujoco", "numpy")
@@ -262,42 +259,17 @@ def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> b
 
 
 def perturb(env: TabletopEnv, rng: np.random.Generator) -> None:
-    """Put the arm and the things that stand free a little off, after ``reset``."""
-    import mujoco
+    """Put the arm and the things that stand free a little off, after ``reset``.
 
+    The preset "starts" of ``randomization`` does the same within ``reset``; but here the servos
+    come to keep the arm there only during the first action, as for the certificates shipped.
+    """
     world = env.world
-    joints = world.arm_qpos
-    world.data.qpos[joints] += rng.uniform(-JOINT_JITTER, JOINT_JITTER, len(joints))
-    world.data.ctrl[world.actuators[:7]] = world.data.qpos[joints]
-    for name in _standing_free(world):
-        obj = world.scene.object(name)
-        shift = np.array([*rng.uniform(-SHIFT, SHIFT, 2), 0.0])
-        turned = np.empty(4)
-        spin = yaw_quaternion(float(rng.uniform(-TURN, TURN)))
-        mujoco.mju_mulQuat(turned, spin, np.asarray(obj.pose.quaternion, float))
-        world.teleport(name, obj.pose.position + shift, turned)
-    mujoco.mj_forward(world.model, world.data)
+    drawn = draw_start(_STARTS, standing_free(world, _STARTS), rng)
+    world.data.qpos[world.arm_qpos] += drawn["joints"]
+    world.data.ctrl[world.actuators[:7]] = world.data.qpos[world.arm_qpos]
+    shift_things(world, drawn["moved"])
     env.controller.reset(world)
-
-
-def _standing_free(world: World) -> Iterator[str]:
-    """Yield the things on the table itself that carry nothing and touch nothing else."""
-    loaded = {o.placement.on for o in world.scene.objects}
-    for obj in world.scene.objects:
-        level = quaternion_matrix(obj.pose.quaternion)[2]
-        if obj.placement.on != "table" or obj.name in loaded or np.abs(level).max() < 0.999:
-            continue
-        own = world.footprints[obj.name]
-        radius = float(np.linalg.norm(own - obj.pose.position[:2], axis=1).max())
-        room = 2 * (SHIFT + TURN * radius)
-        edge = inside_margin(own, world.scene.table.outline).min() > room
-        others = (world.footprints[o] for o in world.names if o != obj.name)
-        if edge and all(
-            inside_margin(own, other).max() < -room
-            and inside_margin(np.asarray(other), own).max() < -room
-            for other in others
-        ):
-            yield obj.name
 
 
 def _env(folder: Path, name: TaskName, masters: Masters) -> TabletopEnv:

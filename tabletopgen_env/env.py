@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import inspect
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import gymnasium as gym
 import numpy as np
 
-from generator.errors import InputError, SceneError, choices
+from generator.errors import BundleError, InputError, SceneError, choices
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
@@ -19,8 +20,9 @@ from .observations import ObservationMode, flat_state, observation_space, slot_o
 from .point_cloud import point_cloud
 from .randomization import Randomization, Randomizer
 from .rendering import RENDERERS, Drawer, Kind, RendererChoice, drawer
-from .robot.panda import Panda
+from .robot.panda import Panda, panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
+from .scenes.fixed import is_there
 from .scenes.source import close, record
 from .tasks import task_named
 from .tasks.goals import SPOT, Goal, named_by
@@ -73,8 +75,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         render_mode: None, "rgb_array", "depth_array" or "human".
         render_size: (height, width) of what ``render`` returns, or one number for both.
         renderer: "auto", "gl" or "software"; see ``rendering``.
-        randomization: what differs from episode to episode: a ``Randomization``, "light",
-            "strong", or None for nothing; see ``randomization``.
+        randomization: what differs between episodes of the same scene, target and goal, which
+            without it all start alike: a ``Randomization``, "starts" for a start a little off,
+            "light" or "strong" for everything else, or None for nothing; see ``randomization``.
         certified: at a bundle with a certificate (see ``certify``), draw targets and goals only
             among the instances of the task that the expert solved; False ignores certificates.
         robot: the robot; None for ``Panda()``.
@@ -89,12 +92,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
     offers nothing to do.
 
     ``info`` holds "reward_terms" by name, "success" (and "is_success", the name SB3 looks for),
-    "instruction", "scene", "target" and "goal" (of the active goal: the object that carries it, or
-    "spot"), "goals" (the active goal's index and how many there are), "certified" (whether the
-    episode was drawn among certified instances) and "off_table" (the objects that fell off the
-    table); that of ``reset`` also "randomization", what was drawn. An episode never terminates by
-    itself, since the dense reward stays highest where the task stays done; the time limit truncates
-    it.
+    "instruction", "scene", "target" (of the active goal; None for the tool), "goal" (the object
+    that carries the active goal, "spot" for a marked spot on the table, else None), "goals" (the
+    active goal's index and how many there are), "certified" (whether the episode was drawn among
+    certified instances) and "off_table" (the objects that fell off the table); that of ``reset``
+    also "randomization", what was drawn. An episode never terminates by itself, since the dense
+    reward stays highest where the task stays done; the time limit truncates it.
 
     A copy (``pickle``, ``copy.deepcopy``) is a new environment with the same settings and random
     state: it has no episode, compiled world or window, and has to be reset first. What its next
@@ -161,7 +164,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         self._observation: ObservationMode = observation
         self._render_size = picture_size("render_size", render_size, _LARGEST_SHOWN)
         self._renderer = renderer
-        self._worlds = WorldCache(robot or Panda(), cache, masters)
+        self._worlds = WorldCache(panda(robot), cache, masters)
         self._drawers: dict[tuple[str, int], Drawer] = {}
         self._window = Window(1 / control_hz)
         self._world: World | None = None
@@ -319,9 +322,11 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         """Draw scenes until one can be made and offers something; tell whether it is certified."""
         source = resolve(options["scene"]) if "scene" in options else self.source
         tried: set[str] = set()
+        seen: set[str] = set()
         self._randomizer.restart(self.np_random)
         for _ in range(DRAWS):
             ref = source.draw(self.np_random)
+            seen.add(ref.key)
             try:
                 world = self._world_of(ref)
                 self._randomizer.begin(world)
@@ -331,7 +336,12 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 return world, episode, known
             except SceneError as error:
                 tried.add(str(error))
-        raise SceneError(f"Nothing to do in {DRAWS} drawn scenes. " + " ".join(sorted(tried)[:3]))
+            except BundleError as error:
+                if is_there(ref):
+                    raise
+                tried.add(str(error))  # a pool dropped it between its draw and its loading
+        drawn = "the one scene drawn" if len(seen) == 1 else f"{len(seen)} drawn scenes"
+        raise SceneError(f"Nothing to do in {drawn}. " + " ".join(sorted(tried)[:3]))
 
     def _world_of(self, ref: SceneRef) -> World:
         def drop(world: World) -> None:
@@ -373,11 +383,16 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             "instruction": self._instruction,
             "scene": self.world.scene.name,
             "target": self.goal.target,
-            "goal": self.goal.reference or SPOT,
+            "goal": self._place(),
             "goals": (self._active, len(self.episode.goals)),
             "certified": self._certified,
             "off_table": self.world.off_table(),
         }
+
+    def _place(self) -> str | None:
+        """Return what the active goal is at, by a word that ``reset`` takes."""
+        marked = self.goal.spot is not None and self.goal.target is not None
+        return self.goal.reference or (SPOT if marked else None)
 
     def _drawer(self, purpose: str) -> Drawer:
         """Return the drawer for "pixels" or "render", made on first use.
@@ -445,10 +460,36 @@ def make_env(
         preset: a name of ``tasks.sequence.PRESETS``, for the task "Sequence".
         observation: see ``TabletopEnv``.
         settings: the other arguments of ``TabletopEnv``.
+
+    Raises:
+        InputError: a setting that there is not, or a wrong one.
     """
+    check_settings(settings)
     kind = GoalTabletopEnv if observation == "goal" else TabletopEnv
+    scenes, task = played_at(scenes, task, preset)
+    return kind(scenes, task=task, observation=observation, **settings)
+
+
+def check_settings(given: Iterable[str], *more: str) -> None:
+    """Check that ``make_env`` has the settings of these names, or that they are of ``more``.
+
+    Raises:
+        InputError: there is no such setting.
+    """
+    known = {*inspect.signature(TabletopEnv).parameters, "preset", *more}
+    for name in given:
+        if name not in known:
+            raise InputError(f"An environment has no setting {name!r}." + choices(name, known))
+
+
+def played_at(
+    scenes: SceneChoice | None, task: Task | str, preset: str | None
+) -> tuple[SceneChoice, Task]:
+    """Return what the arguments of ``make_env`` of these names mean: where to play, and what.
+
+    Raises:
+        InputError: there is no such task or preset.
+    """
     if isinstance(task, str):
         task = task_named(task, preset)
-    if scenes is None:
-        scenes = task.scenes
-    return kind(scenes, task=task, observation=observation, **settings)
+    return (task.scenes if scenes is None else scenes), task

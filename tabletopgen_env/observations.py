@@ -171,8 +171,8 @@ def robot_state(world: World, goal: Goal, noise: Noise | None = None) -> Float[n
     hand = world.hand
     at = world.to_base(center(world, goal))
     if noise is not None:
-        (point, turned), (there, misread) = forward(joints), forward(joints + noise.joints)
-        tcp, hand = tcp + there - point, misread @ turned.T @ hand
+        (point, turned), (there, seen) = forward(joints), forward(joints + noise.joints)
+        tcp, hand = tcp + there - point, seen @ turned.T @ hand
         joints = joints + noise.joints
         at = tcp if goal.target is None else at + noise.positions[0]
     command = data.ctrl[world.actuators]

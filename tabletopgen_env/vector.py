@@ -11,6 +11,7 @@ does is bit for bit what a single environment with that seed does, whatever the 
 
 from __future__ import annotations
 
+import inspect
 import os
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -28,8 +29,10 @@ from jaxtyping import Bool, Float
 from generator.errors import InputError, choices, require_number
 
 from .actions import checked
-from .env import as_options, make_env
-from .robot.panda import Panda
+from .env import as_options, check_settings, make_env, played_at
+from .robot.panda import Panda, panda
+from .scenes import SceneChoice, SharedScenes, resolve
+from .tasks.task import Task
 from .worlds import Masters
 
 if TYPE_CHECKING:
@@ -63,6 +66,10 @@ class TabletopVectorEnv(SyncVectorEnv):
 
     Args:
         num_envs: how many slots.
+        scenes: where tables come from, as for ``env.make_env``: one source, which all slots draw
+            from in turn. What is renewed, or becomes harder, does so for all of them together. A
+            ``SceneSource`` is left to who made it; no other thread may draw from it meanwhile.
+        task, preset: what to do; see ``env.make_env``.
         threads: how many threads step them; None for one a core. Each slot keeps to one thread,
             as OpenGL contexts have to.
         autoreset_mode: what follows an episode's end: "NextStep" (the next step resets the slot and
@@ -71,17 +78,20 @@ class TabletopVectorEnv(SyncVectorEnv):
         max_episode_steps: the time limit; None for none (the registered ids have theirs).
         robot: the robot; None for ``Panda()``.
         cache: how many compiled worlds each slot keeps, and how many scenes all of them share.
-        settings: the other arguments of ``env.make_env``. A ``SceneSource`` given as ``scenes`` is
-            drawn from by several threads.
+        settings: the other arguments of ``env.make_env``.
 
     Raises:
         InputError: a setting is wrong.
+        BundleError: no bundle fits ``scenes``.
     """
 
     def __init__(
         self,
         num_envs: int = 1,
         *,
+        scenes: SceneChoice | None = None,
+        task: Task | str = "PickPlace",
+        preset: str | None = None,
         threads: int | None = None,
         autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
         max_episode_steps: int | None = None,
@@ -94,12 +104,17 @@ class TabletopVectorEnv(SyncVectorEnv):
             if count is not None or name == "num_envs":
                 needs = f"A vector environment needs {name}"
                 require_number(needs, count, least=1, whole=True)
-        arm = robot or Panda()
+        check_settings(settings, *inspect.signature(TabletopVectorEnv).parameters)
+        arm = panda(robot)
         masters = Masters(arm, cache)
-
+        scenes, task = played_at(scenes, task, preset)
+        source = resolve(scenes)
+        self._source = SharedScenes(source)
+        self._closes_source = source is not scenes
         slot = partial(
-            _slot, max_episode_steps, robot=arm, cache=cache, masters=masters, **settings
-        )
+            _slot, max_episode_steps, scenes=self._source, task=task,
+            robot=arm, cache=cache, masters=masters, **settings,
+        )  # fmt: skip
         super().__init__([slot] * num_envs, autoreset_mode=_mode(autoreset_mode))
         self._hire(min(num_envs, threads or _cores()))
         assert isinstance(self.single_action_space, spaces.Box)
@@ -194,10 +209,12 @@ class TabletopVectorEnv(SyncVectorEnv):
         return tuple(self._each(work, range(self.num_envs)))
 
     def close_extras(self, **kwargs: Any) -> None:
-        """Close the slots and end the threads."""
+        """Close the slots, end the threads, and what ``scenes`` has running."""
         workers = getattr(self, "_workers", [])
         if workers and self._process == os.getpid():
             self._each(lambda k: self.envs[k].close(), range(self.num_envs))
+            if self._closes_source:
+                self._source.close()
         self._workers = []
         for worker in workers:
             worker.shutdown()

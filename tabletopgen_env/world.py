@@ -189,6 +189,18 @@ class World:
         self._commanded = wanted
         self._touches.clear()
 
+    def place_arm(self, joints: Float[np.ndarray, "7"]) -> None:
+        """Put the arm's joints at rest at angles (rad), and have the servos keep them there."""
+        import mujoco
+
+        servos = self.actuators[:7]
+        self.data.qpos[self.arm_qpos] = joints
+        self.data.qvel[self.arm_dof] = 0
+        self.data.ctrl[servos] = joints
+        self._commanded = self.data.ctrl[servos]
+        self._touches.clear()
+        mujoco.mj_forward(self.model, self.data)
+
     def teleport(
         self,
         name: str,
@@ -258,9 +270,11 @@ class World:
     def first_plan(self, name: str, choose: Chooser) -> Plan | None:
         """Return the grasp that ``choose`` takes of an object at the start of an episode.
 
-        Remembered where the base stands as given and nothing is absent, which hardly recur else.
+        Remembered where the base stands as given and all else as ``reset`` puts it, with nothing
+        off or absent, which hardly recurs.
         """
-        if self.absent or self.mount is not self._own_mount:
+        off = not np.array_equal(self.data.qpos, self._start)
+        if off or self.absent or self.mount is not self._own_mount:
             return choose(self, name)
         key = choose, name
         if key not in self._plans:

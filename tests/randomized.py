@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from toy import toy_scene
@@ -9,7 +10,7 @@ from toy import toy_scene
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.randomization import PRESETS, SWITCHES, Randomization
 
-STRONG = PRESETS["strong"]
+STRONG = replace(PRESETS["strong"], start_joints=0.08, start_move=0.01, start_turn=0.1)
 OPTIONS = {"target": "cube_1", "goal": "bowl_1"}
 
 

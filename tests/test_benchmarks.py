@@ -187,6 +187,21 @@ def test_renewed_tables_are_timed_beside_fixed_ones(monkeypatch: pytest.MonkeyPa
     assert alone["fixed tables"] >= rates["fixed tables"]
 
 
+def test_memory_is_watched_from_when_caches_are_full(monkeypatch: pytest.MonkeyPatch) -> None:
+    parts = script("speed").parts
+    sizes = iter(100.0 + k for k in range(99))
+    small = {"STARTER": [toy_scene()], "WARM": 3, "TABLES": 1, "_resident": lambda: next(sizes)}
+    for name, value in small.items():
+        monkeypatch.setattr(parts, name, value)
+    found = parts.memory(compose("a mug on a desk", seed=0), 20)
+    first = [row[1:] for row in found if row[0] == "cached scenes"]
+    after = [(f"after {k} resets", 100.0 + n, "MB") for n, k in enumerate(range(3, 24, 4))]
+    assert first == [*after, ("growth from 3 resets on", pytest.approx(5.0), "%")]
+    growing = [what for what, setting, *_ in found if setting == "growth from 3 resets on"]
+    assert len(growing) == len(set(growing)) == 4
+    assert {"cached scenes, randomised", "tables renewed every 4 resets"} < set(growing)
+
+
 def test_a_soak_counts_what_goes_wrong() -> None:
     bench = script("soak")
     env = make_env(toy_scene((toy_object("pen_1", (0.02, 0.02, 0.05), (0.0, 0.0)),)))

@@ -5,9 +5,11 @@ from __future__ import annotations
 import statistics
 import time
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import closing
 from itertools import product
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from jaxtyping import Float
@@ -15,9 +17,15 @@ from jaxtyping import Float
 from generator.compose import compose
 from generator.scene import Scene
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.scenes import STARTER, FixedScenes, FreshScenes, RefreshingScenes
-from tabletopgen_env.scenes.fixed import HeldRef
+from tabletopgen_env.scenes import (
+    STARTER,
+    FixedScenes,
+    FreshScenes,
+    RefreshingScenes,
+    SceneChoice,
+)
 from tabletopgen_env.scenes.refreshing import PER_MINUTE
+from tabletopgen_env.scenes.source import HeldRef
 from tabletopgen_env.vector import TabletopVectorEnv
 
 Found = list[tuple[str, str, float, str]]
@@ -34,6 +42,9 @@ EPISODE = 200
 
 ROUNDS = 5
 """Rounds at fixed and at renewed tables each."""
+
+WARM = 200
+"""Resets after which memory is watched: every starter has been met."""
 
 ROUND, PAUSE = 20.0, 5.0
 """Length of a round, and of the pause before each, seconds."""
@@ -164,29 +175,42 @@ def vector(scene: Scene, count: int) -> Found:
 
 
 def memory(scene: Scene, count: int) -> Found:
-    """Watch the memory of resets onto cached scenes, and with scenes leaving the cache."""
-    found: Found = []
-    kinds = {
-        "cached scenes": make_env(STARTER),
-        "scenes that leave the cache, pixels": make_env(
-            STARTER, observation="pixels", image_size=32, cache=2
-        ),
+    """Watch the memory of resets once caches are full.
+
+    Of the starters; with scenes that leave the cache; randomised; at tables that are ever renewed:
+    these three with a tenth of the resets.
+    """
+    text = scene.provenance.prompt or ""
+    pool = RefreshingScenes(text, TABLES, every_resets=4, workers=1, initial=STARTER, seed=0)
+    leaving: dict[str, Any] = {"observation": "pixels", "image_size": 32, "cache": 2}
+    few = count // 10
+    kinds: dict[str, tuple[SceneChoice, dict[str, Any], int]] = {
+        "cached scenes": (STARTER, {}, count),
+        "scenes that leave the cache, pixels": (STARTER, leaving, few),
+        "cached scenes, randomised": (STARTER, {"randomization": "strong"}, few),
+        "tables renewed every 4 resets": (pool, {"cache": TABLES}, few),
     }
-    for name, env in kinds.items():
-        shares = _watched(env, count if env.observation_space.shape else count // 10)
-        for share, size in shares:
-            found.append((name, f"after {share} resets", size, "MB"))
-        growth = 100 * (shares[-1][1] / shares[1][1] - 1)
-        found.append((name, f"growth from {shares[1][0]} resets on", growth, "%"))
-        env.close()
+    found: Found = []
+    for name, (scenes, settings, most) in kinds.items():
+        with closing(make_env(scenes, **settings)) as env:
+            sizes = _watched(env, most)
+        found += [(name, f"after {resets} resets", size, "MB") for resets, size in sizes]
+        growth = 100 * (sizes[-1][1] / sizes[0][1] - 1)
+        found.append((name, f"growth from {sizes[0][0]} resets on", growth, "%"))
+    found.append(("tables renewed every 4 resets", "tables renewed", float(pool.renewals), ""))
+    pool.close()
     return found
 
 
 def _watched(env: TabletopEnv, count: int) -> list[tuple[int, float]]:
-    """Reset ``count`` times; return the memory at the start and after each fifth, MB."""
+    """Reset ``WARM`` times to warm up and then ``count`` times.
+
+    Returns:
+        How many resets there were, and the memory then, MB: after warming up and after each fifth.
+    """
     sizes = []
-    for k in range(count + 1):
-        if k % max(count // 5, 1) == 0:
+    for k in range(WARM + count + 1):
+        if k >= WARM and (k - WARM) % max(count // 5, 1) == 0:
             sizes.append((k, _resident()))
         env.reset(seed=k)
     return sizes

@@ -150,7 +150,7 @@ def plot(
     out: Path = Path("success.png"),
     by: Literal["steps", "hours"] = "steps",
 ) -> None:
-    """Draw the held-out success of runs; those of one recipe and settings as their mean and range.
+    """Draw the success of runs in validation; those of one recipe and settings as mean and range.
 
     Args:
         runs: The runs' folders.

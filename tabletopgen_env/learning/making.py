@@ -32,7 +32,7 @@ from ..vector import TabletopVectorEnv
 from .goal_extractor import GoalExtractor
 from .network import TableExtractor
 from .recipes import Network, Recipe
-from .slots import SharedScenes, SlotVecEnv
+from .slots import SlotVecEnv
 
 _CLASSES: dict[str, type[BaseAlgorithm]] = {"sac": SAC, "td3": TD3, "ppo": PPO, "clone": SAC}
 _OURS = {
@@ -122,7 +122,7 @@ def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
     limit = spec_of(recipe.task).max_episode_steps
     slots = TabletopVectorEnv(
         recipe.envs, autoreset_mode="SameStep", max_episode_steps=limit, task=recipe.task,
-        scenes=SharedScenes(source), cache=worlds_kept(source), **recipe.env,
+        scenes=source, cache=worlds_kept(source), **recipe.env,
     )  # fmt: skip
     made = VecMonitor(SlotVecEnv(slots))
     made.seed(seed)

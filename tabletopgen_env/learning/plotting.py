@@ -1,4 +1,4 @@
-"""Held-out success over training, runs of one recipe as one band (Pillow alone)."""
+"""Success in validation over training, runs of one recipe as one band (Pillow alone)."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ def draw(found: Mapping[str, Band], by: By = "steps") -> UInt8[np.ndarray, "h w 
     def point(value: float, share: float) -> tuple[float, float]:
         return _LEFT + wide * value / end, _TOP + tall * (1 - share)
 
-    pen.text((_LEFT, 10), "Held-out success", _INK, large)
+    pen.text((_LEFT, 10), "Success in validation", _INK, large)
     for level in np.linspace(0, 1, 6):
         pen.line((*point(0, level), *point(end, level)), _PALE)
         pen.text((_LEFT - 8, point(0, level)[1]), f"{100 * level:.0f} %", _INK, small, anchor="rm")

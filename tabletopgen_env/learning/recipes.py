@@ -172,11 +172,6 @@ def env_keywords() -> frozenset[str]:
     return frozenset(own | {"preset"})
 
 
-def recipe_names() -> tuple[str, ...]:
-    """Return the names of the recipes that are shipped."""
-    return tuple(_read(FILE))
-
-
 def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
     """Return a recipe.
 

@@ -6,7 +6,6 @@ their own would each compile, and each renew, their own.
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -18,8 +17,6 @@ from stable_baselines3.common.vec_env import VecEnv
 
 from generator.errors import InputError
 
-from ..scenes import SceneRef, SceneSource
-from ..scenes.source import close, record
 from ..vector import TabletopVectorEnv
 
 _FINAL = ("final_obs", "final_info")
@@ -119,29 +116,6 @@ class SlotVecEnv(VecEnv):
 
     def _chosen(self, indices: Any) -> list[gym.Env]:
         return [self.slots.envs[k] for k in self._get_indices(indices)]
-
-
-class SharedScenes:
-    """A source that several threads may draw from: one at a time."""
-
-    def __init__(self, source: SceneSource) -> None:
-        self._source = source
-        self._lock = threading.Lock()
-
-    def draw(self, rng: np.random.Generator) -> SceneRef:
-        """Draw the next scene."""
-        with self._lock:
-            return self._source.draw(rng)
-
-    def record(self, success: bool) -> None:
-        """Pass on how an episode ended."""
-        with self._lock:
-            record(self._source, success)
-
-    def close(self) -> None:
-        """Close the source."""
-        with self._lock:
-            close(self._source)
 
 
 def row(infos: dict[str, Any], k: int) -> dict[str, Any]:

@@ -1,5 +1,12 @@
 """Domain randomisation: what differs from one episode to the next, though the scene is the same.
 
+Without it (``randomization=None``, as environments come) an episode's start follows from its
+scene, target and goal alone: where one of these is drawn anew, as marked spots are, episodes
+differ, but Lift at one table has as many starts as the table has things to lift.
+``randomization="starts"`` puts the arm and the things a little off, as ``certify`` and ``record``
+do; "light" and "strong" randomise everything else, a little and much, and a ``Randomization`` what
+is asked for.
+
 Each switch is off until its settings say otherwise, and draws from a random stream of its own, so
 that turning one on or changing it leaves the draws of the others as they were. ``reset`` applies
 the draws to the compiled world, after putting back what the last episode changed, exactly.
@@ -26,6 +33,9 @@ table            the table's height with all that is on it, as against the robot
                  cameras (``table_height``); see below
 distractors      how many objects that the task does not need stay on the table; the others are
                  taken away, together with all that they carry or touch, and have no slot
+start            the arm's joints (``start_joints``), place (``start_move``) and yaw
+                 (``start_turn``) of things that stand free, once the goal is drawn. A certificate
+                 still holds, for it was made so; of the grasp hints each reset plans its own
 ===============  ==================================================================================
 
 The world frame is fixed to the table, so a higher table shows as a lower base, pedestal and

@@ -14,7 +14,7 @@ from jaxtyping import Float
 
 from ..observations import Noise
 from ..views import SLOTS
-from . import arranging, dynamics, looks
+from . import arranging, dynamics, looks, starting
 from .originals import Originals
 from .settings import SWITCHES, Randomization, resolve
 
@@ -106,7 +106,9 @@ class Randomizer:
         self.__dict__.update(state, _originals=WeakKeyDictionary())
 
     def finish(self, world: World, keep: Collection[str]) -> None:
-        """Take objects away, but none of ``keep``, those that the task needs."""
+        """Put the start a little off, and take objects away: none of ``keep``, which are needed."""
+        if "start" in self._on:
+            self._start(world)
         if "distractors" not in self._on:
             return
         drawn = arranging.draw_distractors(self.settings, world, self._stream("distractors"))
@@ -144,6 +146,14 @@ class Randomizer:
         stayed = arranging.apply_poses(world, drawn)
         moved = {name: move for name, move in drawn.items() if name not in stayed}
         self._drawn["poses"] = {"moved": moved, "stayed": stayed}
+
+    def _start(self, world: World) -> None:
+        """Put the arm off, and the things that stand free in this arrangement."""
+        drawn = starting.draw_start(self.settings, world.names, self._stream("start"))
+        free = set(starting.standing_free(world, self.settings))
+        drawn["moved"] = {name: move for name, move in drawn["moved"].items() if name in free}
+        starting.apply_start(world, drawn)
+        self._drawn["start"] = drawn
 
     def _stream(self, switch: str) -> np.random.Generator:
         """Return the random stream of a switch in this episode."""

@@ -27,6 +27,7 @@ SWITCHES: Mapping[str, tuple[str, ...]] = MappingProxyType(
         "poses": ("move", "turn"),
         "table": ("table_height",),
         "distractors": ("distractors",),
+        "start": ("start_joints", "start_move", "start_turn"),
     }
 )
 """The settings of each switch; it is off while all of them are as they come."""
@@ -45,6 +46,9 @@ _MOST: Mapping[str, float] = MappingProxyType(
         "move": 0.2,
         "turn": np.pi,
         "table_height": 0.08,
+        "start_joints": 0.1,
+        "start_move": 0.02,
+        "start_turn": 0.2,
     }
 )
 _RANGES = ("ambient", "mass", "friction", "stiffness", "damping")
@@ -75,10 +79,13 @@ class Randomization:
         turn: largest turn of objects about the vertical, radians, to pi.
         table_height: largest change of the table's height, metres, to 0.08.
         distractors: fewest and most objects beside those of the task; None leaves all.
+        start_joints: by how much each of the arm's joints is off at most, radians, to 0.1.
+        start_move: the same of things that stand free along x and y, metres, to 0.02.
+        start_turn: the same of their turn about the vertical, radians, to 0.2.
 
     Raises:
-        InputError: a value that is negative, beyond its limit or no number, a factor of zero, a
-            range whose low end is above its high end.
+        InputError: a setting that there is not, a value that is negative, beyond its limit or no
+            number, a factor of zero, a range whose low end is above its high end.
     """
 
     light_turn: float = 0.0
@@ -100,6 +107,20 @@ class Randomization:
     turn: float = 0.0
     table_height: float = 0.0
     distractors: tuple[int, int] | None = None
+    start_joints: float = 0.0
+    start_move: float = 0.0
+    start_turn: float = 0.0
+
+    def __new__(cls, *given: Any, **settings: Any) -> Randomization:
+        """Refuse settings that there are not, with what there is."""
+        known = [field.name for field in fields(cls)]
+        for name in settings:
+            if name in SWITCHES and name not in known:
+                own = " and ".join(SWITCHES[name])
+                raise InputError(f"Randomization: the switch {name!r} is turned on by {own}.")
+            if name not in known:
+                raise InputError(f"Randomization has no setting {name!r}." + choices(name, known))
+        return super().__new__(cls)
 
     def __post_init__(self) -> None:
         for name, most in _MOST.items():
@@ -146,6 +167,9 @@ def _count(value: Any) -> bool:
 
 PRESETS: Mapping[str, Randomization] = MappingProxyType(
     {
+        "starts": Randomization(
+            start_joints=0.06, start_move=0.003, start_turn=float(np.deg2rad(3.0))
+        ),
         "light": Randomization(
             light_turn=0.2,
             light_color=0.1,
@@ -188,7 +212,8 @@ PRESETS: Mapping[str, Randomization] = MappingProxyType(
         ),
     }
 )
-"""Settings by name: a little of everything but delays and missing objects; much of everything."""
+"""Settings by name: starts alone, as certificates are made with; a little of everything but delays
+and missing objects; much of everything."""
 
 
 def resolve(choice: Randomization | str | None) -> Randomization:

@@ -12,8 +12,8 @@ truncations       (t,): True in the last row, where success had held or time was
 infos             (t + 1,) each: ``success``, ``goal_index`` (of the active goal), ``target``,
                   ``goal``, ``instruction``, and ``reward_terms`` by name
 facts             one each: ``seed``, ``instruction``, ``scene``, ``digest`` (of its table and
-                  objects), ``target``, ``goal`` (both of the first goal), ``certified``,
-                  ``success``, ``steps``
+                  objects), ``target``, ``goal`` (both of the first goal, "" where there is
+                  none), ``certified``, ``success``, ``steps``
 ================  ================================================================================
 
 =========  =======================================================================================
@@ -24,6 +24,9 @@ hdf5       one file: a group ``episode_<k>`` each, its facts the group's attribu
 npz        a folder: ``episode_<k>.npz`` each, its nested names joined by slashes, and all facts
            in ``dataset.json``
 =========  =======================================================================================
+
+Episodes start a little off, each in its own way (``RecordConfig.randomization``): without that
+those of the same scene, target and goal would be the same to the bit.
 
 Nothing is lossy and nothing is pickled. With the seed of an episode and its actions, the
 environment plays it again, if its scenes and their certificates are the same (scenes that the clock

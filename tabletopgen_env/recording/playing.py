@@ -124,7 +124,7 @@ def _attempt(config: RecordConfig, env: gym.Env[Any, Any], number: int) -> Playe
         "scene": infos[0]["scene"],
         "digest": world.digest,
         "target": infos[0]["target"] or "",
-        "goal": infos[0]["goal"],
+        "goal": infos[0]["goal"] or "",
         "certified": infos[0]["certified"],
         "success": shown.solved,
         "steps": len(shown.actions),
@@ -142,7 +142,7 @@ def _columns(infos: Sequence[Mapping[str, Any]]) -> Columns:
         "success": np.array([info["success"] for info in infos], bool),
         "goal_index": np.array([info["goals"][0] for info in infos], np.int64),
         "target": [info["target"] or "" for info in infos],
-        "goal": [info["goal"] for info in infos],
+        "goal": [info["goal"] or "" for info in infos],
         "instruction": [info["instruction"] for info in infos],
         "reward_terms": {**terms},
     }

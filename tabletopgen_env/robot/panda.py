@@ -50,6 +50,19 @@ _LINKS = tuple(f"link{i}" for i in range(8))
 _FINGERS = ("left_finger", "right_finger")
 
 
+def panda(robot: Panda | None) -> Panda:
+    """Return the robot that a user may pass; None is ``Panda()``.
+
+    Raises:
+        InputError: it is none of this module's.
+    """
+    if robot is not None and not isinstance(robot, Panda):
+        raise InputError(
+            f"robot must be a Panda (tabletopgen_env.robot.panda) or None, got {robot!r}."
+        )
+    return robot or Panda()
+
+
 @dataclass(frozen=True)
 class Panda:
     """A Franka Panda.

@@ -9,6 +9,7 @@ that a seeded environment sees the same tables again; only what is renewed by th
 ``FreshScenes``       a new one for each draw: of texts, or of a ``SceneDistribution``
 ``RefreshingScenes``  a pool that processes keep renewing in the background
 ``CurriculumScenes``  those of another source, harder as the policy succeeds
+``SharedScenes``      those of another source, for several threads, as ``TabletopVectorEnv`` has it
 ``split``             the scenes of any source to train on, or those held out
 ====================  =============================================================================
 """
@@ -28,6 +29,7 @@ from .fixed import FixedScenes as FixedScenes
 from .fresh import FreshScenes as FreshScenes
 from .recipe import Recipe as Recipe
 from .refreshing import RefreshingScenes as RefreshingScenes
+from .sharing import SharedScenes as SharedScenes
 from .source import SceneRef as SceneRef
 from .source import SceneSource as SceneSource
 from .splitting import Rule as Rule

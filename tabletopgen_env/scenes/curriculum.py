@@ -15,7 +15,7 @@ from generator.errors import InputError
 from .choosing import SceneChoice, resolve
 from .difficulty import difficulty
 from .fixed import is_there
-from .source import SceneRef, SceneSource, close, record
+from .source import HeldRef, Remembered, SceneRef, SceneSource, close, record
 from .splitting import Rule, admitting
 
 LOOKS = 32
@@ -23,8 +23,6 @@ LOOKS = 32
 
 LOOKS_AT_UNMADE = 4
 """How many are, where each must first be made."""
-
-_REMEMBERED = 10_000
 
 
 @dataclass(eq=False)
@@ -61,7 +59,7 @@ class CurriculumScenes:
     lower_at: float = 0.3
     _source: SceneSource = field(init=False, repr=False)
     _results: deque[bool] = field(default_factory=deque, init=False, repr=False)
-    _known: dict[str, float] = field(default_factory=dict, init=False, repr=False)
+    _known: Remembered[float] = field(default_factory=Remembered, init=False, repr=False)
 
     def __post_init__(self) -> None:
         self._source = resolve(self.source)
@@ -119,15 +117,18 @@ class CurriculumScenes:
         at_hand: Sequence[SceneRef] | None = getattr(self._source, "refs", None)
         if at_hand is None:
             more = [self._source.draw(rng) for _ in range(LOOKS_AT_UNMADE - 1)]
-            return [SceneRef(r.key, cache(r.load), r.difficulty) for r in (drawn, *more)]
+            return [_loaded_once(ref) for ref in (drawn, *more)]
         order = rng.permutation(len(at_hand))[:LOOKS]
         return [ref for k in order if is_there(ref := at_hand[k])] or [drawn]
 
     def _difficulty(self, ref: SceneRef) -> float:
         if ref.difficulty is not None:
             return ref.difficulty
-        if ref.key not in self._known:
-            if len(self._known) >= _REMEMBERED:
-                self._known.clear()
-            self._known[ref.key] = difficulty(ref.load())
-        return self._known[ref.key]
+        return self._known.of(ref, lambda ref: difficulty(ref.load()))
+
+
+def _loaded_once(ref: SceneRef) -> SceneRef:
+    """Return a reference to the same scene that makes it but once."""
+    if isinstance(ref, HeldRef):
+        return ref
+    return SceneRef(ref.key, cache(ref.load), ref.difficulty)

@@ -10,8 +10,8 @@ from typing import get_args
 from generator.errors import BundleError, InputError, choices
 from generator.scene import Scene
 
-from .fixed import FixedScenes, HeldRef, bundle_ref
-from .source import SceneRef
+from .fixed import FixedScenes, bundle_ref
+from .source import HeldRef, SceneRef
 from .splitting import Rule, Side
 
 STARTER = "starter"

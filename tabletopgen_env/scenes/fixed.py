@@ -48,16 +48,6 @@ class Bundle:
         return kinds_of(load_kinds(self.path))
 
 
-class HeldRef(SceneRef):
-    """A scene in memory, known by being the very same one; a copy elsewhere is another."""
-
-    def __init__(self, scene: Scene) -> None:
-        super().__init__(f"scene:{id(scene)}", lambda: scene)
-
-    def __reduce__(self) -> tuple[type[HeldRef], tuple[Scene]]:
-        return HeldRef, (self.load(),)
-
-
 def bundle_ref(path: Path) -> SceneRef:
     """Refer to the bundle at a path; the working directory may change afterwards."""
     place = path.resolve()

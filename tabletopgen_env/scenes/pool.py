@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import time
@@ -130,11 +131,14 @@ class Pool:
             self._drop(self.refs.pop(0))
 
     def _drop(self, ref: SceneRef) -> None:
-        """Delete what this pool had made."""
+        """Delete what this pool had made, at one stroke for who may be loading it."""
         if self.crew is not None and isinstance(ref.load, Bundle):
             job = ref.load.path.parent
             if job.parent == self.crew.folder:
-                shutil.rmtree(job, ignore_errors=True)
+                gone = job.with_name(f"{job.name}.gone")
+                with contextlib.suppress(OSError):  # it may have been deleted by others
+                    job.rename(gone)
+                shutil.rmtree(gone, ignore_errors=True)
 
     def _make_one(self) -> None:
         try:

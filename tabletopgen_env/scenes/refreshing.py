@@ -36,7 +36,7 @@ class RefreshingScenes:
 
     Each process takes 150 to 300 MB and steps back for all others (nice 10). All ends with
     ``close``, or with the process that drew, however that ends; then a draw begins anew. A pickled
-    or forked copy begins anew, too.
+    or forked copy begins anew, too. Threads of your own draw through ``SharedScenes``.
 
     Attributes:
         fresh: where new scenes come from: a ``FreshScenes``, or what that takes as ``prompts``.

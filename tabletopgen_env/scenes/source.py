@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import weakref
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Protocol, runtime_checkable
+from typing import Generic, Protocol, TypeVar, runtime_checkable
 
 import numpy as np
 
 from generator.scene import Scene
+
+T = TypeVar("T")
+
+_REMEMBERED = 10_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,6 +26,45 @@ class SceneRef:
     key: str
     load: Callable[[], Scene]
     difficulty: float | None = None
+
+
+class HeldRef(SceneRef):
+    """A scene in memory, known by being the very same one; a copy elsewhere is another."""
+
+    def __init__(self, scene: Scene) -> None:
+        super().__init__(f"scene:{id(scene)}", lambda: scene)
+
+    def __reduce__(self) -> tuple[type[HeldRef], tuple[Scene]]:
+        return HeldRef, (self.load(),)
+
+
+class Remembered(Generic[T]):
+    """What was found out about scenes, each once, of some ten thousand.
+
+    A scene in memory is known by its place there, which another may have once it is gone: what was
+    found out about it goes with it. A copy knows nothing.
+    """
+
+    def __init__(self) -> None:
+        self._known: dict[str, tuple[Callable[[], Scene | None], T]] = {}
+
+    def of(self, ref: SceneRef, find: Callable[[SceneRef], T]) -> T:
+        """Return what ``find`` says of a scene, or has said."""
+        scene = ref.load() if isinstance(ref, HeldRef) else None
+        known = self._known.get(ref.key)
+        if known is None or known[0]() is not scene:
+            if len(self._known) >= _REMEMBERED:
+                self._known.clear()
+            known = (_nothing if scene is None else weakref.ref(scene)), find(ref)
+            self._known[ref.key] = known
+        return known[1]
+
+    def __reduce__(self) -> tuple[type[Remembered[T]], tuple[()]]:
+        return type(self), ()
+
+
+def _nothing() -> None:
+    """Return None, as the reference to a scene does that is gone."""
 
 
 @runtime_checkable

@@ -14,6 +14,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Literal, Protocol, get_args, runtime_checkable
 
 import numpy as np
@@ -21,7 +22,7 @@ import numpy as np
 from generator.errors import InputError, SceneError, choices
 from generator.scene import Scene
 
-from .source import SceneRef, SceneSource, close, record
+from .source import Remembered, SceneRef, SceneSource, close, record
 
 Side = Literal["train", "held_out"]
 """What a scene is for."""
@@ -169,7 +170,7 @@ class AdmittedScenes:
 
     source: SceneSource
     rule: Rule
-    _known: dict[str, bool] = field(default_factory=dict, init=False, repr=False)
+    _known: Remembered[bool] = field(default_factory=Remembered, init=False, repr=False)
 
     def draw(self, rng: np.random.Generator) -> SceneRef:
         """Draw until a scene is on the side of the rule.
@@ -179,9 +180,7 @@ class AdmittedScenes:
         """
         for _ in range(DRAWS):
             ref = self.source.draw(rng)
-            if ref.key not in self._known:
-                self._known[ref.key] = admits(self.rule, ref)
-            if self._known[ref.key]:
+            if self._known.of(ref, partial(admits, self.rule)):
                 return ref
         raise SceneError(
             f"None of {DRAWS} drawn scenes is for {self.rule}. Choose another share or other "

@@ -292,7 +292,7 @@ def named_by(goals: Iterable[Goal]) -> list[str]:
 
 def the(world: World, name: str) -> str:
     """Return what an object is called among those on the table now, such as "the red mug"."""
-    return refer(world.scene, world.scene.object(name), world.absent)
+    return refer(world.scene, world.scene.object(name), world.mount.yaw, world.absent)
 
 
 def at_rest(world: World, name: str) -> bool:

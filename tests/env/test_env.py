@@ -16,6 +16,7 @@ from generator.scene import Scene
 from tabletopgen_env.actions import ACTIONS
 from tabletopgen_env.env import DRAWS, GoalTabletopEnv, TabletopEnv, make_env
 from tabletopgen_env.scenes import SceneRef
+from tabletopgen_env.vector import TabletopVectorEnv
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 
@@ -67,6 +68,47 @@ def test_info_names_the_task_and_the_reward_terms() -> None:
     assert set(info["reward_terms"]) == {"reach", "grasp", "lift", "place", "met", "success"}
     assert info["success"] is info["is_success"] is False
     assert 0 < reward < 1
+
+
+@pytest.mark.parametrize(
+    ("task", "options", "told"),
+    [
+        ("Reach", {}, (None, None)),
+        ("Lift", {"target": "cube_1"}, ("cube_1", None)),
+        ("Push", {"target": "cube_1"}, ("cube_1", "spot")),
+        ("PickPlace", {"target": "cube_1", "goal": "spot"}, ("cube_1", "spot")),
+        ("Swap", {"target": "cube_1", "goal": "can_1"}, ("can_1", "spot")),  # aside, at first
+    ],
+)
+def test_info_names_a_goal_only_where_there_is_one(task, options, told) -> None:
+    info = make_env(toy_scene(), task=task).reset(seed=0, options=options)[1]
+    assert (info["target"], info["goal"]) == told
+    envs = TabletopVectorEnv(2, scenes=toy_scene(), task=task, threads=1)
+    _, infos = envs.reset(seed=0, options=options)
+    assert list(infos["goal"]) == [told[1]] * 2
+    envs.close()
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_where_there_is_nothing_to_do_the_scenes_are_counted_once(count: int) -> None:
+    box = (toy_object("box_1", (0.3, 0.3, 0.3), (0.0, 0.0)),)
+    env = make_env([toy_scene(box, name=f"bare_{k}") for k in range(count)], task="Lift")
+    said = "the one scene drawn" if count == 1 else "2 drawn scenes"
+    with pytest.raises(SceneError, match=f"^Nothing to do in {said}. Scene 'bare_0'"):
+        env.reset(seed=0)
+
+
+@pytest.mark.parametrize(
+    ("settings", "message"),
+    [
+        ({"foo": 1}, "An environment has no setting 'foo'"),
+        ({"contol_hz": 10}, "Did you mean 'control_hz'"),
+        ({"robot": "panda"}, "robot must be a Panda .* got 'panda'"),
+    ],
+)
+def test_settings_that_there_are_not_are_refused_when_it_is_made(settings, message) -> None:
+    with pytest.raises(InputError, match=message):
+        gym.make(ID, scenes=toy_scene(), **settings)
 
 
 def test_info_names_what_fell_off_the_table() -> None:

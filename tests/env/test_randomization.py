@@ -59,6 +59,8 @@ def test_every_setting_belongs_to_one_switch_and_is_off() -> None:
         ({"distractors": (4, 2)}, "0 <= fewest <= most, got \\(4, 2\\)"),
         ({"distractors": (-1, 2)}, "0 <= fewest <= most"),
         ({"distractors": 3}, "two whole numbers"),
+        ({"lights": True}, "'lights' is turned on by light_turn and light_color and ambient"),
+        ({"masss": (0.5, 2.0)}, "no setting 'masss'.*Did you mean 'mass'"),
     ],
 )
 def test_wrong_settings_are_refused(settings, message) -> None:
@@ -136,7 +138,7 @@ def test_a_world_is_put_back_to_the_byte(switch) -> None:
         randomizer.finish(world, ["cube_1"])
         world.step(5)
     changed = model_bytes(world) != compiled or world.scene is not fresh.scene
-    assert changed or switch in ("delay", "noise")
+    assert changed or switch in ("delay", "noise", "start")
     randomizer.restore(world)
     assert model_bytes(world) == compiled == model_bytes(fresh)
     assert world.absent == frozenset()

@@ -16,6 +16,7 @@ import tabletopgen_env  # registers the environments  # noqa: F401
 from generator.scene import Scene
 from tabletopgen_env.actions import ACTIONS
 from tabletopgen_env.env import make_env
+from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.observations import MODES, SLOTS
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.worlds import Masters
@@ -92,6 +93,26 @@ def test_two_seeded_environments_agree_to_the_bit(name, observation, action, sha
     )
     assert first == again
     assert len(set(first)) > 4, "something moves"
+
+
+@pytest.mark.parametrize("task", ["PickPlace", "Push"])
+def test_whole_episodes_with_contact_agree_to_the_bit(task, shared) -> None:
+    """Grasping, carrying and pushing: sliding contacts, islands that wake and sleep."""
+
+    def whole() -> tuple[list[bytes], bool, bool]:
+        env = make_env(task=task, **shared)
+        seen = [env.reset(seed=2)[0].tobytes()]
+        expert, touched = TaskExpert(env), False
+        expert.reset()
+        for _ in range(120):
+            observation, reward, _, _, info = env.step(expert.act())
+            seen += [observation.tobytes(), np.float64(reward).tobytes()]
+            touched |= bool(observation[32:34].any())
+        return seen, touched, info["success"]
+
+    first, again = whole(), whole()
+    assert first[1:] == (True, True), "fingers have touched the target, and it is done"
+    assert first == again
 
 
 @pytest.mark.parametrize("observation", ["state", "goal", "pixels", "pixels+state"])

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from randomized import OPTIONS, STRONG, only, started
 from toy import toy_object, toy_objects, toy_scene
 
-from tabletopgen_env.env import make_env
+from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.robot.kinematics import forward
 from tabletopgen_env.robot.panda import Panda
@@ -221,3 +223,57 @@ def test_noise_leaves_goals_and_rewards_alone() -> None:
             assert np.array_equal(a[0][key], b[0][key])
         assert not np.array_equal(a[0]["observation"], b[0]["observation"])
         assert a[1] == b[1]
+
+
+# ----------------------------------------------------------------------------------------- start
+
+
+def test_the_arm_and_what_stands_free_start_a_little_off() -> None:
+    env, seen, drawn = started(only("start"))
+    plain, usual, _ = started(None)
+    world, then = env.world, plain.world
+    off = world.data.qpos[world.arm_qpos] - then.data.qpos[then.arm_qpos]
+    assert np.allclose(off, drawn["start"]["joints"])
+    assert 0.01 < np.abs(off).max() <= STRONG.start_joints
+    free = drawn["start"]["moved"]
+    assert "cube_1" in free and set(free) <= set(world.names)
+    for name in world.names:
+        x, y, turn = free.get(name, (0.0, 0.0, 0.0))
+        moved = world.position(name) - then.position(name)
+        assert np.allclose(moved, [x, y, 0.0], atol=1e-9)
+        assert max(abs(x), abs(y)) <= STRONG.start_move and abs(turn) <= STRONG.start_turn
+        cosine = (np.trace(world.rotation(name) @ then.rotation(name).T) - 1) / 2
+        assert np.isclose(cosine, np.cos(turn), atol=1e-9)
+    assert not np.array_equal(seen, usual)
+
+
+def test_the_servos_keep_the_arm_where_it_starts() -> None:
+    env = started(only("start"), action="joint_delta")[0]
+    start = env.world.data.qpos[env.world.arm_qpos].copy()
+    env.step(np.zeros(8))
+    assert np.abs(env.world.data.qpos[env.world.arm_qpos] - start).max() < 2e-3
+
+
+def test_what_touches_or_carries_or_stands_at_the_edge_does_not_start_off() -> None:
+    cube = (0.045, 0.045, 0.045)
+    beside = [toy_object(f"cube_{k}", cube, (0.1 + 0.046 * k, -0.1)) for k in range(2)]
+    edge = toy_scene().table.outline.max(0)
+    lone = toy_object("cube_2", cube, (-0.2, -0.1))
+    border = toy_object("cube_3", cube, (edge[0] - 0.024, 0.1))
+    scene = toy_scene((*beside, lone, border))
+    env = make_env(scene, task="Lift", randomization=only("start"))
+    assert set(env.reset(seed=0)[1]["randomization"]["start"]["moved"]) == {"cube_2"}
+
+
+def test_a_hint_at_a_start_that_is_off_is_that_starts_own() -> None:
+    """Whatever was planned there before: neither episode may use the other's grasp."""
+
+    def seen(env: TabletopEnv, seed: int) -> np.ndarray:
+        return env.reset(seed=seed, options={"target": "cube_1"})[0]
+
+    settings: dict[str, Any] = {"task": "Lift", "grasp_hint": "planned", "randomization": "starts"}
+    fresh = [seen(make_env(toy_scene(), **settings), seed) for seed in range(3)]
+    env = make_env(toy_scene(), **settings)
+    again = [seen(env, seed) for seed in (2, 1, 0)][::-1]
+    assert all(np.array_equal(a, b) for a, b in zip(fresh, again, strict=True))
+    assert len({a[-8:].tobytes() for a in fresh}) == 3

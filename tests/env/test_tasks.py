@@ -12,14 +12,21 @@ from generator.errors import SceneError
 from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan
 from tabletopgen_env.actions import SUBSTEPS
+from tabletopgen_env.composition import FRONT_CAMERA, TOP_CAMERA
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.language import refer
 from tabletopgen_env.randomization import Randomization
+from tabletopgen_env.robot.mount import Mount
+from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.tasks import NAMES, task_named
-from tabletopgen_env.tasks.goals import SPOT
+from tabletopgen_env.tasks.goals import SPOT, the
 from tabletopgen_env.tasks.pick_place import PickPlace
+from tabletopgen_env.world import World
 
 STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
+
+AHEAD = np.pi / 2
+"""Where a robot at the viewer's side looks: along y."""
 
 
 def start(target: str, goal, scene=None) -> TabletopEnv:
@@ -177,14 +184,45 @@ def test_the_instruction_tells_alike_things_apart() -> None:
         return toy_object(f"mug_{k}", (0.07, 0.07, 0.09), (x, 0.0))
 
     two = toy_scene((mug(1, 0.2), mug(2, -0.2)))
-    assert [refer(two, o) for o in two.objects] == ["the right mug", "the left mug"]
+    assert [refer(two, o, AHEAD) for o in two.objects] == ["the right mug", "the left mug"]
     three = toy_scene((mug(1, 0.2), mug(2, -0.2), mug(3, 0.0)))
-    assert refer(three, three.objects[2]) == "the second mug from the left"
+    assert refer(three, three.objects[2], AHEAD) == "the second mug from the left"
     planned = tuple(
         PlannedObject(f"mug_{k}", "mug", "mug", {"color": c}) for k, c in ((1, "red"), (2, "blue"))
     )
     plan = ScenePlan("two mugs", PlannedTable(), planned)
-    assert refer(two.replace(plan=plan), two.objects[0]) == "the red mug"
+    assert refer(two.replace(plan=plan), two.objects[0], AHEAD) == "the red mug"
+
+
+@pytest.mark.parametrize("degrees", [90, 31, 0, -60, 180, 265])
+def test_left_and_right_are_the_robots(degrees: float) -> None:
+    yaw = np.deg2rad(degrees)
+    ahead, left = np.array([np.cos(yaw), np.sin(yaw)]), np.array([-np.sin(yaw), np.cos(yaw)])
+    far = [0.12 * left + 0.1 * ahead, -0.12 * left + 0.15 * ahead, -0.02 * left - 0.1 * ahead]
+    mugs = [toy_object(f"mug_{k}", (0.07, 0.07, 0.09), (p[0], p[1])) for k, p in enumerate(far)]
+    scene = toy_scene(tuple(mugs))
+    base = np.array([*-0.4 * ahead, scene.table.height])
+    world = World(scene, Panda(), Mount(base, float(yaw)))
+    sideways = [float(world.to_base(world.position(name))[1]) for name in world.names]
+    assert sideways == pytest.approx([0.12, -0.12, -0.02], abs=1e-3), "y is to the robot's left"
+    assert [the(world, name) for name in world.names] == [
+        "the first mug from the left", "the third mug from the left", "the second mug from the left"
+    ]  # fmt: skip
+    world.absent = frozenset({"mug_2"})
+    assert [the(world, name) for name in ("mug_0", "mug_1")] == ["the left mug", "the right mug"]
+
+    def across(camera: str) -> bool:
+        """Whether the camera shows the robot's left on the right."""
+        shown = world.model.cam_mat0[world.model.camera(camera).id].reshape(3, 3)[:, 0]
+        return bool(shown[:2] @ left > 0.99)
+
+    assert across(FRONT_CAMERA) and not across(TOP_CAMERA)
+
+
+def test_things_one_behind_the_other_keep_the_order_of_their_names() -> None:
+    behind = [toy_object(f"mug_{k}", (0.07, 0.07, 0.09), (0.1, 0.2 - 0.3 * k)) for k in range(2)]
+    scene = toy_scene(tuple(behind))
+    assert [refer(scene, o, AHEAD) for o in scene.objects] == ["the left mug", "the right mug"]
 
 
 def test_the_instruction_counts_only_what_is_on_the_table() -> None:

@@ -176,6 +176,9 @@ def test_masters_keep_the_scenes_used_last() -> None:
         ({"autoreset_mode": 3}, "Unknown autoreset mode 3.*Available: Disabled, NextStep"),
         ({"autoreset_mode": "samestep"}, "Did you mean 'SameStep'"),
         ({"observation": "stat"}, "Did you mean 'state'"),
+        ({"thread": 2}, "no setting 'thread'.*Did you mean 'threads'"),
+        ({"grasp_hnt": True}, "no setting 'grasp_hnt'.*Did you mean 'grasp_hint'"),
+        ({"robot": "panda"}, "robot must be a Panda .* got 'panda'"),
     ],
 )
 def test_wrong_settings_are_explained(settings, message) -> None:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PIL import Image
+from PIL import Image, ImageDraw
 
 from generator.errors import InputError, StorageError
 from tabletopgen_env.__main__ import run as command
@@ -71,6 +71,19 @@ def test_more_success_is_drawn_higher(small, tmp_path: Path) -> None:
         return float(np.median(np.nonzero(blue[:, 400:])[0]))
 
     assert height("low", 2) > height("high", 8) + 100
+
+
+def test_it_says_that_it_is_validation(small, tmp_path: Path, monkeypatch) -> None:
+    written: list[str] = []
+    text = ImageDraw.ImageDraw.text
+
+    def noted(self, xy, said, *args, **kwargs) -> None:
+        written.append(said)
+        text(self, xy, said, *args, **kwargs)
+
+    monkeypatch.setattr(ImageDraw.ImageDraw, "text", noted)
+    draw(bands([made(tmp_path / "a", small(), 0, {0: 1, 100: 2})]))
+    assert "validation" in written[0]
 
 
 @pytest.mark.parametrize(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import shutil
+import tomllib
 import warnings
 from pathlib import Path
 
@@ -23,10 +24,13 @@ from tabletopgen_env.learning.making import (
     spec_of,
     worlds_kept,
 )  # fmt: skip
-from tabletopgen_env.learning.recipes import recipe, recipe_names, recipe_of
+from tabletopgen_env.learning.recipes import FILE, recipe, recipe_of
 from tabletopgen_env.learning.training import cloning_config
 from tabletopgen_env.scenes import FixedScenes, RefreshingScenes
-from tabletopgen_env.scenes.fixed import HeldRef
+from tabletopgen_env.scenes.source import HeldRef
+
+NAMES = tuple(tomllib.loads(FILE.read_text(encoding="utf-8")))
+"""The recipes that are shipped."""
 
 GOOD = {"name": "mine", "task": "Lift", "algorithm": "sac"}
 
@@ -36,10 +40,10 @@ def test_the_baselines_are_there() -> None:
         "reach-sac", "reach-ppo", "reach-clone", "lift-clone", "lift-sac-demos", "lift-ppo",
         "pickplace-clone", "pickplace-sac-her", "push-sac-her",
     }  # fmt: skip
-    assert wanted <= set(recipe_names())
+    assert wanted <= set(NAMES)
 
 
-@pytest.mark.parametrize("name", recipe_names())
+@pytest.mark.parametrize("name", NAMES)
 def test_every_shipped_recipe_makes_its_environment_and_model(name: str, table: str) -> None:
     found = recipe(name)
     assert shared(source_of(found.scenes, "train"), source_of(found.held_out, "held_out")) == 0
@@ -55,6 +59,17 @@ def test_every_shipped_recipe_makes_its_environment_and_model(name: str, table: 
     assert limit and found.options.get("buffer_size", 10**9) > found.demonstrations * limit
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_every_shipped_recipe_learns_at_fresh_tables_that_stay_in_memory(name: str) -> None:
+    found = recipe(name)
+    assert found.scenes == found.held_out == "fresh"
+    training, validation = (
+        source_of("fresh", side, found.variants) for side in ("train", "held_out")
+    )
+    assert worlds_kept(training) == worlds_kept(validation) == found.variants
+    assert found.variants * (14 + 4 * found.envs) < 8000, "MB"
+
+
 def _less(options) -> dict:
     return {
         key: least for key, least in (("buffer_size", 1000), ("batch_size", 64)) if key in options
@@ -62,7 +77,7 @@ def _less(options) -> dict:
 
 
 def test_a_recipe_comes_back_from_its_facts() -> None:
-    for name in recipe_names():
+    for name in NAMES:
         assert recipe_of(recipe(name).facts()) == recipe(name)
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import threading
-
 import gymnasium as gym
 import numpy as np
 import pytest
@@ -12,8 +10,7 @@ from toy import toy_scene
 
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
-from tabletopgen_env.learning.slots import SharedScenes, SlotVecEnv
-from tabletopgen_env.scenes import FixedScenes, SceneRef, resolve
+from tabletopgen_env.learning.slots import SlotVecEnv
 from tabletopgen_env.vector import TabletopVectorEnv
 
 LIMIT = 7
@@ -98,28 +95,3 @@ def test_methods_and_attributes_are_those_of_the_slots() -> None:
     assert ours.env_is_wrapped(gym.wrappers.TimeLimit) == [True, True]
     assert not ours.has_attr("nothing")
     ours.close()
-
-
-def test_a_shared_source_is_drawn_from_by_one_thread_at_a_time() -> None:
-    inside, most = 0, 0
-    fixed = resolve(toy_scene())
-    assert isinstance(fixed, FixedScenes)
-
-    class Slow:
-        def draw(self, rng: np.random.Generator) -> SceneRef:
-            nonlocal inside, most
-            inside += 1
-            most = max(most, inside)
-            threading.Event().wait(0.01)
-            inside -= 1
-            return fixed.refs[0]
-
-    shared = SharedScenes(Slow())
-    threads = [
-        threading.Thread(target=shared.draw, args=(np.random.default_rng(0),)) for _ in range(4)
-    ]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert most == 1

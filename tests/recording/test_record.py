@@ -66,7 +66,7 @@ def test_the_facts_are_the_episodes_metadata(lift: Path) -> None:
     facts = list(dataset.storage.get_episode_metadata([0, 1]))
     assert all(f["success"] and f["digest"] == load_digest(find(TABLE)[0]) for f in facts)
     assert facts[0]["seed"] != facts[1]["seed"] and facts[0]["scene"] == "office-round"
-    assert facts[0]["instruction"].startswith("lift the ")
+    assert facts[0]["instruction"].startswith("lift the ") and facts[0]["goal"] == ""
     said = dataset[0].infos["instruction"]
     assert {text.decode() for text in said} == {facts[0]["instruction"]}
     assert len(said) == facts[0]["steps"] + 1
@@ -90,6 +90,18 @@ def test_the_same_seed_gives_the_same_arrays_whatever_the_workers(
     assert contents(again / "data/main_data.hdf5") == contents(lift / "data/main_data.hdf5")
     other = record(replace(LIFT, seed=5, episodes=1), tmp_path / "other-v0")
     assert contents(other / "data/main_data.hdf5") != contents(lift / "data/main_data.hdf5")
+
+
+def test_starts_differ_unless_asked_not_to() -> None:
+    def starts(config: RecordConfig) -> set[bytes]:
+        env = config.environment()
+        targets = {"target": env.reset(seed=0)[1]["target"]}
+        seen = {env.reset(seed=k, options=targets)[0].tobytes() for k in range(4)}
+        env.close()
+        return seen
+
+    assert len(starts(LIFT)) == 4
+    assert len(starts(replace(LIFT, randomization=None))) == 1
 
 
 @dataclass(frozen=True)
@@ -275,6 +287,12 @@ def test_the_command_records_and_says_where(
     given = ["record", "--task", "Lift", "--scenes", TABLE, "--format", "npz"]
     assert run([*given, "--episodes", "1", "--out", str(out)]) == 0
     told = capsys.readouterr()
+    assert json.loads((out / "dataset.json").read_text())["settings"]["randomization"] == "starts"
+    plain = ["--episodes", "1", "--randomization", "None", "--out", f"{out}-plain"]
+    assert run([*given, *plain]) == 0
+    settings = json.loads(Path(f"{out}-plain/dataset.json").read_text())["settings"]
+    assert settings["randomization"] is None
+    capsys.readouterr()
     assert f"{out}: 1 episodes of 1 played" in told.out and "1/1" in told.err
     wrong = {
         "is there already": [*given, "--out", str(out)],

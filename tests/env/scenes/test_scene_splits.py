@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import pickle
 import subprocess
 import sys
 
@@ -26,6 +27,7 @@ from tabletopgen_env.scenes import (
     resolve,
     split,
 )
+from tabletopgen_env.scenes.source import HeldRef, Remembered
 from tabletopgen_env.scenes.splitting import Side, kinds_of
 
 SIDES: tuple[Side, ...] = ("train", "held_out")
@@ -269,6 +271,41 @@ def test_any_other_source_is_split_by_looking_at_its_scenes() -> None:
     assert own.told == [True] and own.closed == 1
     with pytest.raises(SceneError, match="None of 200 drawn scenes is for 'held_out' by category"):
         keys(split(own, "held_out", by="category", categories=("violin",)))
+
+
+class Passing:
+    """A source of scenes in memory that it does not keep, each where the last one was."""
+
+    def __init__(self) -> None:
+        self.draws = 0
+
+    def draw(self, rng: np.random.Generator) -> SceneRef:
+        self.draws += 1
+        ref = HeldRef(desk(self.draws, "mug_1" if self.draws % 2 else "book_1"))
+        object.__setattr__(ref, "key", "scene:1")
+        return ref
+
+
+def test_scenes_in_memory_are_not_taken_for_those_that_were_there_before() -> None:
+    rng = np.random.default_rng(0)
+    books = split(Passing(), "train", by="category", categories=("mug",))
+    assert [books.draw(rng).load().objects[0].name for _ in range(3)] == ["book_1"] * 3
+
+
+def test_scenes_are_looked_at_once_and_a_copy_looks_for_itself() -> None:
+    known, looked = Remembered[str](), []
+
+    def look(ref: SceneRef) -> str:
+        looked.append(ref.key)
+        return ref.key.upper()
+
+    held, made = HeldRef(desk(0)), SceneRef("b", lambda: desk(1))
+    again = HeldRef(held.load())
+    for ref in (held, made, again, SceneRef("b", lambda: desk(1))):
+        assert known.of(ref, look) == ref.key.upper()
+    assert looked == [held.key, "b"]
+    assert pickle.loads(pickle.dumps(known)).of(held, look) == held.key.upper()
+    assert looked == [held.key, "b", held.key]
 
 
 # ----------------------------------------------------------------------------------------- errors
