@@ -329,3 +329,14 @@ def test_batches_are_compared_with_the_first_one() -> None:
         "| processes | 1 | 2 | 60.0 | 2.0 | 1.00 | yes |",
         "| processes | 2 | 2 | 30.0 | 4.0 | 2.00 | NO |",
     ]
+
+
+def test_the_share_of_a_pool_is_that_of_the_same_work() -> None:
+    parallel = script("parallel")
+    rows = [
+        parallel.Row(1, (8.0, 10.0, 7.0), 40.0),
+        parallel.Row(8, (2.0, 2.5, 1.0), 20.0),
+    ]
+    *_, share, blank, rest = parallel.table(rows, "head").splitlines()
+    assert share == "| share | 0.25 | 0.25 | 0.14 | 0.25 | 0.50 |"
+    assert blank == "" and "assembly" in rest
