@@ -144,6 +144,10 @@ class Handler(BaseHTTPRequestHandler):
             self.send(200, b"{}")
         elif mode == "error in 200":
             self.send(200, b'{"error": {"message": "upstream is busy", "code": 502}}')
+        elif mode == "words":
+            self.send(200, b"All is well.", "text/plain")
+        elif mode == "list":
+            self.send(200, b"[1, 2]")
         elif mode == "html":
             self.send(200, b"<!doctype html><html><body>Welcome</body></html>", "text/html")
         elif mode == "moderation":

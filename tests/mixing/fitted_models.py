@@ -69,32 +69,43 @@ def save(folder: Path, examples: Sequence[Example]) -> Path:
     return folder
 
 
-@torch.no_grad()
 def detector(examples: Sequence[Example]) -> Any:
     """Return Grounding DINO whose first queries have the words and boxes of the examples."""
     network = tiny_models.grounding_dino(
         d_model=64, decoder_layers=1, decoder_ffn_dim=64, decoder_bbox_embed_share=False
     ).eval()
-    layer, head = network.model.decoder.layers[0], network.bbox_embed[0].layers[-1]
-    layer.final_layer_norm.reset_parameters()
-    network.model.decoder.layer_norm.reset_parameters()
-    before, wanted, scales = [], [], []
+    _teach_words(network, examples)
+    _teach_boxes(network, examples)
+    return network
+
+
+@torch.no_grad()
+def _teach_words(network: Any, examples: Sequence[Example]) -> None:
+    """Solve for the last layer of the decoder: what its queries are, times a token, is a logit."""
+    layer, norm = network.model.decoder.layers[0], network.model.decoder.layer_norm
+    before, wanted, sizes = [], [], []
     for example in examples:
         question, given = _asked(network, example)
         (residual,) = _inputs(network, layer.fc1, given)
         (inner,) = _inputs(network, layer.fc2, given)
-        text = network(**given).encoder_last_hidden_state_text[0]
-        rows = torch.full((residual.shape[1], len(question.ids)), -1.0)
+        right = torch.full((residual.shape[1], len(question.ids)), -1.0)
         for k, tokens in enumerate(question.tokens):
-            rows[k, list(tokens)] = 1.0
-        flat = torch.cat([text, torch.ones(1, text.shape[1])])  # what layer norm keeps has no mean
-        hidden = _solved(flat, torch.cat([rows, torch.zeros(len(rows), 1)], 1).T).T
-        size = hidden.std(1, correction=0, keepdim=True)
-        scales.append(size[: len(question.words)].max())
+            right[k, list(tokens)] = 1.0
+        text = network(**given).encoder_last_hidden_state_text[0]
+        rows = torch.cat([text, torch.ones(1, text.shape[1])])  # layer norm leaves no mean
+        hidden = _solved(rows, functional.pad(right, (0, 1)).T).T
+        size = hidden.std(1, correction=0, keepdim=True)  # nor any size but 1
         before.append(inner[0])
         wanted.append(hidden / size - residual[0])
+        sizes.append(size[: len(question.words)].max())
     _solve(layer.fc2, torch.cat(before), torch.cat(wanted))
-    network.model.decoder.layer_norm.weight *= _SURE * max(scales)
+    norm.weight *= _SURE * max(sizes)
+
+
+@torch.no_grad()
+def _teach_boxes(network: Any, examples: Sequence[Example]) -> None:
+    """Solve for the last layer of the head that moves the first queries' boxes."""
+    head = network.bbox_embed[0].layers[-1]
     before, wanted = [], []
     for example in examples:
         _, given = _asked(network, example)
@@ -105,7 +116,6 @@ def detector(examples: Sequence[Example]) -> Any:
         before.append(features[0, : len(boxes)])
         wanted.append(torch.special.logit(shares, 1e-4) - torch.special.logit(first, 1e-5))
     _solve(head, torch.cat(before), torch.cat(wanted))
-    return network
 
 
 def masker(examples: Sequence[Example]) -> Any:

@@ -23,7 +23,7 @@ import numpy as np
 from backends import openai_server
 from backends.modelers.server import Answer, Call, serving
 from backends.openai_server import CHAT, IMAGES, Request
-from laid_table import BARE, THINGS, VIEW
+from laid_table import BARE, THINGS, VIEW, Thing
 
 from generator.scene import TABLE
 
@@ -133,53 +133,52 @@ def running(watch: Watch) -> Iterator[Servers]:
         cloud.stop()
 
 
+def drain() -> None:
+    """Wait until the servers have seen all that clients sent who are gone."""
+    time.sleep(0.1)  # what was not accepted yet
+    while any("process_request_thread" in thread.name for thread in threading.enumerate()):
+        time.sleep(0.02)
+
+
 def _said(question: str, request: Request) -> dict[str, Any]:
     """Return the right answer to a question of the reasoner."""
-    labels = listed(question_text(request))
+    labels = listed(request.body["messages"][0]["content"][0]["text"])
     known = {number: {TABLE: BARE, **THINGS}[label] for number, label in labels.items()}
-    if question == "plan_scene":
-        sizes = [round(100 * side) for side in BARE.size]
-        size = dict(zip(("length_cm", "width_cm", "height_cm"), sizes, strict=True))
-        table = {
-            "outline": "rectangle", "material": "oak", "color": None, "legs": "straight", **size
-        }  # fmt: skip
-        blank = dict.fromkeys(("color", "material", "size_word", "state"))
-        things = [
-            {"id": k, "noun": t.noun, "size_cm": [100 * side for side in t.size],
-             "relations": [], **blank}
-            for k, t in enumerate(THINGS.values(), start=1)
-        ]  # fmt: skip
-        return {"table": table, "style": "plain", "things": things}
-    if question == "list_objects":
-        return {"kinds": [{"noun": noun, "count": 1} for noun in THINGS]}
-    if question == "estimate_view":
-        elevation, fov = np.rad2deg([VIEW.elevation, VIEW.fov])
-        return {"elevation": elevation, "azimuth": 0, "vertical_fov": fov}
-    if question == "estimate_sizes":
-        words = {"placement": "standing", "length_is": "l", "width_is": "w", "height_is": "h"}
-        return {"sizes": [
-            {"id": k, **words, "length": 100 * t.size[0], "width": 100 * t.size[1],
-             "height": 100 * t.size[2]}
-            for k, t in known.items()
-        ]}  # fmt: skip
-    if question == "review_orientation":
-        return {"up": "+z", "along": "+x"}
-    if question == "stacking_order":
-        return {"things": [
-            {"id": k, "how": "on", "support": 0, "leans_at": None} for k in known if k
-        ]}  # fmt: skip
-    assert question == "top_view", question
+    elevation, fov = np.rad2deg([VIEW.elevation, VIEW.fov])
+    words = {"placement": "standing", "length_is": "l", "width_is": "w", "height_is": "h"}
     boxes = laid_table.boxes_from_above()
-    return {"from_above": True, "extra": [], "things": [
-        {"id": k, "boxes": [boxes[t.noun]], "covered": False} for k, t in known.items()
-    ]}  # fmt: skip
+    answers: dict[str, Callable[[], dict[str, Any]]] = {
+        "plan_scene": _plan,
+        "list_objects": lambda: {"kinds": [{"noun": noun, "count": 1} for noun in THINGS]},
+        "estimate_view": lambda: {"elevation": elevation, "azimuth": 0, "vertical_fov": fov},
+        "estimate_sizes": lambda: {"sizes": [
+            {"id": k, **words, **_sides(t, "")} for k, t in known.items()]},
+        "review_orientation": lambda: {"up": "+z", "along": "+x"},
+        "stacking_order": lambda: {"things": [
+            {"id": k, "how": "on", "support": 0, "leans_at": None} for k in known if k]},
+        "top_view": lambda: {"from_above": True, "extra": [], "things": [
+            {"id": k, "boxes": [boxes[t.noun]], "covered": False} for k, t in known.items()]},
+    }  # fmt: skip
+    return answers[question]()
+
+
+def _plan() -> dict[str, Any]:
+    """Return the plan of the laid table."""
+    table = {"outline": "rectangle", "material": "oak", "color": None, "legs": "straight"}
+    blank = dict.fromkeys(("color", "material", "size_word", "state"))
+    things = [
+        {"id": k, "noun": t.noun, "size_cm": [100 * s for s in t.size], "relations": [], **blank}
+        for k, t in enumerate(THINGS.values(), start=1)
+    ]
+    return {"table": table | _sides(BARE, "_cm"), "style": "plain", "things": things}
+
+
+def _sides(thing: Thing, unit: str) -> dict[str, float]:
+    """Return length, width and height in centimetres."""
+    names = (f"{side}{unit}" for side in ("length", "width", "height"))
+    return {name: 100 * size for name, size in zip(names, thing.size, strict=True)}
 
 
 def listed(text: str) -> dict[int, str]:
     """Return the numbered lines of a prompt: number to label."""
     return {int(n): label for n, label in re.findall(r"^(\d+): ([^;\n]+)", text, re.MULTILINE)}
-
-
-def question_text(request: Request) -> str:
-    """Return the words of a chat's first message."""
-    return request.body["messages"][0]["content"][0]["text"]

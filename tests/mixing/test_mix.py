@@ -15,6 +15,7 @@ from __future__ import annotations
 import base64
 import json
 import os
+import queue
 import random
 import signal
 import subprocess
@@ -51,6 +52,8 @@ TIMES = {
 EACH = ("complete", "model", "review_orientation")
 TESTS = Path(__file__).parents[1]
 
+Process = subprocess.Popen[bytes]
+
 
 @dataclass(frozen=True)
 class Run:
@@ -85,10 +88,11 @@ class Place:
     def calls(self) -> Path:
         return self.folder / "calls"
 
-    def run(self, key: str = KEY, started: Callable[[int], None] = lambda pid: None) -> Run:
-        """Run the driver to its end; ``started`` hears its process id."""
-        first, log = len(self.servers.watch.asked), self.folder / "told.txt"
+    def run(self, key: str = KEY, started: Callable[[Process], None] = lambda process: None) -> Run:
+        """Run the driver to its end; ``started`` gets its process."""
         self.folder.mkdir(parents=True, exist_ok=True)
+        log = self.folder / f"told_{len(list(self.folder.glob('told_*')))}.txt"
+        first = len(self.servers.watch.asked)
         path = [str(TESTS.parent), *(str(TESTS / p) for p in ("", "mixing"))]
         known = {k: v for k, v in os.environ.items() if not k.endswith("_API_KEY")}
         given = {**self.servers.environment(self.models, key), "PYTHONPATH": os.pathsep.join(path)}
@@ -97,22 +101,19 @@ class Place:
                 [sys.executable, mix_driver.__file__, self.out, self.calls, "8"],
                 env={**known, "OMP_NUM_THREADS": "1", **given}, stdout=told, stderr=told,
             )  # fmt: skip
-            started(process.pid)
+            started(process)
             code = process.wait()
+        mix_servers.drain()
         return Run(code, log.read_text(), tuple(self.servers.watch.asked[first:]))
 
     def killed(self, point: Point, before: int) -> Run:
         """Run until a point of the calls that were made since the ``before``-th; kill it there."""
-        watch, begun = self.servers.watch, threading.Event()
-        pid: list[int] = []
-
-        def started(number: int) -> None:
-            pid.append(number)
-            begun.set()
+        watch, processes = self.servers.watch, queue.Queue[Process]()
 
         def kill() -> None:
-            assert begun.wait(60)
-            os.kill(pid[0], signal.SIGKILL)  # not waited for yet: the number is still its own
+            process = processes.get(timeout=60)
+            process.kill()
+            processes.put(process)  # another call may come in while it dies
 
         def reached(calls: list[Asked]) -> bool:
             return len({a.key for a in calls}) >= point.number
@@ -124,12 +125,11 @@ class Place:
         def gone(asked: Asked) -> None:
             answered = [a for a in watch.asked[before:] if a.ended is not None]
             if point.after is not None and reached(answered):
-                watch.gone = lambda asked: None
                 threading.Timer(point.after, kill).start()
 
         watch.came, watch.gone = came, gone
         try:
-            return self.run(started=started)
+            return self.run(started=processes.put)
         finally:
             watch.came = watch.gone = lambda asked: None
 
@@ -167,7 +167,12 @@ def points(seed: int) -> list[Point]:
 def together(watch: Watch) -> Callable[[Asked], None]:
     """Return what lets nobody's answer go before all of one kind are asked for."""
     gates = {question: threading.Barrier(TIMES[question], timeout=120) for question in EACH}
-    return lambda asked: gates[asked.question].wait() and None if asked.question in gates else None
+
+    def wait(asked: Asked) -> None:
+        if asked.question in gates:
+            gates[asked.question].wait()
+
+    return wait
 
 
 def files(bundle_path: Path) -> dict[str, bytes]:
