@@ -31,11 +31,12 @@ OPTIONS = {
 
 @dataclass
 class Request:
-    """What came in: the path, the headers, and what the body says (files decoded)."""
+    """What came in: the path, the headers, what the body says (files decoded), and when."""
 
     path: str
     headers: dict[str, str]
     body: dict[str, Any]
+    came: float = 0.0
 
     @property
     def text(self) -> str:
@@ -98,12 +99,13 @@ class Handler(BaseHTTPRequestHandler):
             self.send(200, data, "image/png")
 
     def do_POST(self) -> None:
+        came = time.monotonic()
         raw = self.rfile.read(int(self.headers["content-length"]))
         try:
             if self.headers.get("authorization") != f"Bearer {self.script.key}":
                 sent = self.headers.get("authorization", "")
                 raise Fault(401, f"Incorrect API key provided: {sent}", "invalid_api_key")
-            request = Request(self.path, {**self.headers}, self.parsed(raw))
+            request = Request(self.path, {**self.headers}, self.parsed(raw), came)
             self.script.requests.append(request)
             if self.script.failures and self.failed(self.script.failures.popleft()):
                 return

@@ -47,7 +47,7 @@ class Watch:
     """All requests, in the order they came.
 
     ``came`` is called with each new request before it is answered, ``gone`` when its answer has
-    been sent; ``delay`` is how long each answer takes (seconds).
+    been sent; ``delay`` is how long an answer takes, from when its request came (seconds).
     """
 
     delay: float = 0.0
@@ -57,14 +57,15 @@ class Watch:
     _lock: threading.Lock = field(default_factory=threading.Lock)
     _open: dict[int, Asked] = field(default_factory=dict)
 
-    def note(self, question: str, content: bytes) -> None:
-        """Enter a request of the calling thread, which answers it."""
-        made = Asked(question, hashlib.sha256(content).hexdigest(), time.monotonic())
+    def note(self, question: str, content: bytes, began: float | None = None) -> None:
+        """Enter a request of the calling thread, which answers it; it came now, or at ``began``."""
+        came = time.monotonic() if began is None else began
+        made = Asked(question, hashlib.sha256(content).hexdigest(), came)
         with self._lock:
             self.asked.append(made)
             self._open[threading.get_ident()] = made
         self.came(made)
-        time.sleep(self.delay)
+        time.sleep(max(0.0, made.began + self.delay - time.monotonic()))
 
     def peak(self, question: str) -> int:
         """Return how many requests of a kind were under way at once, at most."""
@@ -108,14 +109,14 @@ def running(watch: Watch) -> Iterator[Servers]:
     def chat(request: Request) -> str:
         name = request.body["response_format"]["json_schema"]["name"]
         question = "check_top_view" if name == "top_view" else name
-        watch.note(question, json.dumps(request.body, sort_keys=True).encode())
+        watch.note(question, json.dumps(request.body, sort_keys=True).encode(), request.came)
         return json.dumps(_said(name, request))
 
     def paint(request: Request) -> np.ndarray:
         given = request.body.get("images", [])
         question = "draw" if not given else "complete" if "mask" in request.body else "top_view"
         content = b"".join(picture.tobytes() for picture in given)
-        watch.note(question, request.text.encode() + content)
+        watch.note(question, request.text.encode() + content, request.came)
         return given[0] if question == "complete" else pictures[question]
 
     def model(call: Call) -> Answer:
