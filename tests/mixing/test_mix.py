@@ -164,7 +164,7 @@ def points(seed: int) -> list[Point]:
     return [Point(n, kind) for n, kind in zip(numbers, kinds, strict=True)]
 
 
-def together(watch: Watch) -> Callable[[Asked], None]:
+def together() -> Callable[[Asked], None]:
     """Return what lets nobody's answer go before all of one kind are asked for."""
     gates = {question: threading.Barrier(TIMES[question], timeout=120) for question in EACH}
 
@@ -195,7 +195,7 @@ def test_a_scene_killed_five_times_is_the_scene_never_killed(
     servers: Servers, models: Path, tmp_path: Path
 ) -> None:
     watch, calm = servers.watch, Place(tmp_path / "calm", servers, models)
-    watch.came = together(watch)
+    watch.came = together()
     whole = calm.run()
     watch.came = lambda asked: None
     path = check_whole(calm, whole, watch)

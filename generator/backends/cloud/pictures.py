@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import io
 import warnings
-from collections.abc import Sequence
 
 import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
+from numpy.typing import ArrayLike
 
 from ...geometry import main_parts
 from .reading import Wrong
@@ -107,7 +107,7 @@ def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
     return mask
 
 
-def apart(colors: UInt8[np.ndarray, "*n 3"], color: Sequence[float]) -> Float[np.ndarray, "*n"]:
+def apart(colors: UInt8[np.ndarray, "*n 3"], color: ArrayLike) -> Float[np.ndarray, "*n"]:
     """Return how far colours are from one, in grey levels of the channel that differs most."""
     off = np.abs(colors.astype(np.float32) - np.asarray(color, np.float32))
     return np.maximum(np.maximum(off[..., 0], off[..., 1]), off[..., 2])
