@@ -352,3 +352,18 @@ def test_batches_are_compared_with_the_first_one() -> None:
         "| processes | 1 | 2 | 60.0 | 2.0 | 1.00 | yes |",
         "| processes | 2 | 2 | 30.0 | 4.0 | 2.00 | NO |",
     ]
+
+
+def test_the_share_of_a_pool_is_that_of_the_same_work() -> None:
+    parallel = script("parallel")
+    one = parallel.Row((8.0, 10.0, 7.0), (7.0, 7.0, 7.0), 40.0)
+    many = parallel.Row((2.0, 2.5, 1.0), (1.0, 2.5, 1.0), 20.0)
+    lines = parallel.table(one, many, 8, "head").splitlines()
+    assert "| completing and modelling | 18.0 | 4.5 | 0.25 |" in lines
+    assert "| the same, while a server was at work | 14.0 | 3.5 | 0.25 |" in lines
+    assert "| whole scene | 40.0 | 20.0 | 0.50 |" in lines
+
+
+def test_calls_that_overlap_count_once() -> None:
+    calls = [("model", 0.0, 2.0), ("model", 1.0, 3.0), ("model", 1.5, 1.7), ("model", 5.0, 6.0)]
+    assert script("parallel").at_work([*calls, ("draw", 3.0, 5.0)], "model") == 4.0

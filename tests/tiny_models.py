@@ -73,8 +73,8 @@ def letters_tokenizer() -> Tokenizer:
     return tokenizer
 
 
-def grounding_dino() -> Any:
-    """Return Grounding DINO of some thousands of weights."""
+def grounding_dino(**others: Any) -> Any:
+    """Return Grounding DINO of some thousands of weights, with ``others`` of its settings."""
     backbone = SwinConfig(
         image_size=64, embed_dim=8, depths=[1, 1, 1, 1], num_heads=[1, 1, 2, 2], window_size=4,
         out_indices=[2, 3, 4],
@@ -83,30 +83,41 @@ def grounding_dino() -> Any:
         vocab_size=1030, hidden_size=16, num_hidden_layers=1, num_attention_heads=2,
         intermediate_size=16,
     )  # fmt: skip
+    settings = {
+        "d_model": 32, "num_queries": 12, "encoder_layers": 1, "decoder_layers": 2,
+        "encoder_ffn_dim": 16, "decoder_ffn_dim": 16, "encoder_attention_heads": 2,
+        "decoder_attention_heads": 2, "max_text_len": 48,
+    }  # fmt: skip
     return GroundingDinoForObjectDetection(GroundingDinoConfig(
-        backbone_config=backbone, text_config=text, d_model=32, num_queries=12, encoder_layers=1,
-        decoder_layers=2, encoder_ffn_dim=16, decoder_ffn_dim=16, encoder_attention_heads=2,
-        decoder_attention_heads=2, max_text_len=48,
+        backbone_config=backbone, text_config=text, **{**settings, **others}
     ))  # fmt: skip
 
 
-def sam2() -> Any:
-    """Return SAM 2 of some thousands of weights, for pictures of 64 pixels."""
+def sam2(side: int = 64, hidden_size: int = 32, width: int = 8, **decoder: Any) -> Any:
+    """Return a small SAM 2 for pictures of ``side`` pixels, a multiple of 16.
+
+    ``width`` is that of its first stage, ``decoder`` more settings of its mask decoder.
+    """
     hiera = {
-        "model_type": "sam2_hiera_det_model", "hidden_size": 8, "num_attention_heads": 1,
-        "image_size": [64, 64],
-        "blocks_per_stage": [1, 1, 2, 1], "embed_dim_per_stage": [8, 16, 32, 64],
+        "model_type": "sam2_hiera_det_model", "hidden_size": width, "num_attention_heads": 1,
+        "image_size": [side, side],
+        "blocks_per_stage": [1, 1, 2, 1],
+        "embed_dim_per_stage": [width, 2 * width, 4 * width, 8 * width],
         "num_attention_heads_per_stage": [1, 1, 2, 2], "global_attention_blocks": [3],
         "window_positional_embedding_background_size": [4, 4],
     }  # fmt: skip
     vision = {
-        "backbone_config": hiera, "backbone_channel_list": [64, 32, 16, 8], "fpn_hidden_size": 32,
-        "backbone_feature_sizes": [[16, 16], [8, 8], [4, 4]],
+        "backbone_config": hiera,
+        "backbone_channel_list": [8 * width, 4 * width, 2 * width, width],
+        "fpn_hidden_size": hidden_size,
+        "backbone_feature_sizes": [[side // n, side // n] for n in (4, 8, 16)],
     }  # fmt: skip
-    prompts = {"hidden_size": 32, "image_size": 64, "patch_size": 16, "mask_input_channels": 4}
+    prompts = {
+        "hidden_size": hidden_size, "image_size": side, "patch_size": 16, "mask_input_channels": 4
+    }  # fmt: skip
     decoder = {
-        "hidden_size": 32, "mlp_dim": 16, "num_hidden_layers": 1, "num_attention_heads": 2,
-        "iou_head_hidden_dim": 16,
+        "hidden_size": hidden_size, "mlp_dim": 16, "num_hidden_layers": 1, "num_attention_heads": 2,
+        "iou_head_hidden_dim": 16, **decoder,
     }  # fmt: skip
     return Sam2Model(Sam2Config(
         vision_config=vision, prompt_encoder_config=prompts, mask_decoder_config=decoder

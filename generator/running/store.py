@@ -78,6 +78,8 @@ class CallStore:
     def put(self, key: str, answer: Answer) -> None:
         """Keep an answer; whoever reads sees it whole or not at all.
 
+        Call it while ``holding`` the question, where others may do so.
+
         Raises:
             StorageError: it is larger than the store. Or the disk refuses: that is said once, and
                 from then on nothing is kept.
@@ -109,14 +111,16 @@ class CallStore:
     def holding(self, key: str, check: Callable[[], None] = lambda: None) -> Iterator[None]:
         """Hold a question, so that nobody else, in any process, asks it meanwhile.
 
-        The system lets go of it when the process dies. ``check`` is called now and then while
-        another holds it, and may raise. Where no lock can be had, nothing is held.
+        The system lets go of it when the process dies; what that left half written is removed.
+        ``check`` is called now and then while another holds it, and may raise. Where no lock can be
+        had, nothing is held.
         """
         with contextlib.ExitStack() as held:
             lock = self._lock(key)
             while lock is not None:
                 try:
                     held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
+                    self._clear(key)
                     break
                 except Timeout:
                     check()
@@ -148,7 +152,7 @@ class CallStore:
 
     def _write(self, path: Path, raw: bytes) -> None:
         make_private(path.parent)
-        number, name = tempfile.mkstemp(prefix=_PARTIAL, dir=path.parent)
+        number, name = tempfile.mkstemp(prefix=f"{_PARTIAL}{path.name}-", dir=path.parent)
         try:
             with os.fdopen(number, "wb") as file:
                 file.write(raw)
@@ -158,6 +162,12 @@ class CallStore:
         except BaseException:
             Path(name).unlink(missing_ok=True)
             raise
+
+    def _clear(self, key: str) -> None:
+        """Remove unfinished files of a question that is held: their writers are gone."""
+        path = self._path(key)
+        for left in path.parent.glob(f"{_PARTIAL}{path.name}-*"):
+            left.unlink(missing_ok=True)
 
     def _evict(self, newest: Path) -> None:
         """Drop what was not asked for the longest until the rest fits, but not ``newest``."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import email.parser
 import email.policy
+import hashlib
 import io
 import json
 import threading
@@ -12,10 +13,11 @@ import time
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler
 from typing import Any
 
 import numpy as np
+from local_server import Server
 from PIL import Image
 
 KEY = "sk-test-0123456789abcdef"
@@ -29,11 +31,12 @@ OPTIONS = {
 
 @dataclass
 class Request:
-    """What came in: the path, the headers, and what the body says (files decoded)."""
+    """What came in: the path, the headers, what the body says (files decoded), and when."""
 
     path: str
     headers: dict[str, str]
     body: dict[str, Any]
+    came: float = 0.0
 
     @property
     def text(self) -> str:
@@ -50,7 +53,8 @@ class Script:
 
     ``urls``: pictures are answered as addresses, all as ``address`` if there is one. ``forms`` are
     the response formats it knows, ``bounds`` the limits of an answer; ``failures`` befall the next
-    requests, one each.
+    requests, one each. ``sent`` hears of each answer, once it is on its way. ``key`` is the only
+    one it lets in.
     """
 
     chat: Callable[[Request], Any] = lambda request: "{}"
@@ -66,6 +70,8 @@ class Script:
     requests: list[Request] = field(default_factory=list)
     lost: set[str] = field(default_factory=set)
     hang: float = 3.0
+    sent: Callable[[Request, bytes], None] = lambda request, answer: None
+    key: str = KEY
 
     def asked(self, path: str) -> list[Request]:
         return [r for r in self.requests if r.path.endswith(path)]
@@ -97,16 +103,19 @@ class Handler(BaseHTTPRequestHandler):
             self.send(200, data, "image/png")
 
     def do_POST(self) -> None:
+        came = time.monotonic()
         raw = self.rfile.read(int(self.headers["content-length"]))
         try:
-            if self.headers.get("authorization") != f"Bearer {KEY}":
+            if self.headers.get("authorization") != f"Bearer {self.script.key}":
                 sent = self.headers.get("authorization", "")
                 raise Fault(401, f"Incorrect API key provided: {sent}", "invalid_api_key")
-            request = Request(self.path, {**self.headers}, self.parsed(raw))
+            request = Request(self.path, {**self.headers}, self.parsed(raw), came)
             self.script.requests.append(request)
             if self.script.failures and self.failed(self.script.failures.popleft()):
                 return
-            self.send(200, json.dumps(self.answered(request)).encode())
+            answer = json.dumps(self.answered(request)).encode()
+            self.send(200, answer)
+            self.script.sent(request, answer)
         except Fault as fault:
             self.send(fault.status, json.dumps(fault.body).encode())
 
@@ -141,6 +150,10 @@ class Handler(BaseHTTPRequestHandler):
             self.send(200, b"{}")
         elif mode == "error in 200":
             self.send(200, b'{"error": {"message": "upstream is busy", "code": 502}}')
+        elif mode == "words":
+            self.send(200, b"All is well.", "text/plain")
+        elif mode == "list":
+            self.send(200, b"[1, 2]")
         elif mode == "html":
             self.send(200, b"<!doctype html><html><body>Welcome</body></html>", "text/html")
         elif mode == "moderation":
@@ -209,6 +222,7 @@ class Handler(BaseHTTPRequestHandler):
         if isinstance(said, dict):
             message, end = said["message"], said["finish_reason"]
         return {
+            "id": f"chatcmpl-{hashlib.sha256(json.dumps(body).encode()).hexdigest()[:24]}",
             "object": "chat.completion",
             "choices": [{"index": 0, "message": message, "finish_reason": end}],
             "usage": {"prompt_tokens": 100, "completion_tokens": 20},
@@ -267,7 +281,7 @@ class Running:
 
     url: str
     script: Script
-    http: ThreadingHTTPServer
+    http: Server
 
     def stop(self) -> None:
         self.http.shutdown()
@@ -277,7 +291,6 @@ class Running:
 def start() -> Running:
     script = Script()
     handler = type("Scripted", (Handler,), {"script": script, "files": {}})
-    http = ThreadingHTTPServer(("127.0.0.1", 0), handler)
-    http.daemon_threads = True
+    http = Server(("127.0.0.1", 0), handler)
     threading.Thread(target=http.serve_forever, args=(0.02,), daemon=True).start()
     return Running(f"http://127.0.0.1:{http.server_port}/v1", script, http)

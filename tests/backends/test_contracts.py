@@ -17,19 +17,17 @@ import numpy as np
 import openai_server
 import played_models
 import pytest
+import selected
 import torch
 from openai_server import CHAT, IMAGES, KEY, Request
 from painted import paint
 
 from generator.backends.cloud.imager import Imager as CloudImager
 from generator.backends.cloud.reasoner import Reasoner as CloudReasoner
-from generator.backends.embedded.encoder import Encoder as EmbeddedEncoder
 from generator.backends.embedded.imager import Imager as EmbeddedImager
 from generator.backends.embedded.reasoner import Reasoner as EmbeddedReasoner
-from generator.backends.embedded.segmenter import Segmenter as EmbeddedSegmenter
-from generator.backends.huggingface.encoder import Encoder as OpenEncoder
-from generator.backends.huggingface.segmenter import Segmenter as OpenSegmenter
 from generator.backends.protocols import Encoder, Imager, PoseGuesser, Reasoner, Segmenter
+from generator.backends.select import PROTOCOLS
 from generator.catalogue import build, build_table
 from generator.errors import InputError
 from generator.geometry import mask_box
@@ -38,6 +36,14 @@ from generator.scene import TABLE, Detection, Instance, Model, Reference, SizePr
 from generator.stages.extraction import extract
 from generator.stages.modeling import quarter_turn
 from generator.stages.rotation import RotationConfig, estimate_rotations
+
+REASONERS = ("embedded", "cloud")
+"""They are imagers, too."""
+
+SEGMENTERS = {"embedded": ("",), "huggingface": ("grounding-dino-base", "sam3")}
+"""With the detectors that each can have."""
+
+ENCODERS = ("embedded", "huggingface")
 
 ELEVATION = 52.0
 PLACES = [("mug", -0.3, -0.1, 0.0), ("book", 0.1, 0.0, 0.0), ("apple", 0.35, -0.15, 0.0)]
@@ -101,7 +107,7 @@ def _painted(request: Request) -> np.ndarray:
     )  # fmt: skip
 
 
-@pytest.fixture(scope="module", params=["embedded", "cloud"])
+@pytest.fixture(scope="module", params=REASONERS)
 def backend(request: pytest.FixtureRequest, desk: Desk) -> Iterator[tuple[Any, Any]]:
     """A reasoner and an imager."""
     if request.param == "embedded":
@@ -152,7 +158,25 @@ def view(desk: Desk, reasoner: Any, instances: tuple[Instance, ...]) -> Any:
     return reasoner.estimate_view(desk.reference, instances[0])
 
 
-def test_the_protocols_are_there(reasoner: Any, imager: Any) -> None:
+def test_every_backend_that_can_be_selected_is_held_against_its_protocols() -> None:
+    """Modelers have a suite of their own, which goes through all names by itself."""
+    held = {
+        "reasoner": set(REASONERS),
+        "imager": set(REASONERS),
+        "segmenter": set(SEGMENTERS),
+        "encoder": set(ENCODERS),
+    }
+    assert {**held, "modeler": set(selected.names("modeler"))} == {
+        role: set(selected.names(role)) for role in PROTOCOLS
+    }
+
+
+def test_the_protocols_are_there(
+    backend: tuple[Any, Any], reasoner: Any, imager: Any, request: pytest.FixtureRequest
+) -> None:
+    name = request.node.callspec.params["backend"]
+    assert type(reasoner) is selected.kind(name, "reasoner")
+    assert type(imager) is selected.kind(name, "imager")
     assert isinstance(reasoner, Reasoner)
     assert isinstance(reasoner, PoseGuesser)
     assert isinstance(imager, Imager)
@@ -263,11 +287,15 @@ def test_top_view(imager: Any, desk: Desk, instances: Any, view: Any) -> None:
 # -------------------------------------------------------------------------------------- segmenter
 
 
-@pytest.fixture(scope="module", params=["embedded", "grounding-dino-base", "sam3"])
+@pytest.fixture(
+    scope="module", params=[(name, d) for name, detectors in SEGMENTERS.items() for d in detectors]
+)
 def segmenter(request: pytest.FixtureRequest, desk: Desk) -> Any:
-    if request.param == "embedded":
-        return EmbeddedSegmenter()
-    made = OpenSegmenter(request.param, side=played_models.SIDE)
+    name, detector = request.param
+    kind = selected.kind(name, "segmenter")
+    if not detector:
+        return kind()
+    made = kind(detector, side=played_models.SIDE)
     truth = [(d.label, np.asarray(d.mask)) for d in desk.detections.values()]
     played_models.play(made, desk.reference.image, truth)
     return made
@@ -328,11 +356,12 @@ def test_segments_become_instances(segmenter: Any, desk: Desk) -> None:
 # ---------------------------------------------------------------------------------------- encoder
 
 
-@pytest.fixture(params=["embedded", "huggingface"])
+@pytest.fixture(params=ENCODERS)
 def encoder(request: pytest.FixtureRequest, tiny_models: Path) -> Any:
+    kind = selected.kind(request.param, "encoder")
     if request.param == "embedded":
-        return EmbeddedEncoder()
-    return OpenEncoder(side=56, folder=str(tiny_models), device="cpu")
+        return kind()
+    return kind(side=56, folder=str(tiny_models), device="cpu")
 
 
 def test_features(encoder: Any) -> None:

@@ -175,3 +175,36 @@ def test_another_process_holds_it_until_it_is_killed(tmp_path: Path) -> None:
         other.wait()
         with store.holding(key("q"), give_up):
             pass
+
+
+WRITE = """
+import os, sys, time
+from generator.running.store import Answer, CallStore
+
+def slow(number):
+    print("writing", flush=True)
+    time.sleep(60)
+
+os.fsync = slow
+store = CallStore(sys.argv[1])
+with store.holding(sys.argv[2]):
+    store.put(sys.argv[2], Answer(200, "", b"half"))
+"""
+
+
+def test_who_asks_anew_clears_what_a_killed_writer_left(tmp_path: Path) -> None:
+    store = CallStore(tmp_path)
+    with subprocess.Popen(
+        [sys.executable, "-c", WRITE, str(tmp_path), key("q")], stdout=subprocess.PIPE, text=True
+    ) as other:
+        assert other.stdout is not None
+        assert other.stdout.readline() == "writing\n"
+        other.kill()
+        other.wait()
+    (left,) = files(tmp_path)
+    beside = left.with_name(".partial-" + key("r") + "-1")
+    beside.write_bytes(b"another's, who may be at work")
+    with store.holding(key("q")):
+        assert files(tmp_path) == [beside]
+        store.put(key("q"), ANSWER)
+    assert store.get(key("q")) == ANSWER

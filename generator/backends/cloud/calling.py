@@ -158,8 +158,6 @@ class Server:
         elif error.status_code == 404:
             variable = f"TABLETOPGEN_CLOUD_{self.purpose.upper()}_MODEL"
             todo = f" Does {self.base_url} have the model {self.model!r}? Set {variable}."
-        elif error.status_code == 429:
-            todo = " Wait, or raise the account's limits. What was answered before is kept."
         return self.failure(question, told + todo)
 
     def _unanswered(self, question: str, error: openai.APIConnectionError) -> TabletopError:

@@ -11,7 +11,7 @@ from scipy import ndimage, signal
 
 from ...geometry import mask_box
 from ...scene import TABLE, Detection, Instance, Reference
-from .pictures import RGBA, thing_in
+from .pictures import RGBA, apart, thing_in
 from .reading import Wrong
 
 SIDE = 1024
@@ -89,11 +89,10 @@ def cut(reference: Reference, detection: Detection, others: tuple[Detection, ...
 def _ground(colors: UInt8[np.ndarray, "n 3"]) -> str:
     """Return the ground that is farthest from a thing's colours, nearly all of them."""
 
-    def apart(name: str) -> float:
-        off = np.abs(colors.astype(int) - _GROUNDS[name]).max(1)
-        return float(np.percentile(off, 3)) if len(off) else 0.0
+    def off(name: str) -> float:
+        return float(np.percentile(apart(colors, _GROUNDS[name]), 3)) if len(colors) else 0.0
 
-    return max(_GROUNDS, key=lambda name: min(apart(name), 80.0))
+    return max(_GROUNDS, key=lambda name: min(off(name), 80.0))
 
 
 def put_back(redrawn: RGBA, cutout: Cutout) -> Instance:

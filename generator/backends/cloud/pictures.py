@@ -7,7 +7,8 @@ import warnings
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, UInt8
+from jaxtyping import Bool, Float, UInt8
+from numpy.typing import ArrayLike
 
 from ...geometry import main_parts
 from .reading import Wrong
@@ -106,17 +107,26 @@ def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
     return mask
 
 
+def apart(colors: UInt8[np.ndarray, "*n 3"], color: ArrayLike) -> Float[np.ndarray, "*n"]:
+    """Return how far colours are from one, in grey levels of the channel that differs most."""
+    off = np.abs(colors.astype(np.float32) - np.asarray(color, np.float32))
+    return np.maximum(np.maximum(off[..., 0], off[..., 1]), off[..., 2])
+
+
 def _border(picture: np.ndarray) -> np.ndarray:
     return np.concatenate([picture[0], picture[-1], picture[:, 0], picture[:, -1]])
 
 
 def _flat_ground(picture: UInt8[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]:
     """Return where the flat colour of the border reaches without a break."""
-    border = _border(picture).astype(int)
+    border = _border(picture)
     usual = np.median(border, axis=0)
-    if (np.abs(border - usual).max(1) <= _NEAR).mean() < _FLAT:
+    if (apart(border, usual) <= _NEAR).mean() < _FLAT:
         raise Wrong("the background is not one flat colour up to the picture's edges.")
-    near = (np.abs(picture.astype(int) - usual).max(2) <= _NEAR).astype(np.uint8)
-    _, numbers = cv2.connectedComponents(near, connectivity=4)
-    at_edge = np.setdiff1d(np.unique(_border(numbers)), [0])
-    return np.isin(numbers, at_edge)
+    near = (apart(picture, usual) <= _NEAR).astype(np.uint8)
+    count, found = cv2.connectedComponents(near, connectivity=4)
+    numbers = np.asarray(found, np.intp)
+    reached = np.zeros(count, bool)
+    reached[_border(numbers)] = True
+    reached[0] = False  # what is not near
+    return reached[numbers]

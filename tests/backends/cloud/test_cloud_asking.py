@@ -4,8 +4,11 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from typing import Any
 
+import httpx2
 import numpy as np
+import openai
 import pytest
 from desk import reference
 from leaks import everything
@@ -14,7 +17,7 @@ from openai_server import KEY, Request, Running, from_uri, pixels
 from generator.backends.cloud import calling, configuration
 from generator.backends.cloud.asking import ANSWER, REASKS
 from generator.backends.cloud.reasoner import Reasoner
-from generator.errors import BackendError, DryRunError
+from generator.errors import BackendError, BudgetError, DryRunError
 from generator.running.prices import Price, Prices
 from generator.running.session import Session
 from generator.running.store import CallStore
@@ -155,6 +158,8 @@ def test_what_passes_is_waited_for(
         (["500"] * 9, "status 500"),
         (["429"] * 9, "status 429"),
         (["html"] * 9, "HTML"),
+        (["words"], r"no JSON \('All is well\.'\)\. Is http.*the address of the API"),
+        (["list"], r"no JSON object: '\[1, 2\]'"),
         (["empty"] * 9, "no chat completion"),
         (["error in 200"] * 9, "upstream is busy"),
     ],
@@ -186,6 +191,39 @@ def test_a_server_that_hangs_is_not_waited_for_for_ever(
     once = replace(reasoner, session=Session(attempts=1))
     with pytest.raises(BackendError, match=r"list_objects.*did not answer within 0.3 s"):
         once.list_objects(reference())
+
+
+def refused_request() -> httpx2.Request:
+    return httpx2.Request("POST", "http://127.0.0.1/v1/chat/completions")
+
+
+@pytest.mark.parametrize(
+    ("cause", "told"),
+    [
+        (BudgetError("over the budget of 1"), r"^over the budget of 1$"),
+        (httpx2.ReadError(f"reset, {KEY}"), r"no answer from http.*ReadError: reset, \[redacted\]"),
+        (None, "no answer from http.*Connection error"),
+    ],
+    ids=("the session's own", "another", "none"),
+)
+def test_what_the_sdk_wraps_as_no_connection_is_told(
+    reasoner: Reasoner, cause: Exception | None, told: str
+) -> None:
+    """Whether it wraps what the session raises depends on its version."""
+
+    def ask(*_: Any) -> None:
+        raise openai.APIConnectionError(request=refused_request()) from cause
+
+    with pytest.raises(BackendError, match=told):
+        reasoner.chat.server.call("list_objects", ask)
+
+
+def test_what_else_the_sdk_finds_wrong_is_told(reasoner: Reasoner) -> None:
+    def ask(*_: Any) -> None:
+        raise openai.OpenAIError("the header is too long")
+
+    with pytest.raises(BackendError, match="list_objects failed: the header is too long"):
+        reasoner.chat.server.call("list_objects", ask)
 
 
 def test_an_unknown_model_is_named(server: Running, session: Session) -> None:

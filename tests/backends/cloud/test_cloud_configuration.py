@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import importlib.util
+import sys
+
 import pytest
 from desk import reference
 from openai_server import CHAT, IMAGES, Running
@@ -148,3 +151,21 @@ def test_more_hosts_can_be_named(setting) -> None:
     assert configuration.may_fetch("https://cdn.example/x", OPENAI)
     assert configuration.may_fetch("https://a.store.example/x", OPENAI)
     assert not configuration.may_fetch("https://a.cdn.example/x", OPENAI)
+
+
+@pytest.mark.parametrize(
+    ("missing", "told"),
+    [({"openai"}, "needs openai: pip"), ({"openai", "pydantic"}, "needs openai and pydantic: pip")],
+    ids=("one", "both"),
+)
+def test_a_missing_extra_names_the_pip_line(
+    monkeypatch: pytest.MonkeyPatch, missing: set[str], told: str
+) -> None:
+    there = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda name: None if name in missing else there(name)
+    )
+    for name in ("", ".reasoner"):
+        monkeypatch.delitem(sys.modules, f"generator.backends.cloud{name}")
+    with pytest.raises(BackendError, match=rf"{told} install 'tabletopgen\[cloud\]'"):
+        Backends.select("embedded", reasoner="cloud")

@@ -53,7 +53,10 @@ class Served:
 
 
 @contextlib.contextmanager
-def serving(answer: Callable[[Call], Answer]) -> Iterator[Served]:
+def serving(
+    answer: Callable[[Call], Answer], sent: Callable[[Call, bytes], None] = lambda *_: None
+) -> Iterator[Served]:
+    """Serve what ``answer`` says; ``sent`` hears of each answer, once it is on its way."""
     served = Served("")
 
     class Handler(BaseHTTPRequestHandler):
@@ -72,6 +75,7 @@ def serving(answer: Callable[[Call], Answer]) -> Iterator[Served]:
                 self.send_header("content-length", str(length))
                 self.end_headers()
                 self.wfile.write(made.body)
+                sent(call, made.body)
 
         do_POST = do_GET
 

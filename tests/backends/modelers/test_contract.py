@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
+from backends import selected
 from backends.modelers.foreign import glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
+from backends.modelers.test_installed import SCRIPT, Network, fake_trellis, install
 from backends.modelers.test_tencent import ID, KEY, Cloud
 
 from generator.backends import Backends
@@ -15,19 +19,50 @@ from generator.backends.embedded.modeler import Modeler as Embedded
 from generator.backends.embedded.reasoner import Reasoner
 from generator.backends.modelers.folder import Folder
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
+from generator.backends.modelers.sam3d import Sam3D
 from generator.backends.modelers.tencent import Tencent
+from generator.backends.modelers.trellis import Trellis
+from generator.backends.modelers.triposr import TripoSR
 from generator.backends.protocols import Modeler
 from generator.errors import BackendError
 from generator.physics.inertia import body_mass, is_watertight
 from generator.scene import USUAL_VIEW, Model
 from generator.stages.modeling import align_canonically
 
-THING = glb(striped_box((1.0, 0.8, 0.7)))
-NAMES = ("embedded", "folder", "hunyuan3d", "tencent")
+SIZE = (1.0, 0.8, 0.7)
+THING = glb(striped_box(SIZE))
 
 
-@pytest.fixture(params=NAMES, scope="module")
+class PlayedTripoSR(Network):
+    """Of tsr.system: makes a box, coloured by vertex, z up."""
+
+    def extract_mesh(self, scene_codes, has_vertex_color, resolution: int = 256):
+        made = trimesh.creation.box((SIZE[0], SIZE[2], SIZE[1]))
+        made.visual = trimesh.visual.ColorVisuals(made, vertex_colors=[200, 30, 30, 255])
+        return [made]
+
+
+def in_process(environment: pytest.MonkeyPatch, folder: Path) -> dict[str, Callable[[], Modeler]]:
+    """Play the packages that make meshes in this process; return what asks them."""
+    fake_trellis(
+        environment,
+        lambda app_rep, mesh, simplify, texture_size, verbose: striped_box(SIZE),
+    )
+    install(environment, "tsr.system", TSR=PlayedTripoSR)
+    for part in ("notebook", "checkpoints/hf"):
+        (folder / part).mkdir(parents=True)
+    (folder / "notebook/inference.py").write_text(SCRIPT)
+    (folder / "checkpoints/hf/pipeline.yaml").write_text("")
+    return {
+        "trellis": Trellis,
+        "triposr": lambda: TripoSR(device="cpu"),
+        "sam3d": lambda: Sam3D(str(folder)),
+    }
+
+
+@pytest.fixture(params=selected.names("modeler"), scope="module")
 def modeler(request, tmp_path_factory) -> Iterator[Modeler]:
+    """Each modeler that can be selected by name; a new one needs an entry here."""
     folder = tmp_path_factory.mktemp("assets")
     (folder / "gizmo.glb").write_bytes(THING)
     cloud = Cloud(loads=[Answer(body=THING)])
@@ -38,14 +73,17 @@ def modeler(request, tmp_path_factory) -> Iterator[Modeler]:
     with serving(answer) as served, pytest.MonkeyPatch.context() as environment:
         environment.setenv("TENCENTCLOUD_SECRET_ID", ID)
         environment.setenv("TENCENTCLOUD_SECRET_KEY", KEY)
-        yield {
-            "embedded": Embedded(texture=64),
-            "folder": Folder(str(folder)),
-            "hunyuan3d": Hunyuan3D(served.url, session=quick()),
-            "tencent": Tencent(
+        made = {
+            "embedded": lambda: Embedded(texture=64),
+            "folder": lambda: Folder(str(folder)),
+            "hunyuan3d": lambda: Hunyuan3D(served.url, session=quick()),
+            "tencent": lambda: Tencent(
                 served.url, interval=0.01, hosts=("127.0.0.1",), session=quick()
             ),
-        }[request.param]  # fmt: skip
+            **in_process(environment, folder / "sam3d"),
+        }[request.param]()
+        assert type(made) is selected.kind(request.param, "modeler")
+        yield made
 
 
 @pytest.fixture(scope="module")
@@ -92,7 +130,7 @@ def test_the_stage_can_align_it(made):
     assert (aligned.name, aligned.label) == (thing.name, thing.label)
 
 
-@pytest.mark.parametrize("name", ["folder", "hunyuan3d", "tencent", "trellis", "triposr", "sam3d"])
+@pytest.mark.parametrize("name", [n for n in selected.names("modeler") if n != "embedded"])
 def test_it_can_be_selected_by_name(name):
     chosen = Backends.select("embedded", modeler=name)
     assert isinstance(chosen.modeler, Modeler)

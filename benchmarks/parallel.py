@@ -1,0 +1,175 @@
+"""What asking about all things at once is worth: one scene of six things, a pool of one against 8.
+
+    python benchmarks/parallel.py --delay 1
+
+Makes the scene of ``tests/mixing`` by ``cloud``, ``huggingface`` and ``hunyuan3d``: the servers are
+the tests' own, in a process of their own, and take ``--delay`` seconds for each answer; the models
+on this machine are tiny. Takes the time, by the clock, of the three things that are asked about
+each of the six and the table (completing, modelling, reviewing the orientation), what is computed
+here beside the answers included, and of the whole. Ends with 1 where completing and modelling take
+more than a third of what they take one after another. Writes ``results/parallel.md``. ``--note`` is
+added to the table's head, for instance that the machine was not idle.
+"""
+
+from __future__ import annotations
+
+import argparse
+import multiprocessing
+import os
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any, NamedTuple, TypeVar
+
+from posing import tables
+
+from generator.running import Session
+
+HERE = Path(__file__).parent
+TESTS = HERE.parent / "tests"
+sys.path[:0] = [str(TESTS), str(TESTS / "mixing")]
+
+STEPS = {
+    "completing": "complete",
+    "modelling": "model",
+    "reviewing the orientation": "review_orientation",
+}
+"""What is asked about each thing, in the order in which the pipeline does, and its question."""
+
+REST = (
+    "Things are the six and the table. The rest of the scene goes on one after another, as each "
+    "step needs the one before: the plan, the drawing, the list of things, segmenting (here), the "
+    "view, the sizes, rotations (here), the top view and its check, what stands on what, and "
+    "refinement and assembly (here)."
+)
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+
+class Timed(Session):
+    """A session that takes the time of each question asked about many things."""
+
+    def __init__(self, workers: int) -> None:
+        super().__init__(workers=workers)
+        self.seconds: list[float] = []
+
+    def each(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
+        """Ask as any session does; see ``Session.each``."""
+        begin = time.perf_counter()
+        done = super().each(work, items)
+        self.seconds.append(time.perf_counter() - begin)
+        return done
+
+
+class Row(NamedTuple):
+    """One scene: seconds of each step of ``STEPS``, those with a server at work, and the whole."""
+
+    steps: tuple[float, ...]
+    served: tuple[float, ...]
+    whole: float
+
+    def lines(self) -> dict[str, float]:
+        """Return the seconds by what the table calls them."""
+        found = dict(zip(STEPS, self.steps, strict=True))
+        return {
+            **found,
+            "completing and modelling": sum(self.steps[:2]),
+            "the same, while a server was at work": sum(self.served[:2]),
+            "whole scene": self.whole,
+        }
+
+
+def at_work(calls: Sequence[tuple[str, float, float]], question: str) -> float:
+    """Return the seconds in which at least one call of a kind was under way."""
+    total, until = 0.0, float("-inf")
+    for began, ended in sorted((b, e) for name, b, e in calls if name == question):
+        total += max(0.0, ended - max(began, until))
+        until = max(until, ended)
+    return total
+
+
+def serve(delay: float, models: Path, told: Connection) -> None:
+    """Run the servers; tell the environment that leads to them, and what was asked, when asked."""
+    import mix_servers  # pyright: ignore[reportMissingImports]
+
+    watch = mix_servers.Watch(delay)
+    with mix_servers.running(watch) as servers:
+        told.send(servers.environment(models))
+        while told.recv():
+            told.send([(a.question, a.began, a.ended) for a in watch.asked])
+            watch.asked.clear()
+
+
+@contextmanager
+def served(delay: float, models: Path) -> Iterator[Connection]:
+    """Serve in another process; the environment is set to lead there."""
+    spawn = multiprocessing.get_context("spawn")
+    here, there = spawn.Pipe()
+    process = spawn.Process(target=serve, args=(delay, models, there), daemon=True)
+    process.start()
+    try:
+        os.environ.update(here.recv())
+        yield here
+    finally:
+        here.send(False)
+        process.join()
+
+
+def made(workers: int, servers: Connection) -> Row:
+    """Make the scene with a pool of some size, keeping no answers."""
+    import mix_driver  # pyright: ignore[reportMissingImports]
+
+    session = Timed(workers)
+    begin = time.perf_counter()
+    scene: Any = mix_driver.scene(session).scene
+    whole = time.perf_counter() - begin
+    assert len(scene.objects) == 6 and len(session.seconds) == len(STEPS)
+    servers.send(True)
+    calls = servers.recv()
+    return Row(tuple(session.seconds), tuple(at_work(calls, q) for q in STEPS.values()), whole)
+
+
+def table(one: Row, many: Row, workers: int, head: str) -> str:
+    """Return both as Markdown, and which share of the first the second is."""
+    pairs = [(name, a, many.lines()[name]) for name, a in one.lines().items()]
+    lines = [f"| {name} | {a:.1f} | {b:.1f} | {b / a:.2f} |" for name, a, b in pairs]
+    titles = [f"| seconds | pool of 1 | pool of {workers} | share |", "|---|---|---|---|"]
+    return "\n".join([head, "", *titles, *lines, "", REST, ""])
+
+
+def main() -> int:
+    """Make the scene with each pool, print and write the table; 1 if the share is above 1/3."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--delay", type=float, default=1.0, help="seconds of each answer")
+    parser.add_argument("--workers", type=int, default=8)
+    parser.add_argument("--out", type=Path, default=HERE / "results")
+    parser.add_argument("--note", default="")
+    args = parser.parse_args()
+
+    tables.alone()
+    import fitted_models  # pyright: ignore[reportMissingImports]
+    import laid_table  # pyright: ignore[reportMissingImports]
+
+    with tempfile.TemporaryDirectory(prefix="tabletopgen-parallel-") as folder:
+        models = fitted_models.save(Path(folder), laid_table.examples())
+        with served(args.delay, models) as servers:
+            made(args.workers, servers)  # so that what is read once is read
+            one, many = made(1, servers), made(args.workers, servers)
+    head = (
+        f"Seconds for one scene of six things and a table, {args.delay:g} s an answer.\n"
+        f"`{tables.command_line('--out', '--note')}`, {tables.where()}. {args.note}"
+    ).rstrip()
+    text = table(one, many, args.workers, head)
+    args.out.mkdir(parents=True, exist_ok=True)
+    (args.out / "parallel.md").write_text(text, encoding="utf-8")
+    print(text)
+    return 0 if sum(many.steps[:2]) <= sum(one.steps[:2]) / 3 else 1
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,72 @@
+"""One scene by ``cloud``, ``huggingface`` and ``hunyuan3d``, as a process of its own.
+
+    python mix_driver.py OUT CALLS WORKERS
+
+The settings are the coarsest that make a scene: what is tested is who is asked what, and when.
+"""
+
+from __future__ import annotations
+
+import logging
+import sys
+
+import laid_table
+from backends.openai_server import CHAT, IMAGES
+from fitted_models import SIDE
+
+from generator.backends import Backends
+from generator.backends.huggingface.encoder import Encoder
+from generator.backends.huggingface.segmenter import Segmenter
+from generator.pipeline import Config, Generation, generate
+from generator.running import Session
+from generator.running.prices import Price, Prices
+from generator.running.store import CallStore
+from generator.running.waiting import Patience
+from generator.stages.refinement import RefinementConfig
+from generator.stages.rotation import RotationConfig
+
+CONFIG = Config(
+    rotation=RotationConfig(
+        candidates=2, rivals=1, finalists=1, coarse_steps=1, rival_steps=1, close_steps=0, steps=1,
+        coarse_step=0.8, points=400, resolution=32, coarse_resolution=32, suspect=0.0,
+    ),
+    refinement=RefinementConfig(steps=2, points=200, resolution=24),
+)  # fmt: skip
+
+PRICES = Prices(
+    "2026-01-01", "USD", {CHAT: Price(input=1.0, output=10.0), IMAGES: Price(image=0.5)}
+)
+"""By these a question costs 0.0003, a picture 0.5, and a mesh, made on this machine, nothing."""
+
+
+def mix(session: Session) -> Backends:
+    """Return the mix, its models on the CPU, and small."""
+    return Backends.select(
+        "cloud",
+        session=session,
+        segmenter=Segmenter("grounding-dino-tiny", tiles=1, side=SIDE, device="cpu"),
+        encoder=Encoder(side=28, device="cpu"),
+        modeler="hunyuan3d",
+    )
+
+
+def scene(session: Session) -> Generation:
+    """Return the scene of the laid table."""
+    return generate(laid_table.TEXT, mix(session), CONFIG, seed=5)
+
+
+def main(out: str, calls: str, workers: str) -> None:
+    """Make the scene, keep answers in ``calls``, publish it in ``out`` with its ledger."""
+    logging.basicConfig(level=logging.DEBUG)
+    session = Session(
+        store=CallStore(calls), prices=PRICES, workers=int(workers), attempts=2,
+        patience=Patience(first=0.01),
+    )  # fmt: skip
+    made = scene(session)
+    path = made.save(out)
+    session.account.save(path, session.prices)
+    print(path)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
