@@ -21,6 +21,7 @@ from generator.errors import BackendError, BudgetError, DryRunError
 from generator.running.prices import Price, Prices
 from generator.running.session import Session
 from generator.running.store import CallStore
+from generator.running.used import Used
 
 KINDS = json.dumps({"kinds": [{"noun": "Mug", "count": 2}, {"noun": "table", "count": 1}]})
 NOUNS = ("table", "mug", "mug")
@@ -215,7 +216,7 @@ def test_what_the_sdk_wraps_as_no_connection_is_told(
         raise openai.APIConnectionError(request=refused_request()) from cause
 
     with pytest.raises(BackendError, match=told):
-        reasoner.chat.server.call("list_objects", ask)
+        reasoner.chat.server.call("list_objects", ask, Used(None), "meant")
 
 
 def test_what_else_the_sdk_finds_wrong_is_told(reasoner: Reasoner) -> None:
@@ -223,7 +224,7 @@ def test_what_else_the_sdk_finds_wrong_is_told(reasoner: Reasoner) -> None:
         raise openai.OpenAIError("the header is too long")
 
     with pytest.raises(BackendError, match="list_objects failed: the header is too long"):
-        reasoner.chat.server.call("list_objects", ask)
+        reasoner.chat.server.call("list_objects", ask, Used(None), "meant")
 
 
 def test_an_unknown_model_is_named(server: Running, session: Session) -> None:

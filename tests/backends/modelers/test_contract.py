@@ -11,7 +11,7 @@ import trimesh
 from backends import selected
 from backends.modelers.foreign import glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
-from backends.modelers.test_installed import SCRIPT, Network, fake_trellis, install
+from backends.modelers.test_installed import Network, checkout, fake_trellis, install
 from backends.modelers.test_tencent import ID, KEY, Cloud
 
 from generator.backends import Backends
@@ -19,7 +19,6 @@ from generator.backends.embedded.modeler import Modeler as Embedded
 from generator.backends.embedded.reasoner import Reasoner
 from generator.backends.modelers.folder import Folder
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
-from generator.backends.modelers.sam3d import Sam3D
 from generator.backends.modelers.tencent import Tencent
 from generator.backends.modelers.trellis import Trellis
 from generator.backends.modelers.triposr import TripoSR
@@ -49,14 +48,11 @@ def in_process(environment: pytest.MonkeyPatch, folder: Path) -> dict[str, Calla
         lambda app_rep, mesh, simplify, texture_size, verbose: striped_box(SIZE),
     )
     install(environment, "tsr.system", TSR=PlayedTripoSR)
-    for part in ("notebook", "checkpoints/hf"):
-        (folder / part).mkdir(parents=True)
-    (folder / "notebook/inference.py").write_text(SCRIPT)
-    (folder / "checkpoints/hf/pipeline.yaml").write_text("")
+    played = checkout(folder, "[1, 0, 0, 0]")
     return {
         "trellis": Trellis,
         "triposr": lambda: TripoSR(device="cpu"),
-        "sam3d": lambda: Sam3D(str(folder)),
+        "sam3d": lambda: played,
     }
 
 
