@@ -182,7 +182,7 @@ class Pusher(Expert):
         world, name, spot = self._env.world, self._goal.target, self._goal.spot[:2]
         spots = (spot, *(spot + _ASIDES))
         aims: list[tuple[Float[np.ndarray, "2"], Care]] = [(spot, "free")]
-        aims += [(at, care) for care in _LESS_ROOM for at in spots]
+        aims.extend((at, care) for care in _LESS_ROOM for at in spots)
         self.attempts += 1
         others = beside(world, name)
         for self._choice, (self._aim, care) in enumerate(aims):
