@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from ..backends import Mix
-from ..errors import InputError, require
+from ..errors import InputError, StorageError, require
 from ..running.prices import Prices
 from ..running.purse import Purse
 from .jobs import Job
@@ -92,12 +92,18 @@ class Generating:
             )
 
     def identity(self) -> dict[str, Any]:
-        """Return backends and settings."""
+        """Return backends and settings; of backends other than the embedded one, theirs too.
+
+        Raises:
+            BackendError: one of them cannot be selected here.
+        """
         from ..pipeline import Config
         from ..provenance import plain
 
-        settings = plain(self.config or Config())
-        return {"route": "generate", **self.mix.identity(), "config": settings}
+        told = {"route": "generate", **self.mix.identity()}
+        if set(self.mix.roles().values()) != {"embedded"}:  # models and addresses, say
+            told["answering"] = plain(self.mix.select().identity())
+        return {**told, "config": plain(self.config or Config())}
 
     def __call__(self, job: Job, folder: Path) -> Path:
         """Generate a job's scene.
@@ -134,7 +140,10 @@ class Generating:
             )
             if session.store is not None:
                 folder, scene = session.store.folder, key_of(job, self)
-                session.account.resume(Spending.beside(folder, scene, session.prices.currency))
+                try:
+                    session.account.resume(Spending.beside(folder, scene, session.prices.currency))
+                except InputError as error:  # of another currency: no fault of the scene's
+                    raise StorageError(str(error)) from error
             yield session
 
 

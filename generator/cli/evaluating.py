@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 from tyro.conf import Positional
 
+from .paying import answering, open_session, scene_key
 from .printing import emit
 from .store import find, one, some
 
 if TYPE_CHECKING:
     from ..evaluation import Evaluation
+    from ..running import Session
 
 
 def evaluate(
@@ -24,6 +26,9 @@ def evaluate(
     truth: str | None = None,
     sweep: bool = False,
     judge: str | None = None,
+    budget: float | None = None,
+    calls: Path | None = None,
+    prices: Path | None = None,
     json: bool = False,
 ) -> int:
     """Measure scenes: collisions, what floats or drifts, sizes, likeness to picture and truth.
@@ -38,6 +43,9 @@ def evaluate(
         sweep: Also look from 160 views for the one nearest to the picture (about 20 s a scene).
         judge: Backend whose reasoner marks each scene from 1 to 7 (VF, IA, PP), and ranks them if
             --picture and several bundles are given. The embedded one cannot.
+        budget: What the judge may cost; as for generate.
+        calls: Folder where the judge's answers are kept; as for generate.
+        prices: Table of what calls cost (TOML); as for generate.
         json: Print one JSON object instead of tables.
     """
     from ..bundle import load
@@ -45,19 +53,22 @@ def evaluate(
     from ..evaluation.perceptual import available
     from ..stages.reference import read_image
 
-    asked = None if judge is None else _judge(judge)
+    session = open_session(calls, prices, budget, dry=False)
+    asked = None if judge is None else _judge(judge, session)
     given = None if picture is None else read_image(picture)
     true = None if truth is None else load(one(truth))
     metrics = available() if sweep else None
+    paths = _paths(bundles)
     found: list[tuple[str, Evaluation]] = []
-    for path in _paths(bundles):
-        evaluation = report.evaluate_bundle(
-            path, picture=given, truth=true, metrics=metrics, judge=asked
-        )
-        found.append((str(path), evaluation))
     order: tuple[str, ...] = ()
-    if asked is not None and given is not None and len(found) > 1:
-        order = report.ranking(dict(found), given, asked)
+    with answering(session, scene_key("evaluate", judge, *map(str, paths), picture)):
+        for path in paths:
+            evaluation = report.evaluate_bundle(
+                path, picture=given, truth=true, metrics=metrics, judge=asked
+            )
+            found.append((str(path), evaluation))
+        if asked is not None and given is not None and len(found) > 1:
+            order = report.ranking(dict(found), given, asked)
     summary = rates(e.collisions for _, e in found)
     if json:
         scenes = [{"bundle": path, **e.facts()} for path, e in found]
@@ -72,15 +83,17 @@ def evaluate(
         )
         if order:
             print(f"ranked by {judge}, the best first: {', '.join(order)}")
+        if spent := session.account.text(session.prices.currency):
+            print(spent)
     return 0 if all(e.flawless for _, e in found) else 1
 
 
-def _judge(backend: str) -> object:
+def _judge(backend: str, session: Session) -> object:
     """Return a backend's reasoner as a judge, before anything is measured."""
     from ..backends import Backends
     from ..evaluation.judged import as_judge
 
-    return as_judge(Backends.select(reasoner=backend).reasoner)
+    return as_judge(Backends.select(reasoner=backend, session=session).reasoner)
 
 
 def _paths(bundles: tuple[str, ...]) -> list[Path]:
