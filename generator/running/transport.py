@@ -154,7 +154,7 @@ class PaidTransport(httpx2.BaseTransport):
         while True:
             session.check()
             self._breaker.check(str(asked))
-            told, interrupt = self._attempt(request, asked)
+            told, interrupt = self._attempt(request, asked, secrets)
             if isinstance(told, Reply):
                 self._breaker.worked()
                 interrupted.extend(filter(None, [interrupt]))
@@ -180,7 +180,7 @@ class PaidTransport(httpx2.BaseTransport):
         )
 
     def _attempt(
-        self, request: httpx2.Request, asked: Question
+        self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]
     ) -> tuple[Reply | Trouble, BaseException | None]:
         """Send a request once, within the budget, and enter it in the ledger.
 
@@ -201,7 +201,7 @@ class PaidTransport(httpx2.BaseTransport):
                 record(entry)
                 enter(entry)
 
-            sending = (self._client, request, self._timeout, self._most_bytes)
+            sending = (self._client, request, self._timeout, self._most_bytes, secrets)
             flight = Flight(functools.partial(exchange, *sending))
             try:
                 interrupt = session.landing(flight)

@@ -97,7 +97,7 @@ class Service:
             if not code.startswith(_BUSY) or time.monotonic() > until:
                 break
             self.session.pause(self.interval)
-        said = redacted(f"{code}: {error.get('Message', '')}"[:400], self.keys)
+        said = redacted(f"{code}: {error.get('Message', '')}", self.keys)[:400]
         if action == _QUERY and any(word in code for word in _GONE):
             raise LostJob(said)
         raise BackendError(f"{self.what} {action} was refused ({said}).{_hint(code)}")
@@ -124,7 +124,7 @@ class Service:
             self.used.drop(last=True)
             raise BackendError(
                 f"{self.what} {action} was answered by {answer.status_code}, "
-                f"{redacted(answer.text[:80], self.keys)!r}. Is {self.endpoint} Tencent's?"
+                f"{redacted(answer.text, self.keys)[:80]!r}. Is {self.endpoint} Tencent's?"
             )
         return told
 

@@ -342,3 +342,22 @@ def test_settings_out_of_range_are_refused():
     with serving(cloud) as served, pytest.raises(InputError, match="Normal needs faces"):
         ask(served.url, faces=3)
     assert not cloud.log
+
+
+@pytest.mark.parametrize("before", range(340, 400, 7))
+def test_a_key_that_a_quote_would_cut_in_two_is_found_all_the_same(before):
+    def refuse(call: Call) -> Answer:
+        return told(Error={"Code": "Bad", "Message": "x" * before + " " + KEY})
+
+    def end(call: Call) -> Answer:
+        if call.headers["x-tc-action"] == SUBMIT:
+            return told(JobId="job-1")
+        return told(Status="FAIL", ErrorMessage="x" * (before - 100) + " " + KEY)
+
+    def talk(call: Call) -> Answer:
+        return Answer(body=b"x" * (before - 320) + b" " + KEY.encode())
+
+    for answer in (refuse, end, talk):
+        with serving(answer) as served, pytest.raises(BackendError) as caught:
+            ask(served.url)
+        assert KEY[:5] not in str(caught.value)
