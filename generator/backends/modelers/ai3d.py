@@ -24,7 +24,7 @@ SECRET_ID, SECRET_KEY = "TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY"
 
 _VERSION = "2025-05-13"
 _SUBMIT, _QUERY = "SubmitHunyuanTo3DProJob", "QueryHunyuanTo3DProJob"
-_MODELS = {_SUBMIT: "hunyuan-3d-pro", _QUERY: "hunyuan-3d-query"}  # in price tables
+_MODELS = {_SUBMIT: "hunyuan-3d-pro", _QUERY: "hunyuan-3d-query"}  # in ledgers
 _BUSY = "RequestLimitExceeded"  # too many calls, or too many jobs at once
 _EXPIRED = "AuthFailure.SignatureExpire"  # more than five minutes off the service's clock
 _GONE = ("NotFound", "NotExist", "Expire")  # in the code of a job that is kept no longer
@@ -113,6 +113,7 @@ class Service:
             "x-tabletopgen-question": "model",
             "x-tabletopgen-model": _MODELS[action],
             "x-tabletopgen-memo": memo,
+            "x-tabletopgen-free": "yes" if action == _QUERY else "no",  # a job is paid for once
         }
         answer = self.client.post("/", content=json.dumps(body).encode(), headers=headers)
         self.used.add(answer.headers)
