@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import functools
 import logging
 import time
@@ -188,10 +189,14 @@ class PaidTransport(httpx2.BaseTransport):
         """
         session, account = self._session, self._session.account
         lost = _entry(asked, "failed", 0.0, asked.most)
-        with (
-            account.reserving(asked.most, session.budget, str(asked), session.check) as enter,
-            account.recording(lost, asked.key) as record,
-        ):
+        with account.reserving(asked.most, session.budget, str(asked), session.check) as enter:
+            try:
+                record = account.record(lost, asked.key, must=session.budget is not None)
+            except StorageError as error:
+                enter(dataclasses.replace(lost, money=0.0))
+                raise StorageError(
+                    f"{asked}: not sent, for a budget is to be kept. {error}"
+                ) from error
             if self._sign is not None:
                 request.headers.update(self._sign(request))
             began = time.monotonic()
