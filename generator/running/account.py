@@ -100,26 +100,31 @@ class Account:
             money = sum(entry.money or 0.0 for entry in entries)
             self.note(f"Of this, {money:.4f} was spent by earlier runs of the same scene.")
 
-    @contextlib.contextmanager
-    def recording(self, sent: Entry, key: str) -> Iterator[Callable[[Entry], None]]:
-        """Write down a call that is about to be sent; yields what writes down how it ended.
+    def record(self, sent: Entry, key: str, *, must: bool = False) -> Callable[[Entry], None]:
+        """Write down a call that is about to be sent; returns what writes down how it ended.
 
         Args:
             sent: the call, as it counts if nobody says how it ended.
             key: its question's.
+            must: whether it may only be sent where it is written down: with a budget.
+
+        Raises:
+            StorageError: with ``must``, the disk refuses. Else, and at its end, it is noted.
         """
         spending, call = self._spending, new_call()
 
-        def write(entry: Entry) -> None:
+        def write(entry: Entry, must: bool = False) -> None:
             if spending is None or sent.money == 0:
                 return
             try:
                 spending.write(call, key, entry)
             except StorageError as error:  # an answer must not be lost for it
+                if must:
+                    raise
                 self.note(str(error))
 
-        write(sent)
-        yield write
+        write(sent, must)
+        return write
 
     def add(self, entry: Entry) -> None:
         """Enter a call."""

@@ -44,12 +44,15 @@ def checked_address(url: str, what: str, hint: str = "") -> str:
 
 def local(host: str) -> bool:
     """Return whether a host is this machine."""
-    if host == "localhost" or host.endswith(".localhost"):
+    name = host.removesuffix(".")
+    if name == "localhost" or name.endswith(".localhost"):
         return True
     try:
-        return ipaddress.ip_address(host).is_loopback
+        found = ipaddress.ip_address(host)
     except ValueError:
         return False
+    found = getattr(found, "ipv4_mapped", None) or found
+    return found.is_loopback or found.is_unspecified
 
 
 def near(host: str) -> bool:

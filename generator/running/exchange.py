@@ -10,6 +10,8 @@ from typing import Any
 
 import httpx2
 
+from .redaction import redacted
+
 MOST_REDIRECTS = 3
 
 _AGAIN = frozenset({408, 425, 429, 500, 502, 503, 504, 520, 521, 522, 523, 524, 529})
@@ -39,7 +41,6 @@ class Trouble:
     """Why there is no answer: a sentence.
 
     ``again``: another attempt may mend it. ``charged``: it may have been paid for. ``alive``: the
-    ``again``: another attempt may mend it. ``charged``: it may have been paid for. ``alive``: the
     server works, or says when it will. ``late``: it was waited for in vain. ``wait``: what its
     Retry-After says. ``unusable``: it answered, with nothing of use.
     """
@@ -54,9 +55,13 @@ class Trouble:
 
 
 def exchange(
-    client: httpx2.Client, request: httpx2.Request, timeout: float, most_bytes: int
+    client: httpx2.Client,
+    request: httpx2.Request,
+    timeout: float,
+    most_bytes: int,
+    secrets: tuple[str, ...] = (),
 ) -> Reply | Trouble:
-    """Send a request once and read its answer.
+    """Send a request once and read its answer; what is quoted of it holds none of ``secrets``.
 
     Nothing is raised for what servers and networks do: errors of the library hold the request, and
     with it the key.
@@ -81,7 +86,7 @@ def exchange(
         return Trouble(told, again=True, charged=paid)
     if isinstance(reply, Trouble):
         return reply
-    return _judged(reply, paid)
+    return _judged(reply, paid, secrets)
 
 
 class _TooSlow(Exception):
@@ -138,16 +143,17 @@ def _body(response: httpx2.Response, deadline: float, most_bytes: int) -> Reply 
     return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
 
 
-def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
+def _judged(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Trouble:
     """Return the answer with its JSON, or why it is none."""
     status, again = reply.status, reply.status in _AGAIN
-    trouble = _trouble(reply, status, paid)
     head = reply.body[:_EXCERPT].lstrip().lower()
     if "text/html" in reply.content_type or head.startswith((b"<!doctype html", b"<html")):
         told = (
             f"It answered with an HTML page (status {status}), not with JSON or a file: "
-            f"{_excerpt(reply.body)}. Check the address; a proxy or a web site may answer there."
+            f"{_excerpt(reply.body, secrets)}. Check the address; a proxy or a web "
+            "site may answer there."
         )
+        trouble = _trouble(reply, status, paid, secrets)
         alive = trouble.alive or not again
         return replace(trouble, reason=told, alive=alive, unusable=not again)
     payload = None
@@ -156,22 +162,23 @@ def _judged(reply: Reply, paid: bool) -> Reply | Trouble:
             payload = json.loads(reply.body)
         except (ValueError, RecursionError):
             if reply.good:
-                told = f"Its answer is not whole JSON: {_excerpt(reply.body)}."
+                told = f"Its answer is not whole JSON: {_excerpt(reply.body, secrets)}."
                 return Trouble(told, again=True, charged=paid)
     passed_on = _code(payload) if reply.good else None
     if passed_on in _AGAIN:
-        told = f"It passed on an error of code {passed_on}: {_excerpt(reply.body)}."
-        return replace(_trouble(reply, passed_on, paid), reason=told)
+        told = f"It passed on an error of code {passed_on}: {_excerpt(reply.body, secrets)}."
+        return replace(_trouble(reply, passed_on, paid, secrets), reason=told)
     if again or status >= 500 or status < 200:
         spent = status == 429 and b"insufficient_quota" in reply.body
+        trouble = _trouble(reply, status, paid, secrets)
         return replace(trouble, again=again and not spent)
     return Reply(status, reply.content_type, reply.body, payload)
 
 
-def _trouble(reply: Reply, status: int, paid: bool) -> Trouble:
+def _trouble(reply: Reply, status: int, paid: bool, secrets: tuple[str, ...]) -> Trouble:
     """Return what an answer of a status that is none of use means."""
     return Trouble(
-        f"It answered with status {status}: {_excerpt(reply.body)}.",
+        f"It answered with status {status}: {_excerpt(reply.body, secrets)}.",
         again=status in _AGAIN, charged=paid and status in _CHARGED, late=status in _LATE,
         alive=status == 429 or (status == 503 and reply.wait is not None), wait=reply.wait,
     )  # fmt: skip
@@ -184,8 +191,9 @@ def _code(payload: Any) -> int | None:
     return int(code) if code.isdecimal() else None
 
 
-def _excerpt(body: bytes) -> str:
-    text = " ".join(body[:_EXCERPT].decode("utf-8", "replace").split())
+def _excerpt(body: bytes, secrets: tuple[str, ...]) -> str:
+    """Return how an answer begins; a key that is cut in two could not be found any more."""
+    text = " ".join(redacted(body.decode("utf-8", "replace"), secrets)[:_EXCERPT].split())
     return repr(text) if text else "nothing"
 
 

@@ -18,7 +18,7 @@ from .prices import Price, Prices
 from .redaction import plain_url
 
 QUESTION, MODEL, MEMO = "x-tabletopgen-question", "x-tabletopgen-model", "x-tabletopgen-memo"
-MEANT = "x-tabletopgen-meant"
+MEANT, FREE = "x-tabletopgen-meant", "x-tabletopgen-free"
 
 Memo = Literal["yes", "no", "renew"]
 
@@ -84,11 +84,12 @@ def question(request: httpx2.Request, server: str, prices: Prices) -> Question:
         raise BackendError(f"{server}, {name}: {MEMO} is {memo!r}." + choices(memo, _MEMOS))
     body = request.read()
     meant = request.headers.pop(MEANT, "")
+    free = request.headers.pop(FREE, "") == "yes"
     key = _key(request, meant.encode() or body, model)
     payload = _payload(request, body)
     model = model or str(payload.get("model", ""))
     price = prices.price(model, request.url.netloc.decode())
-    price, most = _price(request, payload, body, price)
+    price, most = (Price(), 0.0) if free else _price(request, payload, body, price)
     return Question(server, name, model, key, _MEMOS[memo], price, most)
 
 

@@ -17,7 +17,9 @@ _NOTHING = re.compile(r"(?!)")
 _SHAPES = (
     re.compile(r"(?i)(?<=\bbearer )[^\s\"',;]+"),
     re.compile(r"(?i)(?<=\bbasic )[A-Za-z0-9+/=_-]{8,}"),
-    re.compile(r"\b(?:sk|pk|hf|r8|gsk|xai|rk)[-_][A-Za-z0-9*._-]{8,}"),
+    # as long as keys are, for models have names like "xai-grok-4-fast"
+    re.compile(r"\b(?:sk|pk|rk)[-_](?=[A-Za-z*._-]*[0-9*])[A-Za-z0-9*._-]{16,}"),
+    re.compile(r"\b(?:hf_|r8_|gsk_|xai-)[A-Za-z0-9*]{30,}"),
     re.compile(r"\bAKID[A-Za-z0-9]{12,}"),
     re.compile(r"(?i)(?<=signature=)[^\s&\"',;]+"),
 )

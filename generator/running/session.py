@@ -91,6 +91,8 @@ class Session:
         ``x-tabletopgen-memo``: "no" for an answer that changes (the state of a job), "renew" where
         the kept answer is of no use any more. ``x-tabletopgen-meant`` stands for the body where
         requests that differ ask the same, or that are alike do not: what is kept, is kept by it.
+        ``x-tabletopgen-free``: "yes" for what costs nothing (a look at a job), whatever the price
+        table has.
         Other headers than those of HTTP itself are not sent either, whatever a library that makes
         the request finds in the environment. Answers of status 2xx, and 4xx that no wait would
         mend, are returned, with the key that they are kept under (``used.KEY``); everything else

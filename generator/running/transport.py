@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import functools
 import logging
 import time
@@ -154,7 +155,7 @@ class PaidTransport(httpx2.BaseTransport):
         while True:
             session.check()
             self._breaker.check(str(asked))
-            told, interrupt = self._attempt(request, asked)
+            told, interrupt = self._attempt(request, asked, secrets)
             if isinstance(told, Reply):
                 self._breaker.worked()
                 interrupted.extend(filter(None, [interrupt]))
@@ -180,7 +181,7 @@ class PaidTransport(httpx2.BaseTransport):
         )
 
     def _attempt(
-        self, request: httpx2.Request, asked: Question
+        self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]
     ) -> tuple[Reply | Trouble, BaseException | None]:
         """Send a request once, within the budget, and enter it in the ledger.
 
@@ -188,10 +189,14 @@ class PaidTransport(httpx2.BaseTransport):
         """
         session, account = self._session, self._session.account
         lost = _entry(asked, "failed", 0.0, asked.most)
-        with (
-            account.reserving(asked.most, session.budget, str(asked), session.check) as enter,
-            account.recording(lost, asked.key) as record,
-        ):
+        with account.reserving(asked.most, session.budget, str(asked), session.check) as enter:
+            try:
+                record = account.record(lost, asked.key, must=session.budget is not None)
+            except StorageError as error:
+                enter(dataclasses.replace(lost, money=0.0))
+                raise StorageError(
+                    f"{asked}: not sent, for a budget is to be kept. {error}"
+                ) from error
             if self._sign is not None:
                 request.headers.update(self._sign(request))
             began = time.monotonic()
@@ -201,7 +206,7 @@ class PaidTransport(httpx2.BaseTransport):
                 record(entry)
                 enter(entry)
 
-            sending = (self._client, request, self._timeout, self._most_bytes)
+            sending = (self._client, request, self._timeout, self._most_bytes, secrets)
             flight = Flight(functools.partial(exchange, *sending))
             try:
                 interrupt = session.landing(flight)

@@ -149,7 +149,7 @@ def test_the_shipped_prices_are_dated() -> None:
     prices = Prices.shipped()
     assert prices.date.startswith("20") and prices.currency == "USD"
     free = {name for name, p in prices.models.items() if not p.of(1, 1, 1)}
-    assert free == {"hunyuan-3d-query"}, "a job is paid when it is submitted"
+    assert free == set()
 
 
 @pytest.mark.parametrize(

@@ -45,6 +45,23 @@ def test_what_is_shaped_like_a_key_goes_unasked(text: str) -> None:
     )
 
 
+@pytest.mark.parametrize(
+    ("start", "length"),
+    [("sk-", 32), ("sk-", 48), ("sk-proj-", 148), ("sk-ant-api03-", 95), ("sk-or-v1-", 64),
+     ("sk_live_", 24), ("rk_live_", 24), ("hf_", 34), ("r8_", 37), ("gsk_", 52), ("xai-", 80)],
+)  # fmt: skip
+def test_keys_of_known_makers_go_unasked(start: str, length: int) -> None:
+    key = start + ("a1B2c3D4e5F6" * 20)[:length]
+    assert redacted(f"key {key} is wrong") == "key [redacted] is wrong"
+
+
+@pytest.mark.parametrize(
+    "name", ["xai-grok-4-fast", "hf-internal-model-1", "pk-something-long", "r8_model_abcdef"]
+)
+def test_names_of_models_stay(name: str) -> None:
+    assert redacted(f"no model {name} here") == f"no model {name} here"
+
+
 def test_a_longer_secret_goes_before_one_that_it_contains() -> None:
     assert redacted("abcdef", ("abc", "abcdef")) == "[redacted]"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import traceback
 from pathlib import Path
+from typing import Any
 
 import httpx2
 import openai
@@ -81,6 +82,25 @@ def test_no_key_in_errors_logs_store_or_ledger(
     }
     assert "chat/completions" in places["logs"] and "choices" in places["store"]
     assert [place for place, text in places.items() if KEY in text] == []
+
+
+@pytest.mark.parametrize(
+    "says",
+    [
+        lambda body: Says(body, status=500, kind="text/plain"),
+        lambda body: Says(body, kind="text/html"),
+        lambda body: Says(b'{"' + body),
+        lambda body: Says({"error": {"message": body.decode(), "code": 500}}),
+    ],
+)
+def test_a_key_that_a_quote_would_cut_in_two_is_found_all_the_same(says: Any) -> None:
+    key = "gateway.7Fq2ZxLmN0pQrStUvWxYz123456789abcdef"
+    for before in range(210, 300, 10):
+        body = b"x" * before + b" " + key.encode()
+        shared = session(attempts=1)
+        with serving([says(body)]) as server, pytest.raises(BackendError) as caught:
+            ask(shared, server.url, secrets=(key,))
+        assert "gateway.7" not in str(caught.value)
 
 
 def test_the_search_can_fail() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -11,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from paid_server import KEY, PRICES, Says, ask, serving, session
+from paid_server import KEY, PRICES, Asked, Says, ask, serving, session
 
 from generator.errors import BudgetError, InputError, StorageError
 from generator.running import Session
 from generator.running.account import Account, Entry
 from generator.running.prices import Price, Prices
+from generator.running.purse import Purse
 from generator.running.spending import Spending
 from generator.running.store import CallStore
 
@@ -142,6 +144,31 @@ def test_a_disk_that_refuses_loses_no_answer_and_says_so(tmp_path: Path) -> None
     with serving([Says()]) as server:
         assert ask(shared, server.url).status_code == 200
     assert "What this scene's calls cost cannot be written" in shared.account.notes[0]
+
+
+def test_with_a_budget_nothing_is_sent_that_cannot_be_written_down(tmp_path: Path) -> None:
+    purse = Purse.open(tmp_path, "USD")
+    (tmp_path / "spending").write_text("no folder")
+    with serving([Says()]) as server, purse.spending() as spender:
+        shared = session(budget=1.0, account=Account(spender))
+        shared.account.resume(Spending(tmp_path / "spending" / "a.jsonl", "USD"))
+        with pytest.raises(StorageError, match=r"not sent, .* cannot be written"):
+            ask(shared, server.url)
+        assert server.asked == []
+    assert purse.sum().money == shared.account.money == 0.0
+
+
+def test_an_answer_under_a_budget_outlives_a_disk_that_refuses_late(tmp_path: Path) -> None:
+    shared = run(tmp_path, budget=1.0)
+
+    def spoil(asked: Asked, k: int) -> Says:
+        shutil.rmtree(tmp_path / "spending")
+        (tmp_path / "spending").write_text("no folder")
+        return Says()
+
+    with serving(spoil) as server:
+        assert ask(shared, server.url).status_code == 200
+    assert "cannot be written" in shared.account.notes[0]
 
 
 def test_what_cannot_be_read_is_not_taken_for_nothing(tmp_path: Path) -> None:

@@ -24,7 +24,7 @@ SECRET_ID, SECRET_KEY = "TENCENTCLOUD_SECRET_ID", "TENCENTCLOUD_SECRET_KEY"
 
 _VERSION = "2025-05-13"
 _SUBMIT, _QUERY = "SubmitHunyuanTo3DProJob", "QueryHunyuanTo3DProJob"
-_MODELS = {_SUBMIT: "hunyuan-3d-pro", _QUERY: "hunyuan-3d-query"}  # in price tables
+_MODELS = {_SUBMIT: "hunyuan-3d-pro", _QUERY: "hunyuan-3d-query"}  # in ledgers
 _BUSY = "RequestLimitExceeded"  # too many calls, or too many jobs at once
 _EXPIRED = "AuthFailure.SignatureExpire"  # more than five minutes off the service's clock
 _GONE = ("NotFound", "NotExist", "Expire")  # in the code of a job that is kept no longer
@@ -97,7 +97,7 @@ class Service:
             if not code.startswith(_BUSY) or time.monotonic() > until:
                 break
             self.session.pause(self.interval)
-        said = redacted(f"{code}: {error.get('Message', '')}"[:400], self.keys)
+        said = redacted(f"{code}: {error.get('Message', '')}", self.keys)[:400]
         if action == _QUERY and any(word in code for word in _GONE):
             raise LostJob(said)
         raise BackendError(f"{self.what} {action} was refused ({said}).{_hint(code)}")
@@ -113,6 +113,7 @@ class Service:
             "x-tabletopgen-question": "model",
             "x-tabletopgen-model": _MODELS[action],
             "x-tabletopgen-memo": memo,
+            "x-tabletopgen-free": "yes" if action == _QUERY else "no",  # a job is paid for once
         }
         answer = self.client.post("/", content=json.dumps(body).encode(), headers=headers)
         self.used.add(answer.headers)
@@ -124,7 +125,7 @@ class Service:
             self.used.drop(last=True)
             raise BackendError(
                 f"{self.what} {action} was answered by {answer.status_code}, "
-                f"{redacted(answer.text[:80], self.keys)!r}. Is {self.endpoint} Tencent's?"
+                f"{redacted(answer.text, self.keys)[:80]!r}. Is {self.endpoint} Tencent's?"
             )
         return told
 

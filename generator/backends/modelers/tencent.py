@@ -13,6 +13,7 @@ from urllib.parse import urlsplit
 from ...errors import BackendError, choices, require
 from ...png import encode_png
 from ...running.address import local
+from ...running.redaction import redacted
 from ...running.session import Session
 from ...running.used import Used
 from ...scene import Instance, Model, SizePrior, View
@@ -133,7 +134,7 @@ class Tencent:
             self.session.pause(self.interval)
             told = service.look(job, "renew")
         if told.get("Status") != "DONE":
-            _failed(told, job, what, new)
+            _failed(told, job, service, new)
         raw = self._download(told, service)
         if raw is None:  # its address has expired: another look gives another
             raw = self._download(service.look(job, "renew"), service)
@@ -179,12 +180,13 @@ class Tencent:
         return safe and f".{host}".endswith(ends)
 
 
-def _failed(told: Mapping[str, Any], job: str, what: str, new: bool) -> None:
+def _failed(told: Mapping[str, Any], job: str, service: Service, new: bool) -> None:
     said = f"{told.get('ErrorCode', '')} {told.get('ErrorMessage', '')}".strip()
-    reason = f"job {job} ended as {told.get('Status')!r} ({said[:300]})."
+    said = redacted(said, service.keys)[:300]
+    reason = f"job {job} ended as {told.get('Status')!r} ({said})."
     if not new:
         raise LostJob(reason)
-    raise BackendError(f"{what} {reason} Run it again to submit it anew.")
+    raise BackendError(f"{service.what} {reason} Run it again to submit it anew.")
 
 
 def _dicts(told: Mapping[str, Any]) -> list[Mapping[str, Any]]:

@@ -7,6 +7,7 @@ import io
 import time
 from dataclasses import dataclass, field
 
+import httpx2
 import numpy as np
 import pytest
 import trimesh
@@ -14,11 +15,16 @@ from backends.modelers.foreign import glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
 
+from generator.backends.modelers.ai3d import Service
 from generator.backends.modelers.signing import authorization
 from generator.backends.modelers.tencent import HOSTS, Tencent
 from generator.errors import BackendError, InputError
+from generator.running.prices import Price, Prices
+from generator.running.question import question
 from generator.running.session import Session
 from generator.running.store import CallStore
+from generator.running.used import KEY as KEPT
+from generator.running.used import Used
 from generator.scene import USUAL_VIEW, Model
 
 GOOD = glb(striped_box((1.0, 2.0, 1.0)))
@@ -342,3 +348,50 @@ def test_settings_out_of_range_are_refused():
     with serving(cloud) as served, pytest.raises(InputError, match="Normal needs faces"):
         ask(served.url, faces=3)
     assert not cloud.log
+
+
+@pytest.mark.parametrize("before", range(340, 400, 7))
+def test_a_key_that_a_quote_would_cut_in_two_is_found_all_the_same(before):
+    def refuse(call: Call) -> Answer:
+        return told(Error={"Code": "Bad", "Message": "x" * before + " " + KEY})
+
+    def end(call: Call) -> Answer:
+        if call.headers["x-tc-action"] == SUBMIT:
+            return told(JobId="job-1")
+        return told(Status="FAIL", ErrorMessage="x" * (before - 100) + " " + KEY)
+
+    def talk(call: Call) -> Answer:
+        return Answer(body=b"x" * (before - 320) + b" " + KEY.encode())
+
+    for answer in (refuse, end, talk):
+        with serving(answer) as served, pytest.raises(BackendError) as caught:
+            ask(served.url)
+        assert KEY[:5] not in str(caught.value)
+
+
+@pytest.mark.parametrize("looks", [{}, {"@93.184.216.34": Price(call=9.0)}])
+def test_looks_at_a_job_are_free_whatever_the_table_says(looks):
+    request = httpx2.Request("POST", "https://93.184.216.34/", json={"JobId": "1"})
+    sent = []
+
+    class Client(httpx2.Client):
+        def post(self, url, *, content, headers) -> httpx2.Response:
+            sent.append(httpx2.Request("POST", request.url, content=content, headers=headers))
+            return httpx2.Response(200, headers={KEPT: "k"}, json={"Response": {"JobId": "1"}})
+
+    prices = Prices(models={"hunyuan-3d-pro": Price(call=0.4), **looks})
+    service = Service(
+        Client(),
+        (ID, KEY),
+        "https://h",
+        "r",
+        "w",
+        quick(),
+        1.0,
+        1.0,
+        Used(None),
+    )
+    service.submit({}, "yes")
+    service.look("1", "renew")
+    assert [question(call, "tencent", prices).most for call in sent] == [0.4, 0.0]
+    assert not [name for call in sent for name in call.headers if "free" in name]
