@@ -70,6 +70,7 @@ class Generating:
         dry: nothing is sent: the first call that is not kept raises DryRunError.
 
     Raises:
+        BackendError: the backends cannot be selected here.
         InputError: a budget without a purse, or none from 0 on.
     """
 
@@ -80,8 +81,16 @@ class Generating:
     purse: Purse | None = None
     budget: float | None = None
     dry: bool = False
+    _answering: dict[str, Any] = field(init=False, repr=False, compare=False)
+    """Who answers, as of where this was made: a process of another environment has to agree."""
 
     def __post_init__(self) -> None:
+        from ..provenance import plain
+
+        told = self.mix.identity()
+        if set(self.mix.roles().values()) != {"embedded"}:  # models and addresses, say
+            told["answering"] = plain(self.mix.select().identity())
+        object.__setattr__(self, "_answering", told)
         if self.budget is None:
             return
         require(self, "budget", least=0)
@@ -92,18 +101,12 @@ class Generating:
             )
 
     def identity(self) -> dict[str, Any]:
-        """Return backends and settings; of backends other than the embedded one, theirs too.
-
-        Raises:
-            BackendError: one of them cannot be selected here.
-        """
+        """Return backends, their settings unless all are embedded, and the stages' settings."""
         from ..pipeline import Config
         from ..provenance import plain
 
-        told = {"route": "generate", **self.mix.identity()}
-        if set(self.mix.roles().values()) != {"embedded"}:  # models and addresses, say
-            told["answering"] = plain(self.mix.select().identity())
-        return {**told, "config": plain(self.config or Config())}
+        config = plain(self.config or Config())
+        return {"route": "generate", **self._answering, "config": config}
 
     def __call__(self, job: Job, folder: Path) -> Path:
         """Generate a job's scene.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 import shutil
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -17,7 +18,7 @@ from toy import toy_object, toy_scene
 from toy_maker import ToyMaker, made
 
 from generator import batch, bundle
-from generator.backends import select
+from generator.backends import Mix, select
 from generator.errors import InputError, StorageError
 from generator.running import Session
 from generator.scene import Provenance, Report
@@ -70,6 +71,21 @@ def test_a_budget_needs_a_sum_on_disk(tmp_path: Path) -> None:
         batch.Generating(budget=-1.0, purse=batch.purse_of(tmp_path))
     rich = batch.Generating(budget=1.0, purse=batch.purse_of(tmp_path), dry=True)
     assert rich.identity() == batch.Generating().identity()  # money decides no byte
+
+
+def test_who_answers_is_decided_where_the_batch_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Processes elsewhere have other environments; a scene has one record all the same."""
+
+    def made(model: str) -> batch.Generating:
+        monkeypatch.setenv("TABLETOPGEN_CLOUD_CHAT_MODEL", model)
+        return batch.Generating(Mix(reasoner="cloud"))
+
+    monkeypatch.setenv("TABLETOPGEN_CLOUD_KEY", "no-real-key-123456")
+    one = made("gpt-one")
+    sent, other = pickle.dumps(one), made("gpt-two")
+    assert one.identity() != other.identity()
+    assert pickle.loads(sent).identity() == one.identity()
+    assert "no-real-key" not in repr(one) + str(sent)
 
 
 # ------------------------------------------------------------------------------------- the command
