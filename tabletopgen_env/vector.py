@@ -26,6 +26,7 @@ from gymnasium.vector.utils import concatenate, create_empty_array, iterate
 from gymnasium.wrappers import TimeLimit
 from jaxtyping import Bool, Float
 
+from generator.cores import cores
 from generator.errors import InputError, choices, require_number
 
 from .actions import checked
@@ -116,7 +117,7 @@ class TabletopVectorEnv(SyncVectorEnv):
             robot=arm, cache=cache, masters=masters, **settings,
         )  # fmt: skip
         super().__init__([slot] * num_envs, autoreset_mode=_mode(autoreset_mode))
-        self._hire(min(num_envs, threads or _cores()))
+        self._hire(min(num_envs, threads or cores()))
         assert isinstance(self.single_action_space, spaces.Box)
         self._actions = self.single_action_space
         self._over = np.zeros(num_envs, bool)
@@ -348,10 +349,3 @@ def _mask(mask: Any, count: int) -> Bool[np.ndarray, "n"]:
             f"reset_mask must be an array of {count} bools, one of them True, got {mask.tolist()}."
         )
     return mask
-
-
-def _cores() -> int:
-    """Return how many cores this process may use."""
-    if hasattr(os, "sched_getaffinity"):
-        return len(os.sched_getaffinity(0))
-    return os.cpu_count() or 1

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 from ..backends import Mix
+from ..cores import threads
 from ..errors import InputError, StorageError, require
 from ..running.prices import Prices
 from ..running.purse import Purse
@@ -116,7 +117,7 @@ class Generating:
         """
         from ..pipeline import generate
 
-        _alone()
+        _share()
         with self._session(job) as session:
             generation = generate(job.text, self.mix.select(session), self.config, job.seed)
             path = generation.save(folder)
@@ -150,10 +151,10 @@ class Generating:
             yield session
 
 
-def _alone() -> None:
-    """Have this process compute on one thread: the others belong to other processes."""
+def _share() -> None:
+    """Have libraries that do not heed it themselves keep to ``threads``: others work beside it."""
     import cv2
     import torch
 
-    torch.set_num_threads(1)
-    cv2.setNumThreads(1)
+    torch.set_num_threads(threads())
+    cv2.setNumThreads(threads())

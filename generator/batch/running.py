@@ -46,7 +46,7 @@ def run(
         prompts: texts, paths of pictures, or jobs with seeds of their own.
         folder: where the bundles go, made if missing; ``summary.json`` is written there, too.
         make: how scenes are made; None is ``Generating()``.
-        workers: how many are made at a time.
+        workers: how many are made at a time, each on one thread unless OMP_NUM_THREADS is set.
         ray: address of a Ray cluster that makes them; "local" starts one here. None: processes.
         seed: of each text.
         variants: how many seeds each text is made with, from its own on.

@@ -49,7 +49,8 @@ def batch(
         prompts: A text or the path of a picture a line, # for remarks; or a .json array of texts,
             or of objects with text and seed.
         out: Folder the bundles go into, and summary.json.
-        workers: How many scenes are made at a time, each by a process.
+        workers: How many scenes are made at a time, each by a process that computes on one
+            thread, so a worker for each processor is fastest.
         ray: Address of a Ray cluster to make them instead, which shares the folder; "local" starts
             Ray here (pip install 'tabletopgen[ray]').
         route: All stages of the paper, or composed without drawing a picture first.

@@ -6,7 +6,6 @@ for the same input, and gives depth and instance ids beside the picture.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float, Int, UInt8
 
+from ..cores import threads
 from ..geometry import Camera, quaternion_matrix
 from ..scene import Mesh
 from .scanlines import nearest, rasterise
@@ -151,7 +151,7 @@ def _colors(
 ) -> Float[np.ndarray, "p 3"]:
     """Shade every hit pixel; colours are in [0, 1], zero where nothing was hit.
 
-    Pixels are shaded in pieces that fit into a processor's cache, on all processors.
+    Pixels are shaded in pieces that fit into a processor's cache, on ``cores.threads()`` threads.
     """
     color = np.zeros((len(hits.item), 3))
 
@@ -174,7 +174,7 @@ def _colors(
         for piece in pieces:
             paint(*piece)
         return color
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
+    with ThreadPoolExecutor(threads()) as pool:
         for done in [pool.submit(paint, *piece) for piece in pieces]:
             done.result()
     return color

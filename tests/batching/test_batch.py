@@ -208,6 +208,19 @@ def test_bad_numbers_and_folders_are_refused(tmp_path: Path, log: Path) -> None:
     assert made(log) == []
 
 
+def test_a_worker_computes_on_one_thread(
+    tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Others work beside it; who wants it otherwise says so as for NumPy's BLAS and torch."""
+    threads = log.with_name(f"{log.name}.threads")
+    monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
+    batch.run(["wide cube"], tmp_path / "one", ToyMaker(str(log)), workers=2)
+    assert threads.read_text() == "1"
+    monkeypatch.setenv("OMP_NUM_THREADS", "3")
+    batch.run(["wide cube"], tmp_path / "three", ToyMaker(str(log)), workers=2)
+    assert threads.read_text() == "3"
+
+
 def test_ray_makes_the_same_bytes(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -215,7 +228,8 @@ def test_ray_makes_the_same_bytes(
     path = os.pathsep.join([str(HERE), str(HERE.parent), *sys.path])
     monkeypatch.setenv("PYTHONPATH", path)  # what Ray's processes import from
     monkeypatch.delenv("RAY_USAGE_STATS_ENABLED", raising=False)
-    texts, out = ["a cube", "bad words", "deadly one", "another cube"], tmp_path / "ray"
+    monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
+    texts, out = ["wide cube", "bad words", "deadly one", "another cube"], tmp_path / "ray"
     with serving([Says()]) as server:
         make = ToyMaker(str(log), server.url, batch.purse_of(out), 0.05)
         paid = ["paid one", "paid two"]
@@ -225,7 +239,8 @@ def test_ray_makes_the_same_bytes(
     assert sorted(o.state for o in summary.outcomes[4:]) == ["made", "unpaid"]
     assert len(server.asked) == 1
     assert "RAY_USAGE_STATS_ENABLED" not in os.environ
-    batch.run(["a cube", "another cube"], tmp_path / "here", ToyMaker(str(log)))
+    assert Path(f"{log}.threads").read_text() == "1"  # a processor each, as Ray gives it
+    batch.run(["wide cube", "another cube"], tmp_path / "here", ToyMaker(str(log)))
     others = {o.bundle for o in summary.outcomes[4:]}
     assert bundles(out) - others == bundles(tmp_path / "here")
 

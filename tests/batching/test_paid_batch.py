@@ -150,7 +150,7 @@ def run(
             return SimpleNamespace(save=lambda folder: bundle.save(scene, folder))
 
         monkeypatch.setattr("generator.pipeline.generate", generate)
-        monkeypatch.setattr("generator.batch.making._alone", lambda: None)
+        monkeypatch.setattr("generator.batch.making._share", lambda: None)
         given = ("batch", str(prompts), "--out", str(tmp_path / "out"), "--backend", "remote",
                  "--prices", str(table), "--calls", str(tmp_path / "calls"))  # fmt: skip
         yield served, lambda *more: command(*given, *more)

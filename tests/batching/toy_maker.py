@@ -13,6 +13,7 @@ from running.paid_server import ask, session
 from toy import toy_object, toy_scene
 
 from generator import batch, bundle
+from generator.cores import threads
 from generator.errors import InputError
 from generator.running.account import Account
 from generator.running.purse import Purse
@@ -25,7 +26,8 @@ class ToyMaker:
 
     "bad ..." cannot be read, "broken ..." is a fault of the code, "deadly ..." ends the process,
     "half ..." leaves something unfinished and waits for the file ``log``.go, "paid ..." asks the
-    server at ``url``, which costs 0.021 and at most 0.04, of ``budget`` from ``purse``.
+    server at ``url``, which costs 0.021 and at most 0.04, of ``budget`` from ``purse``, "wide ..."
+    notes in the file ``log``.threads on how many threads it may compute.
     """
 
     log: str
@@ -54,6 +56,8 @@ class ToyMaker:
             with self.purse.spending() as spender:
                 shared = session(account=Account(spender), budget=self.budget)
                 ask(shared, self.url, job.text)
+        if word == "wide":
+            Path(f"{self.log}.threads").write_text(str(threads()))
         cube = toy_object("cube_1", (0.05, 0.05, 0.05), (0.01 * job.seed, 0.0))
         told = Provenance("text", job.seed, job.text)
         scene = toy_scene((cube,)).replace(provenance=told, report=Report(1e-4, 0.0, 0.0))

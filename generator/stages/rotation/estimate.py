@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 
@@ -10,6 +9,7 @@ import numpy as np
 from jaxtyping import Bool
 
 from ...backends.protocols import Encoder
+from ...cores import threads
 from ...errors import InputError
 from ...render.crop import hiders
 from ...scene import TABLE, Instance, Model, Reference, Rotation, View
@@ -63,7 +63,7 @@ def estimate_rotations(
 
     with single_thread():
         if config.device == "cpu":
-            with ThreadPoolExecutor(min(os.cpu_count() or 1, max(len(things), 1))) as pool:
+            with ThreadPoolExecutor(min(threads(), max(len(things), 1))) as pool:
                 found = [rows[0] for rows in pool.map(searched, [[k] for k in range(len(things))])]
         else:
             found = searched(range(len(things))) if things else []
