@@ -4,14 +4,17 @@
     python benchmarks/batch.py --cases 40 --route compose --ray local
 
 Makes the first texts of ``benchmarks/table78.json`` with one worker, then with ``--workers``, each
-time into a new folder, and takes the time by the clock, the starting of processes included. Writes
-the table to ``batch_<route>.md``. The folders must hold the same bundles, else the exit code is 1.
-Run it alone on the machine; ``--note`` is added to the table's head, for instance that it was not.
+time into a new folder, and takes the time by the clock, the starting of processes included. A
+worker computes on one thread; the last row is one worker on all processors, as ``generate``
+computes, which is what the machine does without a batch. Writes the table to ``batch_<route>.md``.
+The folders must hold the same bundles, else the exit code is 1. Run it alone on the machine;
+``--note`` is added to the table's head, for instance that it was not.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 import tempfile
 import time
 from collections.abc import Sequence
@@ -21,6 +24,7 @@ from typing import NamedTuple
 from posing import tables
 
 from generator import batch
+from generator.cores import cores
 
 HERE = Path(__file__).parent
 
@@ -30,31 +34,38 @@ class Run(NamedTuple):
 
     who: str
     workers: int
+    threads: int
     seconds: float
     made: int
     bundles: frozenset[str]
 
 
-def timed(texts: Sequence[str], make: batch.Maker, workers: int, ray: str | None) -> Run:
+def timed(
+    texts: Sequence[str], make: batch.Maker, workers: int, ray: str | None = None, threads: int = 1
+) -> Run:
     """Make a batch into a new folder, which is removed; return how it went."""
+    os.environ["OMP_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = str(threads)
     with tempfile.TemporaryDirectory(prefix="tabletopgen-batch-") as folder:
         start = time.perf_counter()
         summary = batch.run(texts, folder, make, workers=workers, ray=ray)
         seconds = time.perf_counter() - start
     bundles = frozenset(o.bundle for o in summary.outcomes if o.bundle)
     who = "processes" if ray is None else f"Ray ({ray})"
-    return Run(who, workers, seconds, summary.counts()["made"], bundles)
+    return Run(who, workers, threads, seconds, summary.counts()["made"], bundles)
 
 
 def table(runs: Sequence[Run], head: str) -> str:
     """Return the runs as Markdown, each against the first."""
     rows = [
-        f"| {r.who} | {r.workers} | {r.made} | {r.seconds:.1f} | {60 * r.made / r.seconds:.1f} | "
-        f"{runs[0].seconds / r.seconds:.2f} | {'yes' if r.bundles == runs[0].bundles else 'NO'} |"
+        f"| {r.who} | {r.workers} | {r.threads} | {r.made} | {r.seconds:.1f} | "
+        f"{60 * r.made / r.seconds:.1f} | {runs[0].seconds / r.seconds:.2f} | "
+        f"{'yes' if r.bundles == runs[0].bundles else 'NO'} |"
         for r in runs
     ]
-    titles = "| by | workers | scenes | seconds | scenes a minute | faster | same bytes |"
-    return "\n".join([head, "", titles, "|---|---|---|---|---|---|---|", *rows, ""])
+    titles = (
+        "| by | workers | threads each | scenes | seconds | scenes a minute | faster | same bytes |"
+    )
+    return "\n".join([head, "", titles, "|---|---|---|---|---|---|---|---|", *rows, ""])
 
 
 def main() -> int:
@@ -71,9 +82,10 @@ def main() -> int:
 
     texts = tables.texts_in(args.texts)[: args.cases]
     make = batch.Composing() if args.route == "compose" else batch.Generating()
-    runs = [timed(texts, make, 1, None), timed(texts, make, args.workers, None)]
+    runs = [timed(texts, make, 1), timed(texts, make, args.workers)]
     if args.ray is not None:
         runs.append(timed(texts, make, args.workers, args.ray))
+    runs.append(timed(texts, make, 1, threads=cores()))
     head = f"`{tables.command_line('--out', '--note')}`, {tables.where()}. {args.note}".rstrip()
     text = table(runs, head)
     args.out.mkdir(parents=True, exist_ok=True)
