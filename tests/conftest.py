@@ -13,3 +13,10 @@ def tiny_models(tmp_path_factory: pytest.TempPathFactory) -> Path:
     import tiny_models
 
     return tiny_models.save_all(tmp_path_factory.mktemp("models"))
+
+
+@pytest.fixture
+def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty store of its own for a test."""
+    monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
+    return tmp_path / "store"

@@ -41,15 +41,10 @@ from generator.scene import ConvexPart, PlannedObject, PlannedTable, Relation, S
 from generator.stages.reference import read_image
 from tabletopgen_env.env import make_env
 
+pytestmark = pytest.mark.usefixtures("store")
+
 TEXT = "a desk with a mug and a book"
 BROWN = (150, 100, 60)
-
-
-@pytest.fixture(autouse=True)
-def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty store of its own for every test."""
-    monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
-    return tmp_path / "store"
 
 
 def left_over(store: Path) -> list[str]:

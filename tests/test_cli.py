@@ -18,14 +18,9 @@ from generator.ledger import Seconds
 from generator.physics.gate import judge
 from generator.render.picture import render_scene
 
+pytestmark = pytest.mark.usefixtures("store")
+
 TEXT = "a desk with a mug and a book"
-
-
-@pytest.fixture(autouse=True)
-def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty store of its own for every test."""
-    monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
-    return tmp_path / "store"
 
 
 def test_compose_inspect_verify_view_and_remove(

@@ -13,9 +13,12 @@ import pytest
 ROOT = Path(__file__).parent.parent
 PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
 
-VALUES = ("generator.scene", "generator.geometry", "generator.errors", "generator.png")
+VALUES = (
+    "generator.cores", "generator.errors", "generator.geometry", "generator.png", "generator.scene"
+)  # fmt: skip
 # The first rule whose prefix fits a module decides what of this project it may import.
 RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
+    ("generator.cores", ()),
     ("generator.errors", ()),
     ("generator.png", ()),
     ("generator.scene", ("generator.errors", "generator.scene")),

@@ -8,7 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import torch
 
+from generator.backends.embedded.eye import sight
 from generator.errors import InputError, SceneError, TabletopError
 from generator.figures import bundle_images
 from generator.finishing import WORSE
@@ -76,6 +78,22 @@ def test_seconds_are_in_no_bundle(from_text: Generation, tmp_path: Path) -> None
     names = sorted(p.relative_to(first) for p in first.rglob("*") if p.is_file())
     assert names
     assert all((first / n).read_bytes() == (second / n).read_bytes() for n in names)
+
+
+def test_no_byte_depends_on_how_many_threads_compute(
+    from_text: Generation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """So a scene is the same on any number of cores, and in a batch, whose workers have one."""
+    threads = torch.get_num_threads()
+    other = 3 if threads == 1 else 1
+    monkeypatch.setenv("OMP_NUM_THREADS", str(other))
+    monkeypatch.setattr(sight, "_seen", sight._seen.__wrapped__)  # what it saw is kept
+    torch.set_num_threads(other)
+    try:
+        again = generate(TEXT, seed=3)
+    finally:
+        torch.set_num_threads(threads)
+    assert again.save(tmp_path / "a").name == from_text.save(tmp_path / "b").name
 
 
 def test_a_picture_alone_is_enough(from_text: Generation) -> None:

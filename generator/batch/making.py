@@ -130,7 +130,6 @@ class Generating:
         """Return what the calls of one scene share; it knows what earlier runs spent on it."""
         from ..running import Session
         from ..running.account import Account
-        from ..running.spending import Spending
         from ..running.store import CallStore
 
         with contextlib.ExitStack() as open_:
@@ -142,12 +141,10 @@ class Generating:
                 budget=self.budget,
                 dry=self.dry,
             )
-            if session.store is not None:
-                folder, scene = session.store.folder, key_of(job, self)
-                try:
-                    session.account.resume(Spending.beside(folder, scene, session.prices.currency))
-                except InputError as error:  # of another currency: no fault of the scene's
-                    raise StorageError(str(error)) from error
+            try:
+                session.resume(key_of(job, self))
+            except InputError as error:  # of another currency: no fault of the scene's
+                raise StorageError(str(error)) from error
             yield session
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections import deque
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -136,6 +137,8 @@ def _work_off(
                 given.clear()
                 crew.renew()
             continue
+        if alone and outcome.state == "there":  # it was made as another took its process along
+            outcome = replace(outcome, state="made")
         if outcome.state == "busy":
             busy.append(job)
         else:

@@ -69,7 +69,8 @@ def edit(
         seed: The same bundle, edit and seed give the same scene.
         mix: Who draws and models what is new; the catalogue if nobody is named. The roles left
             open are then embedded, unless --backend says otherwise.
-        budget: With a backend that asks servers: stop before the calls cost more than this.
+        budget: With a backend that asks servers: stop before the calls cost more than this,
+            those of earlier runs of the same edit counted.
         dry_run: Send nothing to servers; print who answers what, and the first calls
             that would be made.
         calls: Folder where answers of servers are kept; as for generate.

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tyro.conf import Positional
 
-from .paying import answering, open_session, scene_key
+from ..errors import DryRunError, InputError
+from .paying import answering, open_session, scene_key, told
 from .printing import emit
 from .store import find, one, some
 
 if TYPE_CHECKING:
+    from ..backends import Backends
     from ..evaluation import Evaluation
+    from ..evaluation.judged import Picture
+    from ..evaluation.perceptual import Available
     from ..running import Session
+    from ..scene import Scene
 
 
 def evaluate(
@@ -27,6 +34,7 @@ def evaluate(
     sweep: bool = False,
     judge: str | None = None,
     budget: float | None = None,
+    dry_run: bool = False,
     calls: Path | None = None,
     prices: Path | None = None,
     json: bool = False,
@@ -43,37 +51,45 @@ def evaluate(
         sweep: Also look from 160 views for the one nearest to the picture (about 20 s a scene).
         judge: Backend whose reasoner marks each scene from 1 to 7 (VF, IA, PP), and ranks them if
             --picture and several bundles are given. The embedded one cannot.
-        budget: What the judge may cost; as for generate.
+        budget: What the judge may cost, earlier runs with the same words counted; as for generate.
+        dry_run: Send nothing to the judge; print the first calls that would be made.
         calls: Folder where the judge's answers are kept; as for generate.
         prices: Table of what calls cost (TOML); as for generate.
         json: Print one JSON object instead of tables.
     """
     from ..bundle import load
-    from ..evaluation import rates, report
+    from ..evaluation import rates
     from ..evaluation.perceptual import available
     from ..stages.reference import read_image
 
-    session = open_session(calls, prices, budget, dry=False)
-    asked = None if judge is None else _judge(judge, session)
+    session, asked, who = None, None, None
+    if judge is not None:
+        session = open_session(calls, prices, budget, dry_run)
+        backends = _asked(judge, session)
+        asked, who = backends.reasoner, backends.identity()["reasoner"]
+    elif budget is not None or dry_run or calls is not None or prices is not None:
+        raise InputError(
+            "--budget, --dry-run, --calls and --prices are of what a judge costs; name one with "
+            "--judge."
+        )
     given = None if picture is None else read_image(picture)
     true = None if truth is None else load(one(truth))
     metrics = available() if sweep else None
     paths = _paths(bundles)
-    found: list[tuple[str, Evaluation]] = []
-    order: tuple[str, ...] = ()
-    with answering(session, scene_key("evaluate", judge, *map(str, paths), picture)):
-        for path in paths:
-            evaluation = report.evaluate_bundle(
-                path, picture=given, truth=true, metrics=metrics, judge=asked
-            )
-            found.append((str(path), evaluation))
-        if asked is not None and given is not None and len(found) > 1:
-            order = report.ranking(dict(found), given, asked)
+    scene = scene_key("evaluate", who, [str(path.resolve()) for path in paths], picture)
+    with answering(session, scene) if session is not None else contextlib.nullcontext():
+        found, order, would = _measured(paths, given, true, metrics, asked)
+    if dry_run:
+        return told(DryRunError("\n".join(would)), None, json)
     summary = rates(e.collisions for _, e in found)
     if json:
         scenes = [{"bundle": path, **e.facts()} for path, e in found]
-        told = {"scenes": scenes, "rates": dataclasses.asdict(summary)}
-        emit(told | ({"ranking": list(order)} if order else {}), True, list)
+        facts = {"scenes": scenes, "rates": dataclasses.asdict(summary)}
+        if order:
+            facts["ranking"] = list(order)
+        if session is not None and session.account.entries:
+            facts["ledger"] = session.account.facts(session.prices)
+        emit(facts, True, list)
     else:
         _print(found)
         print(
@@ -83,17 +99,49 @@ def evaluate(
         )
         if order:
             print(f"ranked by {judge}, the best first: {', '.join(order)}")
-        if spent := session.account.text(session.prices.currency):
+        if session is not None and (spent := session.account.text(session.prices.currency)):
             print(spent)
     return 0 if all(e.flawless for _, e in found) else 1
 
 
-def _judge(backend: str, session: Session) -> object:
-    """Return a backend's reasoner as a judge, before anything is measured."""
+def _asked(judge: str, session: Session) -> Backends:
+    """Return backends whose reasoner judges, before anything is measured."""
     from ..backends import Backends
     from ..evaluation.judged import as_judge
 
-    return as_judge(Backends.select(reasoner=backend, session=session).reasoner)
+    backends = Backends.select(reasoner=judge, session=session)
+    as_judge(backends.reasoner)
+    return backends
+
+
+def _measured(
+    paths: Sequence[Path],
+    picture: Picture | None,
+    true: Scene | None,
+    metrics: Available | None,
+    judge: object | None,
+) -> tuple[list[tuple[str, Evaluation]], tuple[str, ...], list[str]]:
+    """Return the scenes' measures, how they rank, and what a dry run would have asked the judge."""
+    from ..evaluation import report
+
+    found: list[tuple[str, Evaluation]] = []
+    order: tuple[str, ...] = ()
+    would: list[str] = []
+    for path in paths:
+        try:
+            evaluation = report.evaluate_bundle(
+                path, picture=picture, truth=true, metrics=metrics, judge=judge
+            )
+        except DryRunError as error:  # the others are asked about all the same
+            would.append(str(error))
+        else:
+            found.append((str(path), evaluation))
+    if judge is not None and picture is not None and 1 < len(found) == len(paths):
+        try:
+            order = report.ranking(dict(found), picture, judge)
+        except DryRunError as error:
+            would.append(str(error))
+    return found, order, would
 
 
 def _paths(bundles: tuple[str, ...]) -> list[Path]:

@@ -71,11 +71,8 @@ def answering(session: Session, scene: str) -> Iterator[None]:
         StorageError: what was spent cannot be read.
         InputError: it was in another currency than that of the price table.
     """
-    from ..running.spending import Spending
-
-    assert session.store is not None
-    spending = Spending.beside(session.store.folder, scene, session.prices.currency)
-    session.account.resume(spending)
+    spending = session.resume(scene)
+    assert spending is not None
     try:
         yield
     except BaseException as error:

@@ -10,8 +10,7 @@ areas and the tight crop itself; which points are hidden is decided without grad
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
@@ -118,21 +117,6 @@ class SoftImages:
     image: Float[Tensor, "b 3 h w"]
     silhouette: Float[Tensor, "b h w"]
     normal: Float[Tensor, "b 3 h w"] | None = None
-
-
-@contextmanager
-def single_thread() -> Iterator[None]:
-    """Run torch on one thread inside the block.
-
-    Splats are too small to share: more threads make them slower, and on a busy machine many times
-    slower. One thread also adds in one order, so results do not depend on the machine's cores.
-    """
-    threads = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(threads)
 
 
 def _covered(

@@ -6,66 +6,21 @@ import contextlib
 import dataclasses
 import json
 import threading
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 from ..errors import BudgetError, StorageError
 from ..files import write_whole
-from .prices import Price, Prices
+from .entries import Entry, Row, rows_of, table
+from .prices import Prices
 from .purse import Spender
 from .spending import Spending, new_call
-
-__all__ = ["Account", "Entry", "Outcome", "Price", "Prices", "Row"]
 
 LEDGER = "ledger.json"
 """The file that lies beside what a bundle lists."""
 
 _POLL = 0.1  # seconds between two looks at whether to stop
-
-Outcome = Literal["answered", "cached", "failed"]
-
-
-@dataclass(frozen=True)
-class Entry:
-    """One call: an answer, an answer of the store, or an attempt that failed.
-
-    ``money`` is None where the price is not known. An attempt that broke off after it was sent
-    counts with the most that it can have cost. ``earlier`` tells the calls of earlier runs.
-    """
-
-    server: str
-    question: str
-    model: str = ""
-    outcome: Outcome = "answered"
-    seconds: float = 0.0
-    tokens_in: int = 0
-    tokens_out: int = 0
-    images: int = 0
-    money: float | None = 0.0
-    earlier: bool = False
-
-
-@dataclass(frozen=True)
-class Row:
-    """All calls of one question to one model: sums of their entries.
-
-    ``money`` is of the calls whose price is known; ``unpriced`` counts the others.
-    """
-
-    server: str
-    question: str
-    model: str
-    calls: int
-    cached: int
-    failed: int
-    seconds: float
-    tokens_in: int
-    tokens_out: int
-    images: int
-    money: float
-    unpriced: int
 
 
 class Account:
@@ -83,22 +38,26 @@ class Account:
         self._reserved: list[float] = []
         self._spending: Spending | None = None
 
-    def resume(self, spending: Spending) -> None:
+    def resume(self, spending: Spending, prices: Prices | None = None) -> None:
         """Enter what earlier runs of this scene spent, and write there what this one does.
 
-        To be called before any call. What was spent earlier counts for a budget, too.
+        To be called before any call. What was spent earlier counts for a budget, too. Answers whose
+        price was not known are priced by ``prices``, if their models are there now; a budget cannot
+        be kept while there are others.
 
         Raises:
             StorageError: the file is there, and cannot be read.
             InputError: what was spent was in another currency.
         """
-        entries = [_earlier(told) for told in spending.earlier()]
+        entries = [_priced(_earlier(told), prices) for told in spending.earlier()]
         with self._lock:
             self._spending = spending
             self._entries[:0] = entries
         if entries:
             money = sum(entry.money or 0.0 for entry in entries)
-            self.note(f"Of this, {money:.4f} was spent by earlier runs of the same scene.")
+            unknown = sum(entry.money is None for entry in entries)
+            rest = f", and {unknown} of their calls have no known price" * bool(unknown)
+            self.note(f"Of this, {money:.4f} was spent by earlier runs of the same scene{rest}.")
 
     def record(self, sent: Entry, key: str, *, must: bool = False) -> Callable[[Entry], None]:
         """Write down a call that is about to be sent; returns what writes down how it ended.
@@ -187,6 +146,8 @@ class Account:
                 'Add the model, or its server as "@host", to the price table, or give no budget.'
             )
         asked = most or 0.0
+        if budget is not None and asked:
+            self._check_earlier(what, budget)
         with self._ended:
             while not self._taken(asked, budget, what):
                 check()
@@ -206,12 +167,25 @@ class Account:
         finally:
             enter(None)
 
+    def _check_earlier(self, what: str, budget: float) -> None:
+        """Refuse a call where nobody knows what earlier ones cost."""
+        unknown = [entry for entry in self.entries if entry.earlier and entry.money is None]
+        if unknown and self._spending is not None:
+            models = sorted({f'[models."{entry.model}"]' for entry in unknown if entry.model})
+            raise BudgetError(
+                f"{what}: not sent, for earlier runs of the same scene made {len(unknown)} calls "
+                f"whose price is not known, so the budget of {budget:g} cannot be kept. Add "
+                f"{', '.join(models) or 'their models'} to the price table, or remove "
+                f"{self._spending.path} for them to count as nothing. Calls that broke off can "
+                "only be removed."
+            )
+
     def _taken(self, asked: float, budget: float | None, what: str) -> bool:
         """Set aside what a call may cost, if it may be sent now; else others have to end first."""
         if self._spender is not None:
             return self._spender.hold(asked, budget, what)
         spent = sum(entry.money or 0.0 for entry in self._entries)
-        if budget is None or spent + sum(self._reserved) + asked <= budget:
+        if budget is None or not asked or spent + sum(self._reserved) + asked <= budget:
             self._reserved.append(asked)
             return True
         if spent + asked > budget:
@@ -237,29 +211,12 @@ class Account:
 
     def summary(self) -> tuple[Row, ...]:
         """Return a row for each question, server and model, in the order first asked."""
-        groups: dict[tuple[str, str, str], list[Entry]] = {}
-        for entry in self.entries:
-            groups.setdefault((entry.server, entry.question, entry.model), []).append(entry)
-        return tuple(_row(*names, entries) for names, entries in groups.items())
+        return rows_of(self.entries)
 
     def text(self, currency: str = "USD") -> str:
         """Return the summary as a table for people; "" if nothing was asked."""
-        rows = self.summary()
-        if not rows:
-            return ""
-        total = _row("total", "", "", self.entries)
-        head = ("server", "question", "model", "calls", "cached", "failed", "seconds",
-                "tokens in", "tokens out", "images", currency)  # fmt: skip
-        table = [head, *(_cells(row) for row in (*rows, total))]
-        widths = [max(len(line[k]) for line in table) for k in range(len(head))]
-        lines = [
-            "  ".join(
-                cell.ljust(width) if k < 3 else cell.rjust(width)
-                for k, (cell, width) in enumerate(zip(line, widths, strict=True))
-            ).rstrip()
-            for line in table
-        ]
-        return "\n".join([*lines, *(f"note: {note}" for note in self.notes)])
+        told = table(self.entries, currency)
+        return "\n".join([told, *(f"note: {note}" for note in self.notes)]) if told else ""
 
     def facts(self, prices: Prices) -> dict[str, Any]:
         """Return the ledger as JSON values."""
@@ -294,28 +251,12 @@ def _earlier(told: Mapping[str, Any]) -> Entry:
     return dataclasses.replace(entry, earlier=True)
 
 
-def _row(server: str, question: str, model: str, entries: Iterable[Entry]) -> Row:
-    entries = tuple(entries)
-    outcomes = [entry.outcome for entry in entries]
-    return Row(
-        server, question, model,
-        calls=outcomes.count("answered"),
-        cached=outcomes.count("cached"),
-        failed=outcomes.count("failed"),
-        seconds=sum(entry.seconds for entry in entries),
-        tokens_in=sum(entry.tokens_in for entry in entries),
-        tokens_out=sum(entry.tokens_out for entry in entries),
-        images=sum(entry.images for entry in entries),
-        money=sum(entry.money or 0.0 for entry in entries),
-        unpriced=sum(entry.money is None for entry in entries),
-    )  # fmt: skip
-
-
-def _cells(row: Row) -> tuple[str, ...]:
-    money = f"{row.money:.4f}" if row.money or not row.unpriced else ""
-    unknown = f"{row.unpriced} unknown" * bool(row.unpriced)
-    return (
-        row.server, row.question, row.model, str(row.calls), str(row.cached), str(row.failed),
-        f"{row.seconds:.1f}", str(row.tokens_in), str(row.tokens_out), str(row.images),
-        " + ".join(filter(None, (money, unknown))),
-    )  # fmt: skip
+def _priced(entry: Entry, prices: Prices | None) -> Entry:
+    """Return an answer of unknown price with that of its model, if that is known by now."""
+    if entry.money is not None or entry.outcome != "answered" or prices is None:
+        return entry
+    price = prices.price(entry.model)
+    if price is None or (price.by_tokens and not (entry.tokens_in or entry.tokens_out)):
+        return entry
+    money = price.of(entry.tokens_in, entry.tokens_out, entry.images)
+    return dataclasses.replace(entry, money=money)

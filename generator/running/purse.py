@@ -161,6 +161,12 @@ class Spender:
             return True
         with self.purse._changing(self.name) as known:
             spent = known[0]
+            if budget is not None and spent.unpriced:
+                raise BudgetError(
+                    f"{what}: not sent, for {spent.unpriced} calls of earlier runs into this "
+                    f"folder have no known price, so the budget of {budget:g} cannot be kept. Use "
+                    "another folder (what was answered is kept), or give no budget."
+                )
             held = sum(map(math.fsum, spent.held.values()))
             if budget is not None and spent.money + held + most > budget:
                 if spent.money + most <= budget:

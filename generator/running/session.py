@@ -17,6 +17,7 @@ from .account import Account
 from .address import checked_address
 from .flight import Flight, Haste
 from .prices import Prices
+from .spending import Spending
 from .store import CallStore
 from .waiting import Breakers, Patience
 
@@ -37,7 +38,7 @@ class Session:
     """Keeps, counts, bounds and repeats the calls of one generation; safe for threads.
 
     ``store``: where answers are kept; None keeps nothing.
-    ``account``: the ledger they are entered in; its ``resume`` has it know of earlier runs.
+    ``account``: the ledger they are entered in; ``resume`` has it know of earlier runs.
     ``prices``: what they cost.
     ``budget``: what they may cost together, in the currency of ``prices``; a call that might exceed
     it is not sent; what that may be is estimated on the high side. None for no limit.
@@ -127,6 +128,27 @@ class Session:
         return httpx2.Client(
             base_url=base_url, transport=transport, timeout=timeout, trust_env=False
         )
+
+    def resume(self, scene: str) -> Spending | None:
+        """Know what earlier runs of a scene spent, and write this one's calls down with theirs.
+
+        To be called before any call.
+
+        Args:
+            scene: names it, file-safe.
+
+        Returns:
+            Where that is: beside the answers; None if none are kept.
+
+        Raises:
+            StorageError: what was spent cannot be read.
+            InputError: it was in another currency than that of ``prices``.
+        """
+        if self.store is None:
+            return None
+        spending = Spending.beside(self.store.folder, scene, self.prices.currency)
+        self.account.resume(spending, self.prices)
+        return spending
 
     @functools.cached_property
     def trust(self) -> ssl.SSLContext:

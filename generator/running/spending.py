@@ -23,7 +23,7 @@ from ..files import make_private
 from .redaction import redacted
 
 if TYPE_CHECKING:
-    from .account import Entry
+    from .entries import Entry
 
 FOLDER = "spending"
 """Where a call store's folder holds these files, one for each scene."""

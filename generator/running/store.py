@@ -13,6 +13,7 @@ import json
 import os
 import re
 import tempfile
+import threading
 import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -30,6 +31,7 @@ _MAGIC = b"tabletopgen call 1"
 _KEY = re.compile(r"[0-9a-f]{64}")
 _PARTIAL = ".partial-"
 _STALE = 3600.0  # seconds: an older unfinished file was left by a process that is gone
+_SHARE = 32  # of its size is what a store is filled by between two looks at it
 _POLL = 0.05  # seconds between two looks at a lock
 
 
@@ -50,7 +52,8 @@ class CallStore:
 
         Args:
             folder: where the answers are.
-            most_bytes: what they may take up; those not asked for the longest go first.
+            most_bytes: what they may take up; those not asked for the longest go first. Where
+                several write, each may be off by a 32nd of it.
 
         Raises:
             InputError: ``most_bytes`` is no positive whole number.
@@ -59,6 +62,8 @@ class CallStore:
         self.folder = Path(folder)
         self.most_bytes = most_bytes
         self._broken = False
+        self._lock_room = threading.Lock()
+        self._room = 0  # bytes that may be written before the folder is looked at again
 
     def get(self, key: str) -> Answer | None:
         """Return the answer to a question, or None. A damaged one is dropped."""
@@ -94,7 +99,7 @@ class CallStore:
             )
         try:
             self._write(path, raw)
-            self._evict(path)
+            self._make_room(path, len(raw))
         except OSError as error:
             self._broken = True
             raise StorageError(
@@ -169,16 +174,32 @@ class CallStore:
         for left in path.parent.glob(f"{_PARTIAL}{path.name}-*"):
             left.unlink(missing_ok=True)
 
-    def _evict(self, newest: Path) -> None:
-        """Drop what was not asked for the longest until the rest fits, but not ``newest``."""
+    def _make_room(self, newest: Path, size: int) -> None:
+        """See to it that all answers fit, now that one of ``size`` bytes is there, too.
+
+        The folder is looked at only after so many bytes that it may be full.
+        """
+        with self._lock_room:
+            self._room -= size
+            if self._room < 0:
+                kept, spare = self._evict(newest), self.most_bytes // _SHARE
+                self._room = min(self.most_bytes - kept, spare)
+
+    def _evict(self, newest: Path) -> int:
+        """Drop what was not asked for the longest if it is too much; return the size of the rest.
+
+        ``newest`` stays. More goes than has to, so that the next answers find room.
+        """
         kept = sorted(self._kept(), key=lambda entry: entry.used)
         size = sum(entry.bytes for entry in kept)
+        wanted = size if size <= self.most_bytes else self.most_bytes - self.most_bytes // _SHARE
         for entry in kept:
-            if size <= self.most_bytes:
+            if size <= wanted:
                 break
             if entry.path != newest:
                 entry.path.unlink(missing_ok=True)
                 size -= entry.bytes
+        return size
 
     def _kept(self) -> list[_Kept]:
         """Return the answers that are there; what dead writers left half done is removed."""

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 import httpx2
 
 from ..errors import BackendError, DryRunError, StorageError, UnusableError
-from .account import Entry, Outcome
 from .address import local, near
+from .entries import Entry, Outcome
 from .exchange import Reply, Trouble, exchange
 from .flight import Flight
 from .question import NOTHING, Question, Usage, failed, question, usage
@@ -191,14 +191,16 @@ class PaidTransport(httpx2.BaseTransport):
         lost = _entry(asked, "failed", 0.0, asked.most)
         with account.reserving(asked.most, session.budget, str(asked), session.check) as enter:
             try:
+                if self._sign is not None:  # not earlier: what is signed is soon too old
+                    request.headers.update(self._sign(request))
                 record = account.record(lost, asked.key, must=session.budget is not None)
-            except StorageError as error:
+            except BaseException as error:
                 enter(dataclasses.replace(lost, money=0.0))
+                if not isinstance(error, StorageError):
+                    raise
                 raise StorageError(
                     f"{asked}: not sent, for a budget is to be kept. {error}"
                 ) from error
-            if self._sign is not None:
-                request.headers.update(self._sign(request))
             began = time.monotonic()
 
             def end(outcome: Outcome, money: float | None, spent: Usage = NOTHING) -> None:

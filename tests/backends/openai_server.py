@@ -159,6 +159,9 @@ class Handler(BaseHTTPRequestHandler):
         elif mode == "moderation":
             told = {"error": {"message": "Rejected by the safety system", "code": "moderation"}}
             self.send(400, json.dumps(told).encode())
+        elif mode == "case":
+            told = {"error": {"message": "Unknown options; names are case-insensitive"}}
+            self.send(400, json.dumps(told).encode())
         else:
             raise AssertionError(mode)
         return True

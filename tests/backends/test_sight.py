@@ -28,6 +28,22 @@ def glance(picture: Picture) -> Glance:
     return glance_at(load_weights(), picture.image)
 
 
+@pytest.mark.parametrize("threads", [1, 2, 3])
+def test_it_sees_the_same_bits_on_any_number_of_threads(
+    picture: Picture, sight: Sight, glance: Glance, threads: int
+) -> None:
+    before = torch.get_num_threads()
+    torch.set_num_threads(threads)
+    try:
+        again, looked = glance_at(load_weights(), picture.image), look(picture.image, least=0.15)
+    finally:
+        torch.set_num_threads(before)
+    for name in ("region", "top", "latitude"):
+        assert getattr(again, name).tobytes() == getattr(glance, name).tobytes()
+    assert [f.names.tobytes() for f in again.finds] == [f.names.tobytes() for f in glance.finds]
+    assert [t.score for t in looked.things] == [t.score for t in sight.things]
+
+
 def test_overlap_and_share_of_masks():
     masks = torch.zeros(3, 1, 8, dtype=torch.bool)
     masks[0, 0, :4] = masks[1, 0, 2:4] = masks[2, 0, 6:] = True

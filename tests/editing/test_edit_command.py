@@ -14,12 +14,7 @@ from generator import bundle
 from generator.backends import Backends
 from generator.errors import InputError
 
-
-@pytest.fixture(autouse=True)
-def store(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty store of its own for every test."""
-    monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
-    return tmp_path / "store"
+pytestmark = pytest.mark.usefixtures("store")
 
 
 def test_remove_move_and_replace(

@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
+from running.paid_server import ask
+
 from generator.backends.embedded.reasoner import Reasoner
+from generator.running import Session
+
+SERVER = "JUDGE_OF_THE_TESTS"
+"""Environment variable naming the server that ``PaidJudging`` asks."""
 
 
 class Judging:
@@ -19,3 +27,22 @@ class Judging:
 
     def rank(self, reference: Any, methods: Mapping[str, Any]) -> tuple[str, ...]:
         return tuple(sorted(methods, reverse=True))
+
+
+@dataclass(frozen=True)
+class PaidJudging:
+    """Asks a server for each scene, and for the ranking, and gives the same all the same."""
+
+    session: Session = field(default_factory=Session, repr=False, compare=False)
+    model: str = field(default_factory=lambda: os.environ.get("JUDGE_MODEL", "m"))
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(Reasoner(), name)
+
+    def rate(self, reference: Any, pictures: Any, criteria: Mapping[str, str]) -> dict[str, float]:
+        ask(self.session, os.environ[SERVER], f"{pictures[0].sum()}", question="rate")
+        return Judging().rate(reference, pictures, criteria)
+
+    def rank(self, reference: Any, methods: Mapping[str, Any]) -> tuple[str, ...]:
+        ask(self.session, os.environ[SERVER], f"{sorted(methods)}", question="rank")
+        return Judging().rank(reference, methods)

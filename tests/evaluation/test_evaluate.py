@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import json
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
 import pytest
 from command import command
+from judging import SERVER
 from PIL import Image
+from running.paid_server import Says, Served, serving
 from spoiling import Shot, shot, sound, spoiled, spoiled_four_ways
 
 from generator import bundle
@@ -278,6 +282,82 @@ def test_the_command_asks_a_judge_for_marks_and_a_ranking(
     assert "ranked" not in shown
     assert command("evaluate", one, "--judge", "strict") == 2
     assert "reference picture" in capsys.readouterr().err
+
+
+@pytest.fixture
+def paid(
+    store: Path, taken: Shot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[tuple[Served, Callable[..., int]]]:
+    """A server, and the command for two scenes, whose judge asks it once for each and to rank."""
+    monkeypatch.setitem(TABLE, "paid", {"reasoner": "judging:PaidJudging"})  # type: ignore[arg-type]
+    each = (taken.scene.replace(objects=(thing,), name=thing.name) for thing in taken.scene.objects)
+    scenes = [saved(scene, store) for scene in itertools.islice(each, 2)]
+    picture = store / "picture.png"
+    Image.fromarray(taken.picture).save(picture)
+    table = tmp_path / "prices.toml"
+    table.write_text("[models.m]\ncall = 0.25\n")
+    words = ("--judge", "paid", "--picture", str(picture), "--prices", str(table))
+    with serving([Says()]) as served:
+        monkeypatch.setenv(SERVER, served.url)
+        monkeypatch.setenv("TABLETOPGEN_CALLS", str(tmp_path / "calls"))
+        yield served, lambda *more: command("evaluate", *scenes, *words, *more)
+
+
+def test_what_a_judge_answered_is_kept_and_counted(
+    paid: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str]
+) -> None:
+    server, evaluate = paid
+    assert evaluate("--json") == 0
+    first = json.loads(capsys.readouterr().out)
+    assert len(server.asked) == 3 and first["ledger"]["money"] == 0.75
+    assert evaluate("--json", "--budget", "0.75") == 0
+    again = json.loads(capsys.readouterr().out)
+    assert len(server.asked) == 3
+    assert [c["outcome"] for c in again["ledger"]["calls"]] == ["answered"] * 3 + ["cached"] * 3
+    assert {**again, "ledger": 0} == {**first, "ledger": 0}
+    assert evaluate() == 0
+    shown = capsys.readouterr().out
+    assert "ranked by paid" in shown and shown.splitlines()[-2].split()[0] == "total"
+
+
+def test_a_judge_keeps_a_budget_over_runs_of_the_same_words(
+    paid: tuple[Served, Callable[..., int]],
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    server, evaluate = paid
+    assert evaluate("--budget", "0.1") == 3
+    assert "budget of 0.1" in capsys.readouterr().err and server.asked == []
+    assert evaluate("--budget", "0.6") == 3
+    told = capsys.readouterr().err
+    assert len(server.asked) == 2 and "0.5000 is spent" in told and "What was answered" in told
+    assert evaluate("--budget", "0.75") == 0 and len(server.asked) == 3
+    assert "earlier runs" in capsys.readouterr().out
+    monkeypatch.setenv("JUDGE_MODEL", "another")  # no run of the same words
+    assert evaluate("--budget", "0.1") == 0
+    assert "earlier runs" not in capsys.readouterr().out
+
+
+def test_a_dry_run_asks_no_judge(
+    paid: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str]
+) -> None:
+    server, evaluate = paid
+    assert evaluate("--dry-run", "--json") == 0
+    calls = json.loads(capsys.readouterr().out)["dry_run"]
+    assert [line.split(",")[1] for line in calls] == [" rate (m)"] * 2
+    assert server.asked == []
+    assert evaluate() == 0
+    capsys.readouterr()
+    assert evaluate("--dry-run") == 0
+    assert "No server would be asked" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("words", [("--budget", "1"), ("--dry-run",), ("--calls", "x")])
+def test_settings_of_money_need_a_judge(
+    store: Path, taken: Shot, capsys: pytest.CaptureFixture[str], words: tuple[str, ...]
+) -> None:
+    assert command("evaluate", saved(taken.scene, store, taken), *words) == 2
+    assert "--judge" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from generator.errors import BudgetError, InputError, StoppedError, StorageError
-from generator.running.account import Account, Entry
+from generator.running.account import Account
+from generator.running.entries import Entry
 from generator.running.prices import Price, Prices
 
 CALLS = (

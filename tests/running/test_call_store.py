@@ -85,6 +85,29 @@ def test_what_was_not_asked_for_the_longest_goes_first(tmp_path: Path) -> None:
     assert store.size() <= 3500
 
 
+def test_a_store_is_looked_at_only_where_it_may_be_full(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    looks, look = [], CallStore._kept
+    monkeypatch.setattr(CallStore, "_kept", lambda store: looks.append(1) or look(store))
+    store = CallStore(tmp_path, most_bytes=1_000_000)
+    for k in range(100):
+        store.put(key(str(k)), Answer(200, "", bytes(3_000)))
+    assert 8 <= len(looks) <= 12  # some 315,000 bytes, by 31,250 at a time
+    assert len(CallStore(tmp_path)) == 100
+
+
+def test_stores_of_several_processes_are_bounded_together(tmp_path: Path) -> None:
+    stores = [CallStore(tmp_path, most_bytes=320_000) for _ in range(3)]
+    sizes = []
+    for k in range(400):
+        stores[k % 3].put(key(str(k)), Answer(200, "", bytes(2_000)))
+        sizes.append(stores[0].size())
+    assert max(sizes) <= 320_000 + 3 * 10_000
+    assert min(sizes[200:]) >= 320_000 - 2 * 10_000 - 3_000  # no more is dropped than has to be
+    assert stores[0].get(key("399")) is not None
+
+
 def test_an_answer_larger_than_the_store_is_refused(tmp_path: Path) -> None:
     store = CallStore(tmp_path, most_bytes=300)
     with pytest.raises(StorageError, match="most_bytes"):

@@ -15,7 +15,8 @@ import pytest
 from paid_server import PRICES, Says, ask, serving, session
 
 from generator.errors import BudgetError, InputError, StorageError
-from generator.running.account import Account, Entry
+from generator.running.account import Account
+from generator.running.entries import Entry
 from generator.running.purse import FILE, Purse, Spender
 
 HOLDS = """
@@ -65,9 +66,19 @@ def test_it_is_there_in_the_next_run(tmp_path: Path) -> None:
                 with pytest.raises(BudgetError, match=r"0\.5000 is spent"):
                     spender.hold(0.75, 1.0, "a call")
                 assert spender.hold(0.75, 2.0, "a call")  # with a larger budget
-                spender.settle(0.75, None)
-        assert Purse.open(tmp_path, "USD").sum().unpriced == run
+                spender.settle(0.75, 0.25)
+        assert Purse.open(tmp_path, "USD").sum().money == 0.5 + 0.25 * run
     assert list(tmp_path.glob("*/*.lock")) == []
+
+
+def test_no_budget_is_kept_while_earlier_calls_have_no_price(tmp_path: Path) -> None:
+    purse = Purse.open(tmp_path, "USD")
+    with purse.spending() as spender:
+        assert spender.hold(0.25, None, "a call")
+        spender.settle(0.25, None)
+        with pytest.raises(BudgetError, match="1 calls of earlier runs into this folder have no"):
+            spender.hold(0.25, 5.0, "a call")
+        assert spender.hold(0.0, 5.0, "free") and spender.hold(0.25, None, "no budget")
 
 
 def test_who_lives_is_waited_for_and_what_costs_nothing_is_not_stopped(tmp_path: Path) -> None:

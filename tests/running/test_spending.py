@@ -16,7 +16,8 @@ from paid_server import KEY, PRICES, Asked, Says, ask, serving, session
 
 from generator.errors import BudgetError, InputError, StorageError
 from generator.running import Session
-from generator.running.account import Account, Entry
+from generator.running.account import Account
+from generator.running.entries import Entry
 from generator.running.prices import Price, Prices
 from generator.running.purse import Purse
 from generator.running.spending import Spending
@@ -29,7 +30,7 @@ MOST = 0.04004
 def run(folder: Path, **settings: Any) -> Session:
     """A run of the scene whose answers and spending are in ``folder``."""
     made = session(store=CallStore(folder), **settings)
-    made.account.resume(Spending.beside(folder, "scene"))
+    made.resume("scene")
     return made
 
 
@@ -61,7 +62,7 @@ def test_a_budget_is_for_all_runs_of_a_scene(tmp_path: Path) -> None:
         with pytest.raises(BudgetError, match=r"budget of 0\.06, 0\.0210 is spent"):
             ask(again, server.url, "b")
         other = session(store=CallStore(tmp_path), budget=0.06)
-        other.account.resume(Spending.beside(tmp_path, "other"))
+        other.resume("other")
         ask(other, server.url, "b")
 
 
@@ -112,6 +113,46 @@ def test_what_nobody_knows_the_price_of_stays_so(tmp_path: Path) -> None:
     account = Account()
     account.resume(spending)
     assert (account.money, account.unpriced) == (0.0, 1)
+
+
+def unpriced(folder: Path, *entries: Entry) -> None:
+    """Leave calls that a run without a budget made at an unknown price."""
+    for k, entry in enumerate(entries):
+        Spending.beside(folder, "scene").write(str(k), "k", entry)
+
+
+def test_answers_are_priced_as_soon_as_their_model_is(tmp_path: Path) -> None:
+    unpriced(tmp_path, Entry("s", "q", "m", tokens_in=1_000, tokens_out=2_000, money=None))
+    assert run(tmp_path, prices=Prices()).account.unpriced == 1
+    resumed = run(tmp_path, budget=0.06)
+    assert (resumed.account.money, resumed.account.unpriced) == (pytest.approx(0.021), 0)
+    with serving([Says()]) as server, pytest.raises(BudgetError, match=r"0\.0210 is spent"):
+        ask(run(tmp_path, budget=0.06), server.url)
+    assert server.asked == []
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        Entry("s", "q", "other", tokens_in=1_000, money=None),
+        Entry("s", "q", "m", "failed", money=None),  # nobody knows what it took
+        Entry("s", "q", "m", money=None),
+        Entry("s", "q", money=None),
+    ],
+    ids=lambda entry: f"{entry.model or 'no model'}, {entry.outcome}",
+)
+def test_no_budget_is_kept_while_earlier_calls_have_no_price(tmp_path: Path, entry: Entry) -> None:
+    unpriced(tmp_path, entry, Entry("s", "q", "m", money=0.25))
+    with serving([Says()]) as server:
+        with pytest.raises(BudgetError, match="1 calls whose price is not known") as refused:
+            ask(run(tmp_path, budget=5.0), server.url)
+        assert "scene.jsonl" in str(refused.value)
+        assert (f'[models."{entry.model}"]' in str(refused.value)) == bool(entry.model)
+        assert server.asked == []
+        free = run(tmp_path, budget=5.0, prices=Prices(models={"m": Price()}))
+        assert ask(free, server.url, "what costs nothing").status_code == 200
+        assert "1 of their calls have no known price" in run(tmp_path).account.notes[0]
+        assert ask(run(tmp_path), server.url).status_code == 200  # without a budget
 
 
 def test_half_a_line_spoils_no_other(tmp_path: Path) -> None:

@@ -11,12 +11,15 @@ import time
 from pathlib import Path
 from typing import Any
 
+import httpx2
 import pytest
 from paid_server import CHAT, KEY, Asked, Says, ask, serving, session
 
 from generator.errors import BackendError, BudgetError, DryRunError, UnusableError
 from generator.running import Session
-from generator.running.prices import Prices
+from generator.running.account import Account
+from generator.running.prices import Price, Prices
+from generator.running.purse import Purse
 from generator.running.store import CallStore
 from generator.running.used import Used
 from generator.running.waiting import Patience
@@ -130,6 +133,22 @@ def test_an_attempt_is_signed_anew() -> None:
     ):
         assert client.post("/v1", json={}).json() == CHAT
     assert [asked.headers["x-stamp"] for asked in server.asked] == ["first", "second"]
+
+
+def test_what_cannot_be_signed_costs_nothing(tmp_path: Path) -> None:
+    def sign(request: httpx2.Request) -> dict[str, str]:
+        raise OSError("no clock")
+
+    purse = Purse.open(tmp_path, "USD")
+    with serving([Says()]) as server, purse.spending() as spender:
+        shared = session(
+            budget=1.0, account=Account(spender), prices=Prices(models={"m": Price(call=0.5)})
+        )
+        with pytest.raises(OSError, match="no clock"):
+            ask(shared, server.url, sign=sign)
+        assert server.asked == []
+    assert shared.account.money == purse.sum().money == 0.0
+    assert purse.sum().held == {}
 
 
 def test_answers_of_no_use_are_dropped(tmp_path: Path) -> None:

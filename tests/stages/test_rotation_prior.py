@@ -12,10 +12,10 @@ from toy import toy_object, toy_scene
 from generator import bundle
 from generator.backends.embedded.encoder import Encoder
 from generator.catalogue import build
+from generator.cores import single_thread
 from generator.errors import InputError
 from generator.geometry import rotation_z, wrap
 from generator.physics.gate import judge
-from generator.render.soft import single_thread
 from generator.scene import Model, Rotation
 from generator.stages import rotation as dro
 from generator.stages.rotation import Found, prior

@@ -11,6 +11,7 @@ import base64
 import binascii
 import hashlib
 import json
+import re
 import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -44,7 +45,9 @@ _SEEDREAM = {
 """What Seedream is told beside text and size."""
 
 _LONG = 2048  # pixels of the longer side, in the form that takes any size
-_BLOCKED = ("moderation", "content_policy", "content policy", "safety system", "sensitive")
+_BLOCKED = re.compile(
+    r"moderation|content[_ ]policy|safety system|(?<!case)(?<!case[-_ ])(?<!in)sensitive"
+)
 
 
 class _Unusable(ValueError):
@@ -165,7 +168,7 @@ class Painter:
                 )
             except Rejected as error:
                 said = str(error).replace(self.server.model, "").lower()
-                if any(word in said for word in _BLOCKED):
+                if _BLOCKED.search(said):
                     raise self.server.unusable(question, f"the model refuses: {error}") from None
                 named = [k for k in left if k in said]
                 if not left:

@@ -55,7 +55,7 @@ def decoded(data: bytes) -> RGBA:
         raise
     except UnidentifiedImageError:
         kind = "HTML" if data.lstrip()[:1] == b"<" else "no PNG, JPEG or WebP"
-        raise NotAPicture(f"the picture is {kind} ({data[:40]!r})") from None
+        raise NotAPicture(f"the picture is {kind} ({len(data)} bytes)") from None
     except Image.DecompressionBombError:
         raise NotAPicture(f"the picture has more than {MOST_PIXELS:,} pixels") from None
     except (OSError, SyntaxError, EOFError, ValueError) as error:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from jaxtyping import Float
 
+from ...cores import single_thread
 from ...geometry import quaternion_matrix, wrap
 from ...render.contact import at_rest
 from ...scene import TABLE, Instance, Mesh, Model, Object, Placement, View
@@ -64,7 +65,6 @@ def refine_scene(
     moving = [p for p in placements if p.name in shown]
     if len(moving) < 2 or not config.steps:
         return Refinement(tuple(placements), 0.0, 0.0)
-    from ...render.soft import single_thread
 
     def measured(placed: Sequence[Placement]) -> Float[np.ndarray, "n"]:
         there = [p for p in placed if p.name in shown]
@@ -107,8 +107,6 @@ def outline_misfit(
     direction from where they agree best. An instance that no object is made of counts 1; the
     table, and what shows nothing, are left out.
     """
-    from ...render.soft import single_thread
-
     config = config or RefinementConfig()
     shown = _shown(instances)
     there = [o for o in objects if o.name in shown]

@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Bool
 
 from ...backends.protocols import Encoder
-from ...cores import threads
+from ...cores import single_thread, threads
 from ...errors import InputError
 from ...render.crop import hiders
 from ...scene import TABLE, Instance, Model, Reference, Rotation, View
@@ -59,8 +59,6 @@ def estimate_rotations(
         )  # fmt: skip
         return search(levels, [prior_yaw(models[things[k].name]) for k in group])
 
-    from ...render.soft import single_thread
-
     with single_thread():
         if config.device == "cpu":
             with ThreadPoolExecutor(min(threads(), max(len(things), 1))) as pool:
@@ -99,8 +97,6 @@ def optimise_rotation(
     Raises:
         InputError: the crop is empty or the model has no surface.
     """
-    from ...render.soft import single_thread
-
     with single_thread():
         levels = make_objectives(
             [model], [instance], view, encoder, config, image_size, seed, [hidden]

@@ -175,6 +175,13 @@ def test_a_picture_that_the_model_will_not_draw(server: Running, make_imager: Ma
     assert len(server.script.requests) == 1
 
 
+def test_a_server_that_speaks_of_case_does_not_refuse(server: Running, make_imager: Make) -> None:
+    server.script.failures.append("case")
+    server.script.paint = lambda request: plain()
+    np.testing.assert_array_equal(make_imager().draw(PLAN, 0), plain())
+    assert len(server.script.requests) == 2
+
+
 def test_a_kept_answer_that_is_of_no_use_is_asked_for_anew(
     server: Running, make_imager: Make, tmp_path
 ) -> None:

@@ -18,6 +18,7 @@ from jaxtyping import Bool, Float, UInt8
 from torch import Tensor
 from torch.nn import functional
 
+from ....cores import single_thread
 from ....geometry import mask_box
 from .closeups import closeup
 from .finds import FAINT, Finds, answers, ask, tensor
@@ -95,7 +96,7 @@ def look(image: UInt8[np.ndarray, "h w 3"], least: float = 0.4) -> Sight:
     """
     weights = load_weights()
     glance = glance_at(weights, image)
-    with torch.inference_mode():
+    with single_thread(), torch.inference_mode():
         chosen = load_judge().choose(clues_of(glance.finds, glance.region), least)
     finds = [glance.finds[k] for k, _ in chosen]
     shown = _apart([find.visible for find in finds])
@@ -122,7 +123,7 @@ def glance_at(weights: Weights, image: UInt8[np.ndarray, "h w 3"]) -> Glance:
     height, width = image.shape[:2]
     factor = float(np.clip(max(height, width), *SIDES)) / max(height, width)
     small = _resized(image, factor)
-    with torch.inference_mode():
+    with single_thread(), torch.inference_mode():
         maps = weights.eye(tensor(_padded(small)))
 
         def full(x: Tensor) -> np.ndarray:
