@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import os
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+
+_TURN = threading.RLock()  # what torch computes on is the process's, not a thread's
 
 
 def cores() -> int:
@@ -30,13 +33,14 @@ def single_thread() -> Iterator[None]:
 
     One thread adds in one order, so results do not depend on the machine's cores. Small work, like
     splats, is not worth sharing, either: more threads make it slower, and on a busy machine many
-    times slower.
+    times slower. Threads take turns; what a block waits for must not enter another one.
     """
     import torch
 
-    threads = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(threads)
+    with _TURN:
+        threads = torch.get_num_threads()
+        torch.set_num_threads(1)
+        try:
+            yield
+        finally:
+            torch.set_num_threads(threads)

@@ -3,10 +3,41 @@
 from __future__ import annotations
 
 import os
+import threading
+import time
 
 import pytest
+import torch
 
 from generator import cores
+
+
+def test_blocks_of_several_threads_do_not_mix() -> None:
+    before, seen, lasts = torch.get_num_threads(), [], threading.Barrier(3)
+    torch.set_num_threads(3)
+
+    def work() -> None:
+        lasts.wait()
+        for _ in range(20):
+            with cores.single_thread(), cores.single_thread():
+                time.sleep(0.001)
+                seen.append(torch.get_num_threads())
+
+    threads = [threading.Thread(target=work) for _ in range(3)]
+    try:
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        assert seen == [1] * 60
+        assert torch.get_num_threads() == 3
+        fresh: list[int] = []
+        later = threading.Thread(target=lambda: fresh.append(torch.get_num_threads()))
+        later.start()
+        later.join()
+        assert fresh == [3], "what new threads begin with"
+    finally:
+        torch.set_num_threads(before)
 
 
 def test_processors_are_those_this_process_may_use() -> None:

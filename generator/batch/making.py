@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
-from ..backends import Mix
+from ..backends import Backends, Mix
 from ..cores import threads
-from ..errors import InputError, StorageError, require
+from ..errors import BackendError, InputError, StorageError, require
 from ..running.prices import Prices
 from ..running.purse import Purse
 from .jobs import Job
@@ -83,7 +83,7 @@ class Generating:
     budget: float | None = None
     dry: bool = False
     _answering: dict[str, Any] = field(init=False, repr=False, compare=False)
-    """Who answers, as of where this was made: a process of another environment has to agree."""
+    """Who answers, as of where this was made; a process elsewhere has to agree."""
 
     def __post_init__(self) -> None:
         from ..provenance import plain
@@ -114,16 +114,34 @@ class Generating:
 
         Raises:
             BudgetError: it cannot be afforded; DryRunError: it would have asked a server.
+            BackendError: here others would answer than where the batch was started.
         """
         from ..pipeline import generate
 
         _share()
         with self._session(job) as session:
-            generation = generate(job.text, self.mix.select(session), self.config, job.seed)
+            backends = self.mix.select(session)
+            self._check_answering(backends)
+            generation = generate(job.text, backends, self.config, job.seed)
             path = generation.save(folder)
             if any(entry.outcome != "cached" for entry in session.account.entries):
                 session.account.save(path, session.prices)
         return path
+
+    def _check_answering(self, backends: Backends) -> None:
+        from ..provenance import plain
+
+        expected = self._answering.get("answering")
+        if expected is None:
+            return
+        here = plain(backends.identity())
+        roles = [role for role in expected if here.get(role) != expected[role]]
+        if roles:
+            raise BackendError(
+                f"{' and '.join(roles)} would be another here than where the batch was started: "
+                f"{', '.join(f'{here.get(r)} instead of {expected[r]}' for r in roles)}. Set the "
+                "same environment variables on all machines."
+            )
 
     @contextlib.contextmanager
     def _session(self, job: Job) -> Iterator[Session]:

@@ -146,7 +146,7 @@ class Account:
                 'Add the model, or its server as "@host", to the price table, or give no budget.'
             )
         asked = most or 0.0
-        if budget is not None and asked:
+        if budget is not None and asked and self._spender is None:  # a purse has its own sum
             self._check_earlier(what, budget)
         with self._ended:
             while not self._taken(asked, budget, what):
@@ -171,7 +171,8 @@ class Account:
         """Refuse a call where nobody knows what earlier ones cost."""
         unknown = [entry for entry in self.entries if entry.earlier and entry.money is None]
         if unknown and self._spending is not None:
-            models = sorted({f'[models."{entry.model}"]' for entry in unknown if entry.model})
+            names = {entry.model or f"@{entry.at}" for entry in unknown if entry.model or entry.at}
+            models = [f'[models."{name}"]' for name in sorted(names)]
             raise BudgetError(
                 f"{what}: not sent, for earlier runs of the same scene made {len(unknown)} calls "
                 f"whose price is not known, so the budget of {budget:g} cannot be kept. Add "
@@ -255,8 +256,8 @@ def _priced(entry: Entry, prices: Prices | None) -> Entry:
     """Return an answer of unknown price with that of its model, if that is known by now."""
     if entry.money is not None or entry.outcome != "answered" or prices is None:
         return entry
-    price = prices.price(entry.model)
-    if price is None or (price.by_tokens and not (entry.tokens_in or entry.tokens_out)):
+    price = prices.price(entry.model, entry.at)
+    if price is None or not price.told(entry.tokens_in, entry.tokens_out):
         return entry
     money = price.of(entry.tokens_in, entry.tokens_out, entry.images)
     return dataclasses.replace(entry, money=money)

@@ -14,7 +14,8 @@ class Entry:
     """One call: an answer, an answer of the store, or an attempt that failed.
 
     ``money`` is None where the price is not known. An attempt that broke off after it was sent
-    counts with the most that it can have cost. ``earlier`` tells the calls of earlier runs.
+    counts with the most that it can have cost. ``earlier`` tells the calls of earlier runs, ``at``
+    the server's host and port.
     """
 
     server: str
@@ -27,6 +28,7 @@ class Entry:
     images: int = 0
     money: float | None = 0.0
     earlier: bool = False
+    at: str = ""
 
 
 @dataclass(frozen=True)

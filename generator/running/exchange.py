@@ -188,7 +188,7 @@ def _code(payload: Any) -> int | None:
     """Return the status of the error that an answer tells of, as routers pass it on."""
     error = payload.get("error") if isinstance(payload, dict) else None
     code = str(error.get("code")) if isinstance(error, dict) else ""
-    return int(code) if code.isdecimal() else None
+    return int(code) if code.isdecimal() and len(code) <= 3 else None
 
 
 def _excerpt(body: bytes, secrets: tuple[str, ...]) -> str:

@@ -45,10 +45,9 @@ class Price:
         tokens = self.input * tokens_in + self.output * tokens_out
         return tokens / _MILLION + self.image * images + self.call
 
-    @property
-    def by_tokens(self) -> bool:
-        """Whether tokens cost anything."""
-        return bool(self.input or self.output)
+    def told(self, tokens_in: int, tokens_out: int) -> bool:
+        """Return whether an answer says how many tokens it took, of those that cost anything."""
+        return not (self.input and not tokens_in) and not (self.output and not tokens_out)
 
 
 @dataclass(frozen=True)

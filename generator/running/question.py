@@ -32,7 +32,10 @@ _TALK = 131_072  # tokens of a chat's answer without a bound, with all that the 
 
 @dataclass(frozen=True)
 class Question:
-    """One call: what it asks for of which model, the key of its content, and its price."""
+    """One call: what it asks for of which model, the key of its content, and its price.
+
+    ``at`` is the server's host, and port if it has one.
+    """
 
     server: str
     name: str
@@ -41,6 +44,7 @@ class Question:
     memo: Memo
     price: Price | None
     most: float | None
+    at: str = ""
 
     def __str__(self) -> str:
         """Return how messages name it."""
@@ -53,7 +57,7 @@ class Question:
         """
         if self.price is None or self.most is None:
             return None
-        if self.price.by_tokens and not (usage.tokens_in or usage.tokens_out):
+        if not self.price.told(usage.tokens_in, usage.tokens_out):
             return self.most
         return self.price.of(usage.tokens_in, usage.tokens_out, usage.images)
 
@@ -88,24 +92,27 @@ def question(request: httpx2.Request, server: str, prices: Prices) -> Question:
     key = _key(request, meant.encode() or body, model)
     payload = _payload(request, body)
     model = model or str(payload.get("model", ""))
-    price = prices.price(model, request.url.netloc.decode())
+    at = request.url.netloc.decode()
+    price = prices.price(model, at)
     price, most = (Price(), 0.0) if free else _price(request, payload, body, price)
-    return Question(server, name, model, key, _MEMOS[memo], price, most)
+    return Question(server, name, model, key, _MEMOS[memo], price, most, at)
 
 
 def usage(payload: Any) -> Usage:
-    """Return what the JSON of an answer says that it took."""
+    """Return what the JSON of an answer says that it took.
+
+    What a model thinks is paid for as well; some servers count it in the total alone.
+    """
     if not isinstance(payload, dict):
         return NOTHING
     told, data = payload.get("usage"), payload.get("data")
     told = told if isinstance(told, dict) else {}
     data = data if isinstance(data, list) else []
     images = [d for d in data if isinstance(d, dict) and (d.get("b64_json") or d.get("url"))]
-    return Usage(
-        _count(told.get("prompt_tokens", told.get("input_tokens"))),
-        _count(told.get("completion_tokens", told.get("output_tokens"))),
-        len(images),
-    )
+    tokens_in = _count(told.get("prompt_tokens", told.get("input_tokens")))
+    tokens_out = _count(told.get("completion_tokens", told.get("output_tokens")))
+    tokens_out = max(tokens_out, _count(told.get("total_tokens")) - tokens_in)
+    return Usage(tokens_in, tokens_out, len(images))
 
 
 def failed(payload: Any) -> bool:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import httpx2
 
-from ..errors import BackendError, DryRunError, StorageError, UnusableError
+from ..errors import BackendError, DryRunError, StorageError, TabletopError, UnusableError
 from .address import local, near
 from .entries import Entry, Outcome
 from .exchange import Reply, Trouble, exchange
@@ -212,16 +212,22 @@ class PaidTransport(httpx2.BaseTransport):
             flight = Flight(functools.partial(exchange, *sending))
             try:
                 interrupt = session.landing(flight)
-            except BaseException:  # given up: it may be answered, and paid for, all the same
+                told = flight.result()
+            except BaseException as error:  # it may be answered, and paid for, all the same
                 end("failed", asked.most)
-                raise
-            told = flight.result()
+                if isinstance(error, TabletopError) or not isinstance(error, Exception):
+                    raise
+                raise BackendError(
+                    f"{asked}: the call broke off by a {type(error).__name__}, a fault of this "
+                    "program. What was answered before is kept."
+                ) from None
+            spent = NOTHING if isinstance(told, Trouble) else usage(told.payload)
             if isinstance(told, Trouble):
                 end("failed", asked.most if told.charged else 0.0)
-            elif not told.good or failed(told.payload):
-                end("failed", 0.0)
+            elif not told.good or failed(told.payload):  # some answers break off in the middle
+                begun = spent.tokens_in or spent.tokens_out
+                end("failed", asked.money(spent) if begun else 0.0, spent)
             else:
-                spent = usage(told.payload)
                 end("answered", asked.money(spent), spent)
         return told, interrupt
 
@@ -264,7 +270,7 @@ def _entry(
 ) -> Entry:
     return Entry(
         asked.server, asked.name, asked.model, outcome, seconds,
-        spent.tokens_in, spent.tokens_out, spent.images, money,
+        spent.tokens_in, spent.tokens_out, spent.images, money, at=asked.at,
     )  # fmt: skip
 
 

@@ -19,7 +19,7 @@ from toy_maker import ToyMaker, made
 
 from generator import batch, bundle
 from generator.backends import Mix, select
-from generator.errors import InputError, StorageError
+from generator.errors import BackendError, InputError, StorageError
 from generator.running import Session
 from generator.scene import Provenance, Report
 
@@ -73,7 +73,9 @@ def test_a_budget_needs_a_sum_on_disk(tmp_path: Path) -> None:
     assert rich.identity() == batch.Generating().identity()  # money decides no byte
 
 
-def test_who_answers_is_decided_where_the_batch_is_made(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_who_answers_is_decided_where_the_batch_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Processes elsewhere have other environments; a scene has one record all the same."""
 
     def made(model: str) -> batch.Generating:
@@ -84,8 +86,12 @@ def test_who_answers_is_decided_where_the_batch_is_made(monkeypatch: pytest.Monk
     one = made("gpt-one")
     sent, other = pickle.dumps(one), made("gpt-two")
     assert one.identity() != other.identity()
-    assert pickle.loads(sent).identity() == one.identity()
+    there = pickle.loads(sent)
+    assert there.identity() == one.identity()
     assert "no-real-key" not in repr(one) + str(sent)
+    with pytest.raises(BackendError, match=r"reasoner would be another .*gpt-two.* of .*gpt-one"):
+        there(batch.Job("a desk"), tmp_path / "out")
+    assert not (tmp_path / "out").exists()
 
 
 # ------------------------------------------------------------------------------------- the command

@@ -91,6 +91,7 @@ class Place:
     def run(self, key: str = KEY, started: Callable[[Process], None] = lambda process: None) -> Run:
         """Run the driver to its end; ``started`` gets its process."""
         self.folder.mkdir(parents=True, exist_ok=True)
+        before = threading.enumerate()
         log = self.folder / f"told_{len(list(self.folder.glob('told_*')))}.txt"
         first = len(self.servers.watch.asked)
         path = [str(TESTS.parent), *(str(TESTS / p) for p in ("", "mixing"))]
@@ -103,7 +104,7 @@ class Place:
             )  # fmt: skip
             started(process)
             code = process.wait()
-        mix_servers.drain()
+        mix_servers.drain(before)
         return Run(code, log.read_text(), tuple(self.servers.watch.asked[first:]))
 
     def killed(self, point: Point, before: int) -> Run:

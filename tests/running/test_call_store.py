@@ -108,6 +108,26 @@ def test_stores_of_several_processes_are_bounded_together(tmp_path: Path) -> Non
     assert stores[0].get(key("399")) is not None
 
 
+def test_threads_that_write_at_once_stay_within_bounds(tmp_path: Path) -> None:
+    shared, errors = CallStore(tmp_path, most_bytes=64_000), []
+    stores = [shared, shared, CallStore(tmp_path, most_bytes=64_000), shared]
+
+    def write(store: CallStore, k: int) -> None:
+        try:
+            for j in range(40):
+                store.put(key(f"{k} {j}"), Answer(200, "", bytes(1_500)))
+        except Exception as error:
+            errors.append(error)
+
+    threads = [threading.Thread(target=write, args=(s, k)) for k, s in enumerate(stores)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert errors == []
+    assert 50_000 <= shared.size() <= 64_000 + 2 * 2_000 + 4 * 1_700
+
+
 def test_an_answer_larger_than_the_store_is_refused(tmp_path: Path) -> None:
     store = CallStore(tmp_path, most_bytes=300)
     with pytest.raises(StorageError, match="most_bytes"):

@@ -8,7 +8,7 @@ import httpx2
 import pytest
 
 from generator.running.prices import Price, Prices
-from generator.running.question import failed, question, usage
+from generator.running.question import Usage, failed, question, usage
 
 PRICES = Prices(
     models={
@@ -72,6 +72,12 @@ def test_what_has_no_price_has_no_most() -> None:
     [
         ({"usage": {"input_tokens": 3, "output_tokens": 4}}, (3, 4, 0)),
         ({"usage": {"prompt_tokens": "3", "completion_tokens": None}}, (3, 0, 0)),
+        (
+            {"usage": {"prompt_tokens": 20, "completion_tokens": 198, "total_tokens": 623}},
+            (20, 603, 0),
+        ),
+        ({"usage": {"prompt_tokens": 21, "completion_tokens": 0, "total_tokens": 81}}, (21, 60, 0)),
+        ({"usage": {"prompt_tokens": 5, "completion_tokens": 2, "total_tokens": "?"}}, (5, 2, 0)),
         ({"usage": [1], "data": {"url": "x"}}, (0, 0, 0)),
         ({"data": [{"embedding": [1.0]}, "x", {"url": "y"}]}, (0, 0, 1)),
         ([1, 2], (0, 0, 0)),
@@ -80,6 +86,25 @@ def test_what_has_no_price_has_no_most() -> None:
 def test_what_an_answer_took_is_read_where_it_is_told(told: Any, sums: tuple) -> None:
     read = usage(told)
     assert (read.tokens_in, read.tokens_out, read.images) == sums
+
+
+@pytest.mark.parametrize(
+    ("tokens", "price", "known"),
+    [
+        ((3, 4), Price(1.0, 2.0), True),
+        ((3, 0), Price(1.0, 2.0), False),
+        ((0, 4), Price(1.0, 2.0), False),
+        ((0, 4), Price(output=2.0), True),
+        ((0, 0), Price(image=1.0), True),
+    ],
+)
+def test_an_answer_that_hides_what_it_took_costs_the_most(
+    tokens: tuple[int, int], price: Price, known: bool
+) -> None:
+    request = httpx2.Request("POST", "https://host/v1", json={"model": "m", "messages": []})
+    asked = question(request, "cloud", Prices(models={"m": price}))
+    money = asked.money(Usage(*tokens))
+    assert money == (price.of(*tokens, 0) if known else asked.most)
 
 
 def test_errors_in_answers_are_known() -> None:

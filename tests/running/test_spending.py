@@ -131,6 +131,22 @@ def test_answers_are_priced_as_soon_as_their_model_is(tmp_path: Path) -> None:
     assert server.asked == []
 
 
+def test_calls_of_a_server_of_ones_own_are_priced_by_its_host(tmp_path: Path) -> None:
+    unpriced(tmp_path, Entry("hunyuan3d", "model", money=None, at="box:8081"))
+    with serving([Says()]) as server, pytest.raises(BudgetError, match=r'\[models\."@box:8081"\]'):
+        ask(run(tmp_path, budget=5.0), server.url)
+    prices = Prices(models={"@box": Price(call=0.5)})
+    assert run(tmp_path, prices=prices).account.money == 0.5
+
+
+def test_a_purse_s_budget_is_of_its_own_calls_alone(tmp_path: Path) -> None:
+    """Earlier calls of the scene were made into another folder."""
+    unpriced(tmp_path, Entry("s", "q", "m", "failed", money=None))
+    with serving([Says()]) as server, Purse.open(tmp_path, "USD").spending() as spender:
+        shared = run(tmp_path, budget=5.0, account=Account(spender))
+        assert ask(shared, server.url).status_code == 200
+
+
 @pytest.mark.parametrize(
     "entry",
     [

@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 import time
+import traceback
 from pathlib import Path
 from typing import Any
 
@@ -133,6 +134,38 @@ def test_an_attempt_is_signed_anew() -> None:
     ):
         assert client.post("/v1", json={}).json() == CHAT
     assert [asked.headers["x-stamp"] for asked in server.asked] == ["first", "second"]
+
+
+def test_an_answer_that_broke_off_in_an_error_is_paid_for_as_far_as_it_came() -> None:
+    shared = session(attempts=1)
+    told = {"choices": [], "usage": CHAT["usage"], "error": {"message": "upstream went away"}}
+    with serving([Says(body=told), Says(body={"error": {"message": "busy"}})]) as server:
+        for text in "ab":
+            ask(shared, server.url, text)
+    assert [entry.outcome for entry in shared.account.entries] == ["failed", "failed"]
+    assert [entry.money for entry in shared.account.entries] == [pytest.approx(0.021), 0.0]
+
+
+def test_a_fault_of_the_program_is_entered_and_holds_no_key(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fault(*given: Any) -> None:
+        raise RuntimeError(f"{given[1].headers}")
+
+    monkeypatch.setattr("generator.running.transport.exchange", fault)
+    shared = session()
+    with serving([Says()]) as server, pytest.raises(BackendError, match="RuntimeError") as caught:
+        ask(shared, server.url)
+    assert str(caught.value).startswith("cloud, plan_scene (m): the call broke off")
+    assert KEY not in "".join(traceback.format_exception(caught.value))
+    (entry,) = shared.account.entries
+    assert entry.outcome == "failed" and (entry.money or 0.0) > 0.02
+
+
+def test_a_code_of_any_length_is_read() -> None:
+    told = {"error": {"code": "9" * 5000}}
+    with serving([Says(body=told)]) as server:
+        assert ask(session(), server.url).status_code == 200
 
 
 def test_what_cannot_be_signed_costs_nothing(tmp_path: Path) -> None:

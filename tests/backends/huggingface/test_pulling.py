@@ -10,10 +10,12 @@ import re
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
+from typing import IO, Any
 
 import pytest
 from command import command
 from hub_server import Hub
+from huggingface_hub import file_download
 from local_server import local_server
 
 from generator.backends.huggingface import pins as pins_module
@@ -177,15 +179,26 @@ def test_a_folder_that_cannot_be_written(hub: Hub, model: Pin, tmp_path: Path) -
 def test_a_full_disk_keeps_what_is_there(
     hub: Hub, model: Pin, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def full(*_args: object, **_named: object) -> None:
+    fetch = file_download.http_get
+    begun: list[str] = []
+
+    def full(url: str, file: IO[bytes], **named: Any) -> None:
+        begun.append(url)
+        if len(begun) == 1:
+            return fetch(url, file, **named)
+        file.write(b"half")
         raise OSError(errno.ENOSPC, "No space left on device")
 
     with monkeypatch.context() as patch:
-        patch.setattr("huggingface_hub.file_download.http_get", full)
+        patch.setattr(file_download, "http_get", full)
         with pytest.raises(StorageError, match="No space left on device"):
             pull(model, tmp_path)
-    assert missing(model, tmp_path) == model.files
+    left = missing(model, tmp_path)
+    assert len(begun) == 2 and len(left) == len(model.files) - 1, "one is whole, no half one counts"
+    hub.asked.clear()
     pull(model, tmp_path)
+    (whole,) = set(model.files) - set(left)
+    assert missing(model, tmp_path) == () and not any(whole in path for path in hub.asked)
 
 
 # ------------------------------------------------------------------------------------ the command

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import base64
 import io
+import struct
 import threading
+import zlib
 
 import numpy as np
 import pytest
 import trimesh
-from backends.modelers.foreign import glb, instance, prior, striped_box
+from backends.modelers.foreign import edited, glb, instance, prior, striped_box
 from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
 
@@ -111,6 +113,58 @@ def test_a_damaged_answer_is_asked_for_once_more_then_refused(bad, tmp_path):
         for _ in range(2):
             assert ask(served.url, session=quick(CallStore(tmp_path))).name == "mug_1"
         assert len(served.calls) == 2
+
+
+def nan() -> bytes:
+    made = striped_box()
+    made.vertices[3] = np.nan
+    return glb(made)
+
+
+def claims(faces: int) -> bytes:
+    def claim(header: dict) -> None:
+        count = {"count": 3 * faces, "componentType": 5121, "type": "SCALAR", "bufferView": 0}
+        header["accessors"].append(count)
+        header["meshes"][0]["primitives"][0]["indices"] = len(header["accessors"]) - 1
+
+    return edited(GOOD, claim) + bytes(3 * faces // 4 + 4096)
+
+
+def bomb() -> bytes:
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        check = struct.pack(">I", zlib.crc32(kind + data))
+        return struct.pack(">I", len(data)) + kind + data + check
+
+    head = chunk(b"IHDR", struct.pack(">IIBBBBB", 60_000, 60_000, 8, 2, 0, 0, 0))
+    picture = b"\x89PNG\r\n\x1a\n" + head + chunk(b"IDAT", b"") + chunk(b"IEND", b"")
+    uri = "data:image/png;base64," + base64.b64encode(picture).decode()
+    return edited(GOOD, lambda header: header["images"].__setitem__(0, {"uri": uri}))
+
+
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        (edited(GOOD, lambda h: h["meshes"][0]["primitives"][0].update(mode=0)), "0 triangles"),
+        (claims(10_000_000), "has 10000000 triangles; 1 to 2000000 are read"),
+        (
+            edited(GOOD, lambda h: h["buffers"][0].update(uri="http://x.example/a")),
+            "outside itself",
+        ),
+        (nan(), "finite"),
+        (bomb(), "pixels"),
+        (b"<!doctype html><html>busy</html>", "HTML page"),
+    ],
+    ids=["no faces", "10 M faces", "external URI", "NaN", "bomb", "HTML"],
+)
+@pytest.mark.filterwarnings("ignore::PIL.Image.DecompressionBombWarning")
+def test_meshes_that_would_do_harm_are_refused_and_not_kept(body, told, tmp_path):
+    with (
+        serving(lambda call: Answer(body=body)) as served,
+        pytest.raises(BackendError, match=told) as caught,
+    ):
+        ask(served.url, session=quick(CallStore(tmp_path)))
+    assert str(caught.value).startswith("hunyuan3d, model")
+    assert len(CallStore(tmp_path)) == 0
 
 
 def test_a_mesh_of_which_no_model_can_be_made_is_not_kept(tmp_path):
