@@ -345,12 +345,12 @@ def test_a_table_without_anything_to_do_is_a_row() -> None:
 
 def test_batches_are_compared_with_the_first_one() -> None:
     bench = script("batch")
-    one = bench.Run("processes", 1, 60.0, 2, frozenset({"a", "b"}))
-    two = bench.Run("processes", 2, 30.0, 2, frozenset({"a", "c"}))
+    one = bench.Run("processes", 1, 1, 60.0, 2, frozenset({"a", "b"}))
+    two = bench.Run("processes", 2, 1, 30.0, 2, frozenset({"a", "c"}))
     rows = bench.table([one, two], "head").splitlines()[-2:]
     assert rows == [
-        "| processes | 1 | 2 | 60.0 | 2.0 | 1.00 | yes |",
-        "| processes | 2 | 2 | 30.0 | 4.0 | 2.00 | NO |",
+        "| processes | 1 | 1 | 2 | 60.0 | 2.0 | 1.00 | yes |",
+        "| processes | 2 | 1 | 2 | 30.0 | 4.0 | 2.00 | NO |",
     ]
 
 

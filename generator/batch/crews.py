@@ -26,6 +26,10 @@ Task = Callable[[], Outcome]
 GRACE = 10.0
 """Seconds in which an interrupted process comes to an end: more than a session's ``grace``."""
 
+_ABRUPT = (
+    "The process that made it ended abruptly: killed, or out of memory. A script starts a batch "
+    "under `if __name__ == '__main__':`."
+)
 _ALONE = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # threads of a process
 _UNWATCHED = "RAY_USAGE_STATS_ENABLED"  # else Ray tells its makers that it was started
 
@@ -45,7 +49,11 @@ class Crew(Protocol):
     """How many tasks are done at a time."""
 
     def give(self, task: Task) -> Any:
-        """Have a task done; return what stands for it."""
+        """Have a task done; return what stands for it.
+
+        Raises:
+            Died: a process is dead, and nothing is done before ``renew``.
+        """
         ...
 
     def first(self, given: list[Any]) -> Any:
@@ -93,9 +101,16 @@ class Processes:
         self._start()
 
     def give(self, task: Task) -> Future[Outcome]:
-        """Have a task done."""
+        """Have a task done.
+
+        Raises:
+            Died: a process ended, at its work or without any.
+        """
         with _environment(dict.fromkeys(_ALONE, "1")):
-            return self._pool.submit(_worked, task)
+            try:
+                return self._pool.submit(_worked, task)
+            except BrokenProcessPool as error:
+                raise Died(_ABRUPT, certain=False) from error
 
     def first(self, given: list[Future[Outcome]]) -> Future[Outcome]:
         """Wait until one of several tasks is done."""
@@ -106,11 +121,7 @@ class Processes:
         try:
             return given.result()
         except BrokenProcessPool as error:
-            raise Died(
-                "The process that made it ended abruptly: killed, or out of memory. A script "
-                "starts a batch under `if __name__ == '__main__':`.",
-                certain=False,
-            ) from error
+            raise Died(_ABRUPT, certain=False) from error
 
     def close(self, *, now: bool) -> None:
         """End the processes; interrupted itself, it ends them at once."""

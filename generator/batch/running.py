@@ -122,14 +122,20 @@ def _work_off(
             alone = bool(suspects)
         source, width = (suspects, 1) if alone else (waiting, crew.width)
         while source and len(given) < width:
-            job = source.popleft()
-            given[crew.give(partial(work, job, folder, make, retry))] = job
+            try:
+                given[crew.give(partial(work, source[0], folder, make, retry))] = source[0]
+            except Died:
+                if given:  # of which one says so, too
+                    break
+                crew.renew()
+            else:
+                source.popleft()
         finished = crew.first(list(given))
         job = given.pop(finished)
         try:
             outcome = crew.result(finished)
         except Died as death:
-            if death.certain or not given:
+            if death.certain or alone or crew.width == 1:
                 told(failed(job, folder, key_of(job, make), str(death), CRASH, 0.0))
             else:
                 suspects.extend((job, *given.values()))

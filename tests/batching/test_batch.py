@@ -10,6 +10,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
@@ -19,6 +20,7 @@ from toy_maker import ToyMaker, made
 
 from generator import batch, bundle
 from generator.backends import Mix
+from generator.batch.crews import Processes, Task
 from generator.batch.records import PLACE, key_of
 from generator.errors import InputError, StorageError
 from generator.pipeline import Config
@@ -86,6 +88,34 @@ def test_a_process_that_dies_takes_its_own_scene_alone(tmp_path: Path, log: Path
     assert [o.state for o in summary.outcomes] == ["failed", "made", "made"]
     assert summary.failures[0].kind == "Crash"
     assert len(bundles(tmp_path / "out")) == 2
+
+
+@pytest.mark.parametrize("busy", [False, True])
+def test_a_process_that_dies_between_two_scenes_ends_no_batch(
+    tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch, busy: bool
+) -> None:
+    """Killed while the next scene is handed out, others at work or not."""
+    given, renewed = [], []
+
+    class Killed(Processes):
+        def give(self, task: Task) -> Future[batch.Outcome]:
+            given.append(task)
+            if len(given) == 2:
+                for process in list(self._pool._processes.values()):
+                    process.kill()
+                while not self._pool._broken:
+                    time.sleep(0.01)
+            return super().give(task)
+
+        def renew(self) -> None:
+            renewed.append(1)
+            super().renew()
+
+    monkeypatch.setattr("generator.batch.running.Processes", Killed)
+    texts = ["a cube", "another cube", "third cube"]
+    summary = batch.run(texts, tmp_path / "out", ToyMaker(str(log)), workers=1 + busy)
+    assert [o.state for o in summary.outcomes] == ["made"] * 3
+    assert len(bundles(tmp_path / "out")) == 3 and renewed
 
 
 def test_two_batches_share_a_folder(tmp_path: Path, log: Path) -> None:
