@@ -20,6 +20,19 @@ class Server(ThreadingHTTPServer):
             super().handle_error(*request)
 
 
+def sent_to(handler: BaseHTTPRequestHandler) -> bytes:
+    """Return the body of a request.
+
+    Raises:
+        ConnectionError: the client went away before it was whole, as one that is killed does.
+    """
+    size = int(handler.headers.get("content-length", 0))
+    body = handler.rfile.read(size)
+    if len(body) < size:
+        raise ConnectionError(f"{len(body)} of {size} bytes came")
+    return body
+
+
 @contextlib.contextmanager
 def local_server(handler: type[BaseHTTPRequestHandler]) -> Iterator[str]:
     """Serve on a free port of this machine; yield the address, ``http://127.0.0.1:PORT``."""

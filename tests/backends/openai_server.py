@@ -17,7 +17,7 @@ from http.server import BaseHTTPRequestHandler
 from typing import Any
 
 import numpy as np
-from local_server import Server
+from local_server import Server, sent_to
 from PIL import Image
 
 KEY = "sk-test-0123456789abcdef"
@@ -104,7 +104,7 @@ class Handler(BaseHTTPRequestHandler):
 
     def do_POST(self) -> None:
         came = time.monotonic()
-        raw = self.rfile.read(int(self.headers["content-length"]))
+        raw = sent_to(self)
         try:
             if self.headers.get("authorization") != f"Bearer {self.script.key}":
                 sent = self.headers.get("authorization", "")

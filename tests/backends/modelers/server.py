@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler
 
-from local_server import local_server
+from local_server import local_server, sent_to
 
 from generator.running.session import Session
 from generator.running.store import CallStore
@@ -61,9 +61,8 @@ def serving(
 
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
-            size = int(self.headers.get("content-length", 0))
             headers = {name.lower(): value for name, value in self.headers.items()}
-            call = Call(self.command, self.path, headers, self.rfile.read(size))
+            call = Call(self.command, self.path, headers, sent_to(self))
             served.calls.append(call)
             made = answer(call)
             if made.hang is not None:
