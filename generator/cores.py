@@ -28,6 +28,19 @@ def threads() -> int:
 
 
 @contextmanager
+def torch_threads(count: int) -> Iterator[None]:
+    """Run torch on so many threads inside the block. What blocks of several threads do, mixes."""
+    import torch
+
+    before = torch.get_num_threads()
+    torch.set_num_threads(count)
+    try:
+        yield
+    finally:
+        torch.set_num_threads(before)
+
+
+@contextmanager
 def single_thread() -> Iterator[None]:
     """Run torch on one thread inside the block.
 
@@ -35,12 +48,5 @@ def single_thread() -> Iterator[None]:
     splats, is not worth sharing, either: more threads make it slower, and on a busy machine many
     times slower. Threads take turns; what a block waits for must not enter another one.
     """
-    import torch
-
-    with _TURN:
-        threads = torch.get_num_threads()
-        torch.set_num_threads(1)
-        try:
-            yield
-        finally:
-            torch.set_num_threads(threads)
+    with _TURN, torch_threads(1):
+        yield

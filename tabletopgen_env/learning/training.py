@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from collections.abc import Callable
+from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import gymnasium as gym
 import numpy as np
-import torch
 from stable_baselines3 import SAC
 from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
 from stable_baselines3.common.type_aliases import TrainFreq
 
+from generator.cores import torch_threads
 from generator.errors import InputError, TabletopError
 
 from ..scenes import SceneSource
@@ -79,7 +79,7 @@ def train(
         _check(recipe, trials)
         there = out.exists()
         run = _resumed(out, recipe, plan.seed) if resume else begin(out, recipe, plan.seed)
-        last.enter_context(_one_thread())
+        last.enter_context(torch_threads(1))  # small networks are faster so
         stop = last.enter_context(heeding(say))
         logger = logger_of(run, say)
         last.callback(logger.close)
@@ -246,14 +246,3 @@ def cloning_config(recipe: Recipe) -> CloningConfig:
         return CloningConfig(**(recipe.cloning or {}))
     except TypeError as error:
         raise InputError(f"{recipe.name}: cloning: {error}.") from error
-
-
-@contextmanager
-def _one_thread() -> Iterator[None]:
-    """Keep torch to one thread, which small networks are faster on."""
-    before = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        yield
-    finally:
-        torch.set_num_threads(before)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from generator.catalogue import build, build_table
-from generator.geometry import Camera, yaw_quaternion
+from generator.geometry import Camera, mask_box, yaw_quaternion
 from generator.render.picture import framing_camera
 from generator.render.raster import place, render
-from generator.scene import OutlineKind, PlannedTable, View
+from generator.scene import Detection, Instance, OutlineKind, PlannedTable, View
 
 UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 SIZES: dict[OutlineKind, tuple[float, float, float]] = {
@@ -64,6 +65,21 @@ def paint(
     camera = framing_camera(points, view, *size)
     drawn = render(items, camera)
     return Picture(drawn.image, drawn.ids, camera, plan, drawn.depth)
+
+
+def detections(picture: Picture, names: Sequence[str]) -> dict[str, Detection]:
+    """Return where each thing of a picture is, by names as "mug_1", the table's first."""
+    return {
+        name: Detection(name.removesuffix("_1"), mask_box(picture.ids == k), picture.ids == k)
+        for k, name in enumerate(names)
+    }
+
+
+def as_shown(image: np.ndarray, name: str, found: Detection) -> Instance:
+    """Return an instance that is what a picture shows of a thing, not completed."""
+    x0, y0, x1, y1 = found.box.astype(int)
+    crop = np.dstack([image, 255 * found.mask.astype(np.uint8)])[y0:y1, x0:x1]
+    return Instance(name, found.label, found.box, found.mask, crop, found.box)
 
 
 def iou(a: np.ndarray, b: np.ndarray) -> float:

@@ -20,7 +20,7 @@ import pytest
 import selected
 import torch
 from openai_server import CHAT, IMAGES, KEY, Request
-from painted import paint
+from painted import as_shown, detections, paint
 
 from generator.backends.cloud.imager import Imager as CloudImager
 from generator.backends.cloud.reasoner import Reasoner as CloudReasoner
@@ -62,13 +62,9 @@ class Desk:
 @pytest.fixture(scope="module")
 def desk() -> Desk:
     picture = paint("rectangle", "oak", PLACES, elevation=ELEVATION)
-    found = {
-        name: Detection(name.removesuffix("_1"), mask_box(picture.ids == k), picture.ids == k)
-        for k, name in enumerate(NAMES)
-    }
     made = {TABLE: build_table(picture.plan, 0)}
     made |= {f"{key}_1": build(key, 1) for key, *_ in PLACES}
-    return Desk(Reference(picture.image), found, made)
+    return Desk(Reference(picture.image), detections(picture, NAMES), made)
 
 
 def _told(desk: Desk, request: Request) -> str:
@@ -380,10 +376,7 @@ def test_features(encoder: Any) -> None:
 
 
 def test_features_serve_the_rotation_stage(encoder: Any, desk: Desk) -> None:
-    detection = desk.detections["mug_1"]
-    x0, y0, x1, y1 = detection.box.astype(int)
-    crop = np.dstack([desk.reference.image, 255 * detection.mask.astype(np.uint8)])
-    mug = Instance("mug_1", "mug", detection.box, detection.mask, crop[y0:y1, x0:x1], detection.box)
+    mug = as_shown(desk.reference.image, "mug_1", desk.detections["mug_1"])
     view = View(0.0, float(np.deg2rad(ELEVATION)), float(np.deg2rad(36)))
     config = RotationConfig(
         candidates=2, rivals=1, finalists=1, coarse_steps=1, rival_steps=1, close_steps=0, steps=1,

@@ -15,14 +15,13 @@ from typing import Any
 
 import numpy as np
 import pytest
-from painted import paint
+from painted import as_shown, detections, paint
 
 from generator.backends import Backends
 from generator.backends.cloud import configuration
 from generator.backends.modelers.ai3d import SECRET_ID, SECRET_KEY
 from generator.backends.modelers.hunyuan3d import ADDRESS
 from generator.backends.modelers.sam3d import HOME
-from generator.geometry import mask_box
 from generator.physics.inertia import is_watertight
 from generator.render.crop import in_reference, tight_box
 from generator.running import Session
@@ -58,25 +57,14 @@ def cloud(session: Session) -> Backends:
 def desk() -> tuple[Reference, dict[str, Detection]]:
     """A painted table with three things, and where they are."""
     picture = paint("rectangle", "oak", PLACES, elevation=ELEVATION)
-    found = {
-        name: Detection(name.removesuffix("_1"), mask_box(picture.ids == k), picture.ids == k)
-        for k, name in enumerate(NAMES)
-    }
-    return Reference(picture.image), found
+    return Reference(picture.image), detections(picture, NAMES)
 
 
 @pytest.fixture(scope="module")
 def instances(desk: Any) -> tuple[Instance, ...]:
     """What shows of each thing, as it is."""
     reference, found = desk
-    made = []
-    for name, detection in found.items():
-        x0, y0, x1, y1 = detection.box.astype(int)
-        crop = np.dstack([reference.image, 255 * detection.mask.astype(np.uint8)])[y0:y1, x0:x1]
-        made.append(
-            Instance(name, detection.label, detection.box, detection.mask, crop, detection.box)
-        )
-    return tuple(made)
+    return tuple(as_shown(reference.image, name, d) for name, d in found.items())
 
 
 VIEW = View(0.0, float(np.deg2rad(ELEVATION)), float(np.deg2rad(FOV)))

@@ -79,6 +79,7 @@ def test_no_budget_is_kept_while_earlier_calls_have_no_price(tmp_path: Path) -> 
         with pytest.raises(BudgetError, match="1 calls of earlier runs into this folder have no"):
             spender.hold(0.25, 5.0, "a call")
         assert spender.hold(0.0, 5.0, "free") and spender.hold(0.25, None, "no budget")
+    assert Purse.open(tmp_path, "USD").sum().unpriced == 1
 
 
 def test_who_lives_is_waited_for_and_what_costs_nothing_is_not_stopped(tmp_path: Path) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import struct
+import zlib
 from collections.abc import Callable
 
 import numpy as np
@@ -52,6 +54,38 @@ def edited(raw: bytes, change: Callable[[dict], None]) -> bytes:
     rest = raw[20 + size :]
     head = struct.pack("<4sIIII", b"glTF", 2, 20 + len(text) + len(rest), len(text), 0x4E4F534A)
     return head + text + rest
+
+
+def claiming(raw: bytes, faces: int) -> bytes:
+    """Return a GLB whose header claims so many faces: zeros, fewer than a mesh would take."""
+
+    def claim(header: dict) -> None:
+        count = {"count": 3 * faces, "componentType": 5121, "type": "SCALAR", "bufferView": 0}
+        header["accessors"].append(count)
+        header["meshes"][0]["primitives"][0]["indices"] = len(header["accessors"]) - 1
+
+    return edited(raw, claim) + bytes(3 * faces // 4 + 4096)
+
+
+def painted_with(raw: bytes, picture: bytes) -> bytes:
+    """Return a GLB with another file as its first picture."""
+    return edited(raw, lambda header: header["images"].__setitem__(0, {"uri": data_uri(picture)}))
+
+
+def data_uri(picture: bytes) -> str:
+    return "data:image/png;base64," + base64.b64encode(picture).decode()
+
+
+def png(width: int, height: int) -> bytes:
+    """A picture that says how large it is, and holds nothing."""
+
+    def chunk(kind: bytes, data: bytes) -> bytes:
+        return (
+            struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        )
+
+    head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", b"") + chunk(b"IEND", b"")
 
 
 def instance(label: str) -> Instance:

@@ -4,14 +4,21 @@ from __future__ import annotations
 
 import base64
 import io
-import struct
 import threading
-import zlib
 
 import numpy as np
 import pytest
 import trimesh
-from backends.modelers.foreign import edited, glb, instance, prior, striped_box
+from backends.modelers.foreign import (
+    claiming,
+    edited,
+    glb,
+    instance,
+    painted_with,
+    png,
+    prior,
+    striped_box,
+)
 from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
 
@@ -121,37 +128,17 @@ def nan() -> bytes:
     return glb(made)
 
 
-def claims(faces: int) -> bytes:
-    def claim(header: dict) -> None:
-        count = {"count": 3 * faces, "componentType": 5121, "type": "SCALAR", "bufferView": 0}
-        header["accessors"].append(count)
-        header["meshes"][0]["primitives"][0]["indices"] = len(header["accessors"]) - 1
-
-    return edited(GOOD, claim) + bytes(3 * faces // 4 + 4096)
-
-
-def bomb() -> bytes:
-    def chunk(kind: bytes, data: bytes) -> bytes:
-        check = struct.pack(">I", zlib.crc32(kind + data))
-        return struct.pack(">I", len(data)) + kind + data + check
-
-    head = chunk(b"IHDR", struct.pack(">IIBBBBB", 60_000, 60_000, 8, 2, 0, 0, 0))
-    picture = b"\x89PNG\r\n\x1a\n" + head + chunk(b"IDAT", b"") + chunk(b"IEND", b"")
-    uri = "data:image/png;base64," + base64.b64encode(picture).decode()
-    return edited(GOOD, lambda header: header["images"].__setitem__(0, {"uri": uri}))
-
-
 @pytest.mark.parametrize(
     ("body", "told"),
     [
         (edited(GOOD, lambda h: h["meshes"][0]["primitives"][0].update(mode=0)), "0 triangles"),
-        (claims(10_000_000), "has 10000000 triangles; 1 to 2000000 are read"),
+        (claiming(GOOD, 10_000_000), "has 10000000 triangles; 1 to 2000000 are read"),
         (
             edited(GOOD, lambda h: h["buffers"][0].update(uri="http://x.example/a")),
             "outside itself",
         ),
         (nan(), "finite"),
-        (bomb(), "pixels"),
+        (painted_with(GOOD, png(60_000, 60_000)), "pixels"),
         (b"<!doctype html><html>busy</html>", "HTML page"),
     ],
     ids=["no faces", "10 M faces", "external URI", "NaN", "bomb", "HTML"],

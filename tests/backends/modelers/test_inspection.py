@@ -5,13 +5,20 @@ from __future__ import annotations
 import base64
 import io
 import struct
-import zlib
 from collections.abc import Callable
 
 import numpy as np
 import pytest
 import trimesh
-from backends.modelers.foreign import edited, glb, striped_box
+from backends.modelers.foreign import (
+    claiming,
+    data_uri,
+    edited,
+    glb,
+    painted_with,
+    png,
+    striped_box,
+)
 from PIL import ImageFile
 
 from generator.backends.modelers import inspection
@@ -95,14 +102,7 @@ def test_no_faces_and_too_many_are_refused():
 
 @pytest.mark.parametrize("faces", [1_500_000, 2_000_001, 10_000_000])
 def test_a_claim_of_too_many_faces_is_refused_before_they_are_read(faces):
-    """Only the header says how many; the bytes are zeros, and fewer than a mesh would take."""
-
-    def claim(header: dict) -> None:
-        count = {"count": 3 * faces, "componentType": 5121, "type": "SCALAR", "bufferView": 0}
-        header["accessors"].append(count)
-        header["meshes"][0]["primitives"][0]["indices"] = len(header["accessors"]) - 1
-
-    raw = edited(GOOD, claim) + bytes(3 * faces // 4 + 4096)
+    raw = claiming(GOOD, faces)
     assert len(raw) < 8 * 2**20
     if faces > 2_000_000:
         assert f"has {faces} triangles; 1 to 2000000 are read" in refusal(raw)
@@ -155,18 +155,6 @@ def test_accessors_that_claim_more_than_is_there_are_refused():
     assert "is damaged (TypeError" in refusal(nonsense)
 
 
-def png(width: int, height: int) -> bytes:
-    """A picture that says how large it is, and holds nothing."""
-
-    def chunk(kind: bytes, data: bytes) -> bytes:
-        return (
-            struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-        )
-
-    head = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", b"") + chunk(b"IEND", b"")
-
-
 @pytest.mark.parametrize(
     ("picture", "said"),
     [
@@ -177,21 +165,14 @@ def png(width: int, height: int) -> bytes:
 )
 @pytest.mark.filterwarnings("ignore::PIL.Image.DecompressionBombWarning")
 def test_bombs_and_broken_pictures_are_refused(picture, said):
-    uri = "data:image/png;base64," + base64.b64encode(picture).decode()
-
-    def replace(header: dict) -> None:
-        header["images"][0] = {"uri": uri}
-
-    assert said in refusal(edited(GOOD, replace))
+    assert said in refusal(painted_with(GOOD, picture))
 
 
 def shows(*pictures: bytes) -> Callable[[dict], None]:
     """Return what gives a file a material for each picture."""
 
     def change(header: dict) -> None:
-        header["images"] = [
-            {"uri": "data:image/png;base64," + base64.b64encode(p).decode()} for p in pictures
-        ]
+        header["images"] = [{"uri": data_uri(p)} for p in pictures]
         header["textures"] = [{"source": k} for k in range(len(pictures))]
         header["materials"] = [
             {"pbrMetallicRoughness": {"baseColorTexture": {"index": k}}}
