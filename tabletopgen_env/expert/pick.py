@@ -165,7 +165,7 @@ class Picker(Expert):
         still = abs(gap - self._last_gap) < 2e-4
         self._last_gap = gap
         if (told and ((left and right) or still)) or late:
-            self._held = self._in_hand()
+            self._held = self._in_object()
             waiting = self._enter("lift")
             # The hint shows at once that it is held: to wait would be to advise against it.
             return waiting if self._env.hint is None else self._lift(False)
@@ -297,14 +297,17 @@ class Picker(Expert):
         speed = world.velocities()[world.index(self._target)]
         return bool(np.linalg.norm(speed[:3]) > _MOVING)
 
-    def _in_hand(self) -> Float[np.ndarray, "3"]:
-        """Return where the object is in the hand's frame, metres."""
-        world = self._env.world
-        return (self._object - self._tool) @ world.data.site_xmat[world.tcp].reshape(3, 3)
+    def _in_object(self) -> Float[np.ndarray, "3"]:
+        """Return where the tool is in the object's frame, metres."""
+        return (self._tool - self._object) @ self._env.world.rotation(self._target)
 
     def _has_slipped(self) -> bool:
-        """Return whether the object has left the hand since the fingers closed."""
-        return bool(np.linalg.norm(self._in_hand() - self._held) > _SLIP)
+        """Return whether the fingers are elsewhere on the object than where they closed.
+
+        What only turns about the fingers, as a bowl that is held by its rim does until it hangs,
+        is still in the hand.
+        """
+        return bool(np.linalg.norm(self._in_object() - self._held) > _SLIP)
 
     # ------------------------------------------------------------------------------------ moving
 
