@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Int
 
-from generator.geometry import rotation_yaw
+from generator.geometry import rotation_yaw, rotation_z
 
 from ..robot import franka
 from .heights import HeightMap, Solid, moved, solid, surroundings
@@ -74,15 +74,21 @@ def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator
     """Yield grasps of ``target`` where it is now, by the ``angles`` of their fingers' opening."""
     position, rotation = world.position(target), world.rotation(target)
     own = moved(world.scene.object(target).parts, position, rotation)
-    shape = solid(own, STEP_U, RISE)
-    low = shape.origin
-    high = low + np.array(shape.filled.shape[:2]) * shape.cell
+    bounds = np.stack([part.bounds[:, :2] for part in own])
+    low, high = bounds[:, 0].min(0), bounds[:, 1].max(0)
     others = surroundings(world, target, low - _PALM_REACH, high + _PALM_REACH, STEP_V)
     com = position + rotation @ world.scene.object(target).com
     floor = world.scene.table.height
+    # Cut in the object's own heading, so that what fits stays so wherever it is moved and turned.
+    heading = rotation_z(rotation_yaw(rotation))
+    shape = solid(moved(own, -_level(position) @ heading, heading.T), STEP_U, RISE)
     cut = slabs(shape, floor)
     for angle in angles:
-        yield from _along(shape, cut, others, com, angle, floor)
+        yield from _along(_Seen(shape, cut, position[:2], heading[:2, :2]), others, com, angle, floor)
+
+
+def _level(point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
+    return np.array([point[0], point[1], 0.0])
 
 
 def _demoted(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
@@ -99,9 +105,35 @@ def is_like(grasp: Grasp, other: Grasp) -> bool:
     return bool(near and abs(turn) < np.deg2rad(20.0))
 
 
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """An object's voxels in its own heading, and where they are: ``center`` is their origin.
+
+    ``heading`` turns from their frame into the world's, along the table.
+    """
+
+    shape: Solid
+    cut: Slabs
+    center: Float[np.ndarray, "2"]
+    heading: Float[np.ndarray, "2 2"]
+
+    @property
+    def middle(self) -> Float[np.ndarray, "2"]:
+        """The middle of the voxels (x, y, world)."""
+        return self.center + self.heading @ (self.shape.origin + self.size / 2)
+
+    @property
+    def size(self) -> Float[np.ndarray, "2"]:
+        """The extent of the voxels, metres."""
+        return np.array(self.shape.filled.shape[:2]) * self.shape.cell
+
+    def columns(self, points: Float[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
+        """Return the column nearest to each point (x, y, world); see ``Solid.nearest``."""
+        return self.shape.nearest((points - self.center) @ self.heading)
+
+
 def _along(
-    shape: Solid,
-    cut: Slabs,
+    seen: _Seen,
     others: HeightMap,
     com: Float[np.ndarray, "3"],
     angle: float,
@@ -112,13 +144,12 @@ def _along(
 
     across = np.array([np.cos(angle), np.sin(angle)])
     along = np.array([-across[1], across[0]])
-    size = np.array(shape.filled.shape[:2]) * shape.cell
-    middle = shape.origin + size / 2
-    half = float(np.linalg.norm(size)) / 2
+    shape, cut, middle = seen.shape, seen.cut, seen.middle
+    half = float(np.linalg.norm(seen.size)) / 2
     u = np.arange(-half - 0.11, half + 0.11, STEP_U)
     v = np.arange(-half - 0.04, half + 0.04, STEP_V)
     points = middle + u[None, :, None] * across + v[:, None, None] * along
-    columns = shape.nearest(points)
+    columns = seen.columns(points)
     runs = find_runs(cut, columns)
     if not len(runs.row):
         return
