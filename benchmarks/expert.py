@@ -4,10 +4,10 @@
     python benchmarks/expert.py --scenes composed --held-out --task Push --task Stack
     python benchmarks/expert.py --scenes starter --episodes 24
 
-An episode starts perturbed, as those of certificates do (``certify.perturb``), since what follows
-is settled by scene, target, goal and start. It is a success once ``info["success"]`` has held for
-``HOLD`` steps within the time limit of the task's id. ``--scenes composed`` composes scenes from
-the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to develop
+An episode starts perturbed, as those of certificates do (``randomization="starts"``), since what
+follows is settled by scene, target, goal and start. It is a success once ``info["success"]`` has
+held for ``HOLD`` steps within the time limit of the task's id. ``--scenes composed`` composes
+scenes from the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to develop
 with, the others with seeds from ``HELD_OUT`` for ``--held-out``. Tidy and the presets of Sequence
 (``Sequence:kitchen``), which need certain things, have tables of their own texts, ``OWN``, in turn.
 Scenes that offer nothing to do have a row without a success. Rows go to ``expert_<which>.csv`` as
@@ -25,7 +25,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import gymnasium as gym
-import numpy as np
 from posing import tables
 from posing.tables import Row
 
@@ -34,7 +33,6 @@ from generator.bundle import load
 from generator.compose import compose
 from generator.errors import SceneError, TabletopError
 from generator.scene import Scene
-from tabletopgen_env.certify import perturb
 from tabletopgen_env.env import TabletopEnv
 from tabletopgen_env.episodes import HOLD, Held
 from tabletopgen_env.expert.run import TaskExpert
@@ -109,6 +107,7 @@ def made(scene: Scene, task: str) -> gym.Env:
     """Return the environment of a task's id at one table."""
     name, _, preset = task.partition(":")
     more: dict[str, Any] = {"preset": preset} if preset else {}
+    more["randomization"] = "starts"
     return gym.make(f"tabletopgen_env:TabletopGen/{name}-v0", scenes=scene, **more)
 
 
@@ -117,7 +116,6 @@ def episode(env: gym.Env, seed: int, scene: Scene) -> Row:
     _, info = env.reset(seed=seed)
     table = env.unwrapped
     assert isinstance(table, TabletopEnv)
-    perturb(table, np.random.default_rng(seed))
     start = hashlib.sha256(table.world.data.qpos.tobytes()).hexdigest()[:12]
     expert = TaskExpert(env)
     held, steps = Held(), 0

@@ -146,7 +146,7 @@ def anew(get: Callable[..., Any]) -> Callable[..., Any]:
 
     def got(*args: Any) -> Any:
         world = get(*args)
-        world._plans.clear()
+        world._known.plans.clear()
         return world
 
     return got

@@ -18,6 +18,8 @@ from generator.errors import InputError
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.randomization import PRESETS, SWITCHES, Randomization, Randomizer
 from tabletopgen_env.robot.panda import Panda
+from tabletopgen_env.tasks.goals import Raised
+from tabletopgen_env.tasks.task import episode as begun
 from tabletopgen_env.world import World
 
 
@@ -135,7 +137,7 @@ def test_a_world_is_put_back_to_the_byte(switch) -> None:
     for episode in range(3):
         randomizer.restart(np.random.default_rng(episode))
         randomizer.begin(world)
-        randomizer.finish(world, ["cube_1"])
+        randomizer.finish(world, begun(world, (Raised("cube_1", world.position("cube_1")),)))
         world.step(5)
     changed = model_bytes(world) != compiled or world.scene is not fresh.scene
     assert changed or switch in ("delay", "noise", "start")
