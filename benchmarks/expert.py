@@ -7,11 +7,11 @@
 An episode starts perturbed, as those of certificates do (``randomization="starts"``), since what
 follows is settled by scene, target, goal and start. It is a success once ``info["success"]`` has
 held for ``HOLD`` steps within the time limit of the task's id. ``--scenes composed`` composes
-scenes from the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to develop
-with, the others with seeds from ``HELD_OUT`` for ``--held-out``. Tidy and the presets of Sequence
-(``Sequence:kitchen``), which need certain things, have tables of their own texts, ``OWN``, in turn.
-Scenes that offer nothing to do have a row without a success. Rows go to ``expert_<which>.csv`` as
-they come (a second run resumes), the summary to the ``.md`` beside it.
+scenes from the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to
+develop with, the others with seeds from ``HELD_OUT`` for ``--held-out``, or from ``--seed``. Tidy
+and the presets of Sequence (``Sequence:kitchen``), which need certain things, have tables of their
+own texts, ``OWN``, in turn. Scenes that offer nothing to do have a row without a success. Rows go
+to ``expert_<which>.csv`` as they come (a second run resumes), the summary to the ``.md`` beside it.
 """
 
 from __future__ import annotations
@@ -169,13 +169,19 @@ def jobs(args: argparse.Namespace) -> Iterator[Job]:
                     yield Job(task, str(path.resolve()), 0, args.episodes)
         return
     for task in tasks:
-        for text, seed in composed_scenes(task, args.count, args.held_out):
+        for text, seed in composed_scenes(task, args.count, args.held_out, args.seed):
             yield Job(task, text, seed, args.episodes)
 
 
-def composed_scenes(task: str, count: int, held_out: bool) -> list[tuple[str, int]]:
-    """Return the texts and seeds of ``count`` scenes of a task, to develop with or held out."""
-    first = HELD_OUT if held_out else 0
+def composed_scenes(
+    task: str, count: int, held_out: bool, first: int | None = None
+) -> list[tuple[str, int]]:
+    """Return the texts and seeds of ``count`` scenes of a task, to develop with or held out.
+
+    ``first`` is the seed of the first round of texts; others follow it.
+    """
+    if first is None:
+        first = HELD_OUT if held_out else 0
     if own := OWN.get(task):
         return [(own[k % len(own)], first + k // len(own)) for k in range(count)]
     texts = [t for name in ("texts.json", "table78.json") for t in tables.texts_in(HERE / name)]
@@ -257,6 +263,7 @@ def main() -> None:
     parser.add_argument("--scenes", default="composed", help="'composed', or bundles as a glob")
     parser.add_argument("--count", type=int, default=30, help="how many scenes to compose")
     parser.add_argument("--held-out", action="store_true", help="scenes not developed on")
+    parser.add_argument("--seed", type=int, help="first seed of the tables, for fresh ones")
     parser.add_argument("--episodes", type=int, default=7, help="of each task at each table")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--name", help="name of the table; made of the scenes otherwise")

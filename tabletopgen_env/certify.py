@@ -2,7 +2,8 @@
 
 For each *instance* (a task, its preset, target and goal) that a bundle's scene offers, up to a
 bound, the expert plays some episodes from the perturbed starts that ``randomization="starts"``
-makes, each from one of its own: arm and things are off as ``randomization.starting`` says.
+makes, each from one of its own: arm and things are off as ``randomization.starting`` says. What it
+solves from a share of ``LEAST`` of at least ``STARTS`` starts is certified.
 ``certificate.json``, beside the bundle's own files, keeps how many it solved, with the digest of
 the scene, the terms and the versions it was made with. Bundles do not list it, so that they stay
 what they were. An instance that can no longer come to a share of ``LEAST`` is played no further:
@@ -228,6 +229,25 @@ def _instances(folder: Path, task: str, terms: Terms) -> tuple[Instance, ...]:
                 rng = np.random.default_rng((terms.seed, NAMES.index(task), len(found)))
                 found.append(_tried(env, instance, terms.episodes, rng))
     return tuple(found)
+
+
+def played_again(
+    folder: Path, instances: Sequence[Instance], episodes: int, seed: int
+) -> Iterator[Instance]:
+    """Yield instances of a bundle with how many of ``episodes`` the expert solves from new starts.
+
+    All episodes are played. ``seed`` draws the starts: one other than the certificate's draws
+    others.
+
+    Raises:
+        BundleError: the bundle cannot be read.
+    """
+    masters = Masters(Panda(), 1)
+    for number, instance in enumerate(instances):
+        rng = np.random.default_rng((seed, len(NAMES), number))
+        with closing(_env(folder, instance.name, masters)) as env:
+            solved = sum(_solved(env, instance, rng) for _ in range(episodes))
+        yield replace(instance, successes=solved, episodes=episodes)
 
 
 def _tried(

@@ -84,7 +84,9 @@ def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator
     shape = solid(moved(own, -_level(position) @ heading, heading.T), STEP_U, RISE)
     cut = slabs(shape, floor)
     for angle in angles:
-        yield from _along(_Seen(shape, cut, position[:2], heading[:2, :2]), others, com, angle, floor)
+        yield from _along(
+            _Seen(shape, cut, position[:2], heading[:2, :2]), others, com, angle, floor
+        )
 
 
 def _level(point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:

@@ -78,8 +78,8 @@ def test_only_certified_instances_are_drawn(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
     first, second, *_ = names
-    solved = Instance("Lift", second, None, 8, 10)
-    certify(Instance("Lift", first, None, 7, 10), solved, Instance("Push", first, None, 10, 10))
+    solved = Instance("Lift", second, None, 19, 20)
+    certify(Instance("Lift", first, None, 18, 20), solved, Instance("Push", first, None, 10, 10))
     env = make_env(bundle, task="Lift")
     assert seen(env, "target") == {second} and seen(env, "certified") == {True}
     still = np.zeros(5, np.float32)
@@ -91,7 +91,7 @@ def test_only_certified_instances_are_drawn(
 def test_all_certified_instances_are_drawn_by_the_seed(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    certify(*(Instance("Lift", name, None, 9, 10) for name in names[:3]))
+    certify(*(Instance("Lift", name, None, 10, 10) for name in names[:3]))
     one, other = make_env(bundle, task="Lift"), make_env(bundle, task="Lift")
     assert seen(one, "target", 20) == set(names[:3])
     for k in range(5):
@@ -100,7 +100,7 @@ def test_all_certified_instances_are_drawn_by_the_seed(
 
 def test_spots_are_drawn_anew(bundle: Path, certify: Certify) -> None:
     pushed = offered(world_of(bundle), Push(), 0, 1)[0]
-    certify(Instance("Reach", None, None, 1, 1), replace(pushed, successes=1, episodes=1))
+    certify(Instance("Reach", None, None, 10, 10), replace(pushed, successes=10, episodes=10))
     for task in ("Reach", "Push"):
         env = make_env(bundle, task=task)
         spots = set()
@@ -195,14 +195,14 @@ def test_the_reasons_of_a_scene_passed_over_take_nothing_from_the_seed(
 
 
 def test_presets_are_certified_by_themselves(kitchen: Path, certify: Callable[..., Path]) -> None:
-    solved = Instance("Sequence", None, None, 5, 5, "kitchen")
+    solved = Instance("Sequence", None, None, 10, 10, "kitchen")
     certify(solved, into=kitchen)
     env = make_env(kitchen, task="Sequence", preset="kitchen")
     info = env.reset(seed=0)[1]
     assert info["certified"] is True and info["instruction"] == PRESETS["kitchen"].instruction
     with pytest.raises(SceneError, match="lists nothing of Sequence"):
         make_env(kitchen, task="Sequence").reset(seed=0)
-    certify(Instance("Sequence", None, None, 5, 5), replace(solved, successes=3), into=kitchen)
+    certify(Instance("Sequence", None, None, 10, 10), replace(solved, successes=3), into=kitchen)
     assert make_env(kitchen, task="Sequence").reset(seed=0)[1]["certified"] is True
     with pytest.raises(SceneError, match=r"of 1 instances of Sequence .*'kitchen'"):
         make_env(kitchen, task="Sequence", preset="kitchen").reset(seed=0)
@@ -249,7 +249,7 @@ def test_where_things_are_moved_nothing_is_certified(
 
 
 @pytest.mark.parametrize(
-    "listed", [Instance("Lift", "unicorn_1", None, 1, 1), Instance("Lift", None, "spot", 1, 1)]
+    "listed", [Instance("Lift", "unicorn_1", None, 10, 10), Instance("Lift", None, "spot", 10, 10)]
 )
 def test_a_damaged_certificate_is_refused_unless_it_is_ignored(
     listed: Instance, bundle: Path, certify: Certify
