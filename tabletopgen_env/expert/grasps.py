@@ -32,6 +32,8 @@ TIP = 0.0088
 _TURNS = 12
 _PAD_DEPTH, _SHAFT = 0.0125, (0.007, 0.0265)
 _PALM_U, _PALM_V, _PALM_Z = 0.112, 0.042, 0.042
+_TIGHT_U, _TIGHT_V = 0.106, 0.036  # where there is no room for more
+_TIGHT = 2.0  # by which such a grasp is worse
 _PALM_REACH = 0.13
 _MARGIN = 0.011
 
@@ -157,16 +159,21 @@ def _along(
         return
     own = shape.levels[0] - RISE / 2 + RISE * cut.tops[columns]
     both = np.maximum(np.maximum(own, others.at(points)), floor)
-    beside, above = (
+    beside, above, under = (
         maximum_filter1d(both, 2 * int(np.ceil(h / STEP_V)) + 1, axis=0)[runs.row]
-        for h in (FINGER_HALF, _PALM_V)
+        for h in (FINGER_HALF, _PALM_V, _TIGHT_V)
     )
     center, width = (u[runs.left] + u[runs.right]) / 2, u[runs.right] - u[runs.left] + STEP_U
-    room = _room(u, beside, above, center, width, runs.tip)
+    room = _room(u, beside, center, width, runs.tip)
+    distance = np.abs(u - center[:, None])
+    wide, tight = (
+        np.where(distance <= far, surface, -np.inf).max(1) <= runs.tip + _PALM_Z
+        for surface, far in ((above, _PALM_U), (under, _TIGHT_U))
+    )
     at = middle + center[:, None] * across + v[runs.row, None] * along
     away = np.sqrt(np.vecdot(at - com[:2], at - com[:2]))
-    score = runs.quality - 12.0 * away + 40.0 * np.minimum(room - width, 0.02)
-    free = ~np.isnan(room)
+    score = runs.quality - 12.0 * away + 40.0 * np.minimum(room - width, 0.02) - _TIGHT * ~wide
+    free = ~np.isnan(room) & tight
     points = np.column_stack([at, runs.tip + TIP])[free]
     values = np.column_stack([room, width, score])[free].tolist()
     for point, (opening, between, rating) in zip(points, values, strict=True):
@@ -176,32 +183,27 @@ def _along(
 def _room(
     u: Float[np.ndarray, "n"],
     beside: Float[np.ndarray, "r n"],
-    above: Float[np.ndarray, "r n"],
     center: Float[np.ndarray, "r"],
     width: Float[np.ndarray, "r"],
     tip: Float[np.ndarray, "r"],
 ) -> Float[np.ndarray, "r"]:
-    """Return the widest openings (m) whose fingers and palm come down free, NaN where none does.
+    """Return the widest openings (m) whose fingers come down free, NaN where none does.
 
-    ``beside`` and ``above`` are the highest surfaces in the fingers' and in the palm's strips.
+    ``beside`` are the highest surfaces in the fingers' strips.
     """
     distance = np.abs(u - center[:, None])
 
     def free(
-        surface: Float[np.ndarray, "r n"],
-        near: Float[np.ndarray, "r"],
-        far: Float[np.ndarray, "r"],
-        limit: Float[np.ndarray, "r"],
+        near: Float[np.ndarray, "r"], far: Float[np.ndarray, "r"], limit: Float[np.ndarray, "r"]
     ) -> Bool[np.ndarray, "r"]:
         under = (distance >= near[:, None]) & (distance <= far[:, None])
-        return np.where(under, surface, -np.inf).max(1) <= limit
+        return np.where(under, beside, -np.inf).max(1) <= limit
 
-    palm = free(above, np.zeros_like(center), np.full_like(center, _PALM_U), tip + _PALM_Z)
     room = np.full_like(center, np.nan)
     for margin in (0.6 * _MARGIN, _MARGIN, 1.5 * _MARGIN, 2.0 * _MARGIN):
         opening = np.minimum(width + 2 * margin, 2 * franka.FINGER_STROKE - 0.001)
         inner = opening / 2
-        pads = free(beside, inner - 0.001, inner + _PAD_DEPTH, tip - 0.001)
-        shafts = free(beside, inner + _SHAFT[0], inner + _SHAFT[1], tip + PAD_HEIGHT - 0.002)
-        room = np.where(palm & pads & shafts, opening, room)
+        pads = free(inner - 0.001, inner + _PAD_DEPTH, tip - 0.001)
+        shafts = free(inner + _SHAFT[0], inner + _SHAFT[1], tip + PAD_HEIGHT - 0.002)
+        room = np.where(pads & shafts, opening, room)
     return room

@@ -29,7 +29,7 @@ from ..robot import franka
 from ..tasks.goals import Goal, Raised
 from .choosing import HOVER, Plan, choose
 from .driver import NEAR, Expert, up
-from .dropping import ABOVE, Drop, breadth, hanging, let_go_at, lift_of, lost, met
+from .dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
 from .grasps import TIP, Grasp
 
 Phase = Literal[
@@ -207,8 +207,8 @@ class Picker(Expert):
         if late or (hover == 0 and self._tool[2] < drop.tool[2] + ABOVE + NEAR):
             self._enter("lower")
             return self._lower(False)
-        depth, broad = hanging(world, self._target), breadth(world, self._target)
-        over = self._over(drop.tool + up(hover), depth, self._target, broad)
+        held = load(world, self._target, drop.turn(world))
+        over = self._over(drop.tool + up(hover), hanging(world, self._target), self._target, held)
         return self._go(over, 0.0, slow=_CARRY)
 
     def _lower(self, late: bool) -> Float[np.ndarray, "5"]:

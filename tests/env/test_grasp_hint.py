@@ -12,7 +12,7 @@ import pytest
 from toy import toy_scene
 
 from generator.errors import InputError, SceneError
-from generator.geometry import wrap
+from generator.geometry import rotation_z, wrap
 from tabletopgen_env.detection.detector import read_detector
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.choosing import choose
@@ -242,9 +242,8 @@ def test_noise_moves_a_place_with_what_is_read_of_the_thing_in_the_hand() -> Non
     still = np.zeros(5)
     still[4] = -1
     reads = [env.step(still)[0] for _ in range(8)]
-    sums = [r[279:282] + r[40:43] for r in reads]  # the way, turned little, and the object
-    turn = float(np.mean([r[282] for r in reads]))
-    assert abs(turn) < 0.3
+    turn = rotation_z(float(np.mean([r[282] for r in reads])))
+    sums = [r[279:282] + turn @ r[34:37] + r[15:18] for r in reads]  # where the object comes to
     assert np.ptp([r[279:282] for r in reads], 0).max() > 0.005
     assert np.ptp(sums, 0).max() < 0.006
 
