@@ -100,12 +100,14 @@ class Expert(ABC):
         depth: float,
         but: str | None,
         load: tuple[Float[np.ndarray, "3"], float] | None = None,
+        narrow: float = 1.0,
     ) -> Float[np.ndarray, "3"]:
         """Return where to go now on the way to ``point``, over whatever is between.
 
         ``depth`` is how far below the tool something reaches; ``but`` is not in the way. The hand
         is as broad as it is; ``load`` is where from the tool the middle of what it holds is
-        (metres, world frame) and how far that reaches about its middle along the table.
+        (metres, world frame) and how far that reaches about its middle along the table. With
+        ``narrow`` below 1 both are taken for so much less broad.
         """
         tool, world = self._tool, self._env.world
         if np.linalg.norm((point - tool)[:2]) < NEAR:
@@ -114,7 +116,7 @@ class Expert(ABC):
         ways = [(tool, aim)] if np.array_equal(aim, point) else [(tool, aim), (aim, point)]
         discs = [(np.zeros(3), ROOM), *([load] if load else [])]
         high = max(
-            clear_height(world, but, start + away, end + away, broad)
+            clear_height(world, but, start + away, end + away, narrow * broad)
             for start, end in ways
             for away, broad in discs
         )
