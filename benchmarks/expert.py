@@ -7,11 +7,11 @@
 An episode starts perturbed, as those of certificates do (``randomization="starts"``), since what
 follows is settled by scene, target, goal and start. It is a success once ``info["success"]`` has
 held for ``HOLD`` steps within the time limit of the task's id. ``--scenes composed`` composes
-scenes from the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to develop
-with, the others with seeds from ``HELD_OUT`` for ``--held-out``. Tidy and the presets of Sequence
-(``Sequence:kitchen``), which need certain things, have tables of their own texts, ``OWN``, in turn.
-Scenes that offer nothing to do have a row without a success. Rows go to ``expert_<which>.csv`` as
-they come (a second run resumes), the summary to the ``.md`` beside it.
+scenes from the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to
+develop with, the others with seeds from ``HELD_OUT`` for ``--held-out``. Tidy and the presets of
+Sequence (``Sequence:kitchen``), which need certain things, have tables of their own texts, ``OWN``,
+in turn. Scenes that offer nothing to do have a row without a success. Rows go to
+``expert_<which>.csv`` as they come (a second run resumes), the summary to the ``.md`` beside it.
 """
 
 from __future__ import annotations
