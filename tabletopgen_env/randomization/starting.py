@@ -11,7 +11,8 @@ first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as so
   about;
 - marked spots, the ways of pushes, and the room at a place where a thing is to go stay free.
 
-With no such draw it stays. All moves keep what rests on the flat top at rest, so nothing is
+With no such draw it stays. Where the expert finds no stroke for what is to be pushed, ``LESS`` of
+all draws is tried, then none. All moves keep what rests on the flat top at rest, so nothing is
 simulated. Goals that say where a thing stood follow it (``tasks.goals.begun``), marked spots stay.
 """
 
@@ -24,13 +25,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Bool, Float
 
-from generator.geometry import convex_outline, inside_margin
+from generator.geometry import inside_margin
 from generator.scene import TABLE, Scene
 
+from ..expert.strokes import plan_stroke
 from ..robot.mount import CLEARANCE, TALL, obstacle
 from ..tasks.goals import Goal, OnSpot, Pushed, named_by
 from ..workspace import FREE_MARGIN
 from .arranging import bundles, moved
+from .outlines import Outline, apart, carried, hull, keeps, near
 
 if TYPE_CHECKING:
     from ..world import World
@@ -38,6 +41,9 @@ if TYPE_CHECKING:
 
 SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])
 """What share of the largest move and turn each draw of a bundle may be."""
+
+LESS = 0.3
+"""What share of its draws is taken where they leave no way to push what is to be pushed."""
 
 ROOM, HAND_ROOM, EDGE = 0.01, 0.04, 0.01
 """Least room between things, about those of the goals, and to the table's edge, metres."""
@@ -48,8 +54,6 @@ TOGETHER = 0.002
 _BESIDE = 0.1  # metres about a point in the air, and behind what is pushed, kept for the hand
 _CIRCLE = np.column_stack([f(np.arange(12) * np.pi / 6) for f in (np.cos, np.sin)])
 _CIRCLE /= np.cos(np.pi / 12)  # around the circle, not in it
-
-Outline = Float[np.ndarray, "k 2"]
 
 
 def start_off(
@@ -72,24 +76,42 @@ def start_off(
     most = np.array([settings.start_move, settings.start_move, settings.start_turn])
     tries = most * rng.uniform(-1, 1, (len(world.names), len(SHARES), 3)) * SHARES[:, None]
     before, home = world.scene, world.data.qpos[world.arm_qpos].copy()
-    moves: dict[str, list[float]] = {}
-    if most.any():
-        table = _Tabletop(world, goals)
-        for first in table.order:
-            table.displace(first, tries[world.index(first)])
-        moves = table.moves
-    if moves:
-        world.rearrange(table.scene)
+    for share in (1.0, LESS) if most.any() else ():
+        moves = _displaced(world, goals, share * tries)
+        world.place_arm(home + joints)
+        if _can_begin(world, goals):
+            break
+        world.rearrange(before)
         world.reset()
-    world.place_arm(home + joints)
+    else:
+        moves = {}
+        world.place_arm(home + joints)
     if _touches_robot(world):
         joints = np.zeros(7)
         world.place_arm(home)
-    if moves and _touches_robot(world):
-        moves = {}
-        world.rearrange(before)
-        world.reset()
     return {"joints": joints.tolist(), "moved": moves}
+
+
+def _displaced(
+    world: World, goals: Sequence[Goal], tries: Float[np.ndarray, "n c 3"]
+) -> dict[str, list[float]]:
+    """Displace the bundles by what will do of ``tries``; return how each was, by its first."""
+    table = _Tabletop(world, goals)
+    for first in table.order:
+        table.displace(first, tries[world.index(first)])
+    if table.moves:
+        world.rearrange(table.scene)
+        world.reset()
+    return table.moves
+
+
+def _can_begin(world: World, goals: Sequence[Goal]) -> bool:
+    """Return whether nothing touches the robot, and there is a stroke for what is to be pushed."""
+    return not _touches_robot(world) and all(
+        plan_stroke(world, goal.target, goal.spot[:2]) is not None
+        for goal in goals
+        if isinstance(goal, Pushed)
+    )
 
 
 def _touches_robot(world: World) -> bool:
@@ -114,7 +136,7 @@ class _Zone:
         """Return the zone once a bundle is moved (x, y) and turned about its centre."""
         if first != self.carrier:
             return self
-        return replace(self, outline=_carried(self.outline, centre, move[None])[0])
+        return replace(self, outline=carried(self.outline, centre, move[None])[0])
 
 
 class _Tabletop:
@@ -139,7 +161,7 @@ class _Tabletop:
     def displace(self, first: str, tries: Float[np.ndarray, "c 3"]) -> None:
         """Move a bundle by the first of ``tries`` (x, y, turn) that will do, if one does."""
         centre = self._before.object(first).pose.position[:2]
-        own = _carried(self._outlines[first], centre, tries)
+        own = carried(self._outlines[first], centre, tries)
         good = self._on_table(first, own) & self._reached(first, tries)
         good &= self._clear(first, own, centre, tries)
         for k in np.flatnonzero(good):
@@ -165,8 +187,8 @@ class _Tabletop:
         top, base = self._before.table.outline, self._world.base_position[None, :2]
         inner = inside_margin(own.reshape(-1, 2), top).reshape(own.shape[:2]).min(1)
         edge = min(EDGE, float(inside_margin(self._then[first], top).min()))
-        clear = min(CLEARANCE, float(_apart(self._then[first][None], base)[0]))
-        return (inner >= edge) & (_apart(own, base) >= clear)
+        clear = min(CLEARANCE, float(apart(self._then[first][None], base)[0]))
+        return (inner >= edge) & (apart(own, base) >= clear)
 
     def _reached(self, first: str, tries: Float[np.ndarray, "c 3"]) -> Bool[np.ndarray, "c"]:
         """Return which moves leave in the arm's reach what was."""
@@ -176,7 +198,7 @@ class _Tabletop:
             if self._root[thing.name] != first:
                 continue
             at = thing.pose.position
-            ends = _carried(at[None, :2], centre[:2], tries)[:, 0]
+            ends = carried(at[None, :2], centre[:2], tries)[:, 0]
             points = np.column_stack([ends, np.full(len(tries), at[2])])
             if self._world.mount.reaches(at[None])[0]:
                 good &= self._world.mount.reaches(points)
@@ -194,15 +216,15 @@ class _Tabletop:
         for other, outline in self._outlines.items():
             if other != first:
                 room = HAND_ROOM if {first, other} & self._wanted else ROOM
-                good &= _keeps(own, outline, self._then[first], self._then[other], room)
+                good &= keeps(own, outline, self._then[first], self._then[other], room)
         for zone in self._zones:
             if zone.carrier == first:
-                carried = _carried(zone.outline, centre, tries)
+                along = carried(zone.outline, centre, tries)
                 for other, outline in self._outlines.items():
                     if other not in zone.of:
-                        good &= _keeps(carried, outline, zone.outline, self._then[other], 0.0)
+                        good &= keeps(along, outline, zone.outline, self._then[other], 0.0)
             elif first not in zone.of:
-                good &= _keeps(own, zone.outline, self._then[first], zone.outline, 0.0)
+                good &= keeps(own, zone.outline, self._then[first], zone.outline, 0.0)
         return good
 
     def _in_the_way(self, moves: Mapping[str, list[float]]) -> bool:
@@ -222,13 +244,13 @@ def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:
     """Return the first thing of the bundle of each thing, and the bundles' convex outlines."""
     root = bundles(world)
     outlines = {
-        first: _hull([world.footprints[name] for name in world.names if root[name] == first])
+        first: hull([world.footprints[name] for name in world.names if root[name] == first])
         for first in dict.fromkeys(root.values())
     }
     while (pair := _nearest(outlines)) is not None:
         kept, gone = pair
         root = {name: kept if first == gone else first for name, first in root.items()}
-        outlines[kept] = _hull([outlines[kept], outlines.pop(gone)])
+        outlines[kept] = hull([outlines[kept], outlines.pop(gone)])
     return root, outlines
 
 
@@ -238,7 +260,7 @@ def _nearest(outlines: Mapping[str, Outline]) -> tuple[str, str] | None:
     for k, one in enumerate(names):
         for other in names[k + 1 :]:
             a, b = outlines[one], outlines[other]
-            if _near(a[None], b, TOGETHER) and _apart(a[None], b)[0] < TOGETHER:
+            if near(a[None], b, TOGETHER) and apart(a[None], b)[0] < TOGETHER:
                 return one, other
     return None
 
@@ -258,72 +280,10 @@ def _zones(world: World, goals: Sequence[Goal], root: Mapping[str, str]) -> list
         disc = (radius + FREE_MARGIN) * _CIRCLE
         if isinstance(goal, Pushed):
             behind = at - _BESIDE * (spot - at) / max(float(np.linalg.norm(spot - at)), 1e-9)
-            zones.append(_Zone(_hull([behind + disc, spot + disc]), of))
+            zones.append(_Zone(hull([behind + disc, spot + disc]), of))
         elif isinstance(goal, OnSpot) and goal.stead is not None:
             carrier = root[goal.stead]
             zones.append(_Zone(spot + disc, (*of, carrier), carrier))
         else:
             zones.append(_Zone(spot + disc, of))
     return zones
-
-
-# -------------------------------------------------------------------------------------- outlines
-
-
-def _hull(outlines: Sequence[Outline]) -> Outline:
-    return outlines[0] if len(outlines) == 1 else convex_outline(np.concatenate(outlines))
-
-
-def _carried(
-    outline: Outline, centre: Float[np.ndarray, "2"], moves: Float[np.ndarray, "c 3"]
-) -> Float[np.ndarray, "c k 2"]:
-    """Return an outline turned about ``centre`` and moved, for each move (x, y, turn)."""
-    c, s = np.cos(moves[:, 2, None]), np.sin(moves[:, 2, None])
-    x, y = (outline - centre).T
-    turned = np.stack([c * x - s * y, s * x + c * y], -1)
-    return turned + centre + moves[:, None, :2]
-
-
-def _keeps(
-    own: Float[np.ndarray, "c k 2"], other: Outline, was: Outline, others: Outline, room: float
-) -> Bool[np.ndarray, "c"]:
-    """Return which outlines stay ``room`` away from another, or as far as ``was`` from ``others``.
-
-    ``was`` and ``others`` are the same two outlines as the scene has them.
-    """
-    if not _near(own, other, room):
-        return np.ones(len(own), bool)
-    far = _apart(own, other)
-    if (far >= room).all():
-        return np.ones(len(own), bool)
-    return far >= min(room, float(_apart(was[None], others)[0]))
-
-
-def _near(own: Float[np.ndarray, "c k 2"], other: Outline, room: float) -> bool:
-    """Return whether the boxes around outlines come within ``room`` of the box of another."""
-    low, high = own.min((0, 1)) - room, own.max((0, 1)) + room
-    return bool((low <= other.max(0)).all() and (high >= other.min(0)).all())
-
-
-def _apart(
-    own: Float[np.ndarray, "c k 2"], other: Float[np.ndarray, "m 2"]
-) -> Float[np.ndarray, "c"]:
-    """Return how far each convex outline is from another (or from a point), negative if they meet.
-
-    Along the best of their edges' normals, which is never more than the true distance.
-    """
-    normals = _normals(own)
-    ahead = np.einsum("cki,mi->ckm", normals, other) - (normals * own).sum(-1)[..., None]
-    found = ahead.min(2).max(1)
-    if len(other) < 3:
-        return found
-    normals = _normals(other[None])[0]
-    ahead = own @ normals.T - (normals * other).sum(-1)
-    return np.maximum(found, ahead.min(1).max(1))
-
-
-def _normals(outlines: Float[np.ndarray, "c k 2"]) -> Float[np.ndarray, "c k 2"]:
-    """Return the outward normals of counter-clockwise outlines' edges."""
-    edges = np.roll(outlines, -1, axis=1) - outlines
-    normals = np.stack([edges[..., 1], -edges[..., 0]], -1)
-    return normals / np.linalg.norm(normals, axis=-1, keepdims=True)

@@ -19,6 +19,7 @@ from generator.geometry import inside_margin
 from generator.scene import Scene
 from tabletopgen_env.affordance import footprint
 from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.expert.strokes import plan_stroke
 from tabletopgen_env.randomization import PRESETS
 from tabletopgen_env.randomization.arranging import DRIFT, OVERLAP
 from tabletopgen_env.tasks.goals import OnSpot
@@ -129,9 +130,9 @@ def test_a_marked_spot_stays_where_it_is_and_free() -> None:
     for seed in range(10):
         infos = [made.reset(seed=seed)[1] for made in (plain, env)]
         assert infos[0]["target"] == infos[1]["target"]
-        spot, target = env.goal.spot, env.goal.target
-        assert spot is not None and target is not None
-        assert np.array_equal(spot, plain.goal.spot)
+        spot, then, target = env.goal.spot, plain.goal.spot, env.goal.target
+        assert spot is not None and then is not None and target is not None
+        assert np.array_equal(spot, then)
         here = env.world.position(target)[:2]
         radius = np.linalg.norm(env.world.footprints[target] - here, axis=1).max()
         for name, outline in env.world.footprints.items():
@@ -150,6 +151,16 @@ def test_swapped_things_go_where_the_others_stood_in_this_episode() -> None:
         assert moved(info)
         for goal, other in ((there, here), (here, there)):
             assert np.allclose(goal.spot[:2], env.world.position(other.target)[:2])
+
+
+def test_what_is_to_be_pushed_can_be_from_where_it_starts() -> None:
+    size = (0.06, 0.06, 0.05)
+    blocks = [toy_object(f"block_{k}", size, (0.09 * k - 0.1, 0.0)) for k in range(4)]
+    env = make_env(toy_scene(tuple(blocks)), task="Push", randomization="starts")
+    for seed in (0, 19):  # with what the second draws there is no stroke
+        env.reset(seed=seed)
+        assert env.goal.target is not None and env.goal.spot is not None
+        assert plan_stroke(env.world, env.goal.target, env.goal.spot[:2]) is not None
 
 
 def test_instructions_speak_of_things_as_they_stand_now() -> None:
