@@ -153,21 +153,16 @@ def given_point(world: World, goal: Iterable[float]) -> Float[np.ndarray, "2"]:
 
 def containers(world: World, obj: Object) -> Iterator[Object]:
     """Yield what an object goes into: containers that stand free, upright and in reach."""
-    wide = across(world, obj) + ROOM  # however the hand turns it, it goes in lying as it does
+    outline = world.footprints[obj.name]  # however the hand turns it, it goes in lying as it does
+    across = float(np.linalg.norm(outline[:, None] - outline[None], axis=-1).max())
     for other in world.scene.objects:
         hollow = world.openings[other.name]
         if hollow is None or other.name == obj.name or obj.placement.on == other.name:
             continue
         upright = other.model.container and is_upright(other)
-        fits = wide <= 2 * float(hollow.semi.min())
-        if upright and fits and reachable(world.mount, other.pose.position):
+        wide = across + ROOM <= 2 * float(hollow.semi.min())
+        if upright and wide and reachable(world.mount, other.pose.position):
             yield other
-
-
-def across(world: World, obj: Object) -> float:
-    """Return the longest way across an object as it lies, seen from above, metres."""
-    outline = world.footprints[obj.name]
-    return float(np.linalg.norm(outline[:, None] - outline[None], axis=-1).max())
 
 
 def into(world: World, obj: Object, container: Object) -> Into:

@@ -15,9 +15,9 @@ import numpy as np
 from generator.errors import InputError
 from generator.scene import Object
 
-from ..affordance import Opening, resting_height
+from ..affordance import Opening, grasp_width, resting_height
 from .goals import INSIDE, Goal, Into, the
-from .sampling import across, containers, given_object, into, liftable, nothing
+from .sampling import containers, given_object, into, liftable, nothing
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -86,18 +86,18 @@ def _together(world: World, container: Object, things: list[Object]) -> list[Obj
     taken: list[Object] = []
     for obj in sorted(things, key=lambda o: float(np.linalg.norm(o.pose.position - center))):
         area = _area(world, obj)
-        fits = area <= room and all(_has_room(world, hollow, first, obj) for first in taken)
+        fits = area <= room and all(_has_room(hollow, first, obj) for first in taken)
         if len(taken) < Tidy.most and fits and world.has_grasp(obj.name):
             taken.append(obj)
             room -= area
     return taken
 
 
-def _has_room(world: World, hollow: Opening, first: Object, second: Object) -> bool:
+def _has_room(hollow: Opening, first: Object, second: Object) -> bool:
     """Return whether one thing goes in on top of another, or beside it if it lies in the middle."""
     on_top = resting_height(first) + INSIDE <= hollow.depth
-    beside = across(world, first) / 2 + across(world, second) <= float(hollow.semi.min())
-    return on_top or beside
+    beside = grasp_width(first) / 2 + grasp_width(second)
+    return on_top or beside <= float(hollow.semi.min())
 
 
 def _area(world: World, obj: Object) -> float:

@@ -332,3 +332,17 @@ def test_stacked_things_have_their_mass_over_the_top() -> None:
     env = make_env(toy_scene((thing, large)), task="Stack")
     env.reset(seed=0, options={"target": "brush_1"})
     assert env.goal.reference == "board_1"
+
+
+def test_tidy_asks_for_nothing_that_lies_on_what_fills_a_shallow_cup() -> None:
+    tall, flat = (
+        toy_object("can_1", (0.03, 0.03, 0.09), (0.2, 0.1)),
+        toy_object("die_1", (0.024, 0.024, 0.024), (0.1, 0.1)),
+    )
+    deep, full = (
+        toy_object("mug_1", (0.085, 0.085, height), (0.0, 0.0), wall=0.006)
+        for height in (0.09, 0.024)
+    )
+    assert len(start("Tidy", toy_scene((deep, tall, flat))).episode.goals) == 2
+    with pytest.raises(SceneError, match="nothing to move"):
+        start("Tidy", toy_scene((full, tall, flat)))
