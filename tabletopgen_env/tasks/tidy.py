@@ -16,6 +16,7 @@ from generator.errors import InputError
 from generator.scene import Object
 
 from .goals import Goal, Into, the
+from .needs import TINY, TRAYS
 from .sampling import containers, given_object, into, liftable, nothing
 from .task import Episode, Task, episode
 
@@ -37,6 +38,7 @@ class Tidy(Task):
     )
     most = 4
     scenes = SCENES
+    needs = (TRAYS, TINY, TINY, TINY)
 
     def sample(
         self,
