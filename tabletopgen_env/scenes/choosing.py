@@ -17,9 +17,7 @@ SceneChoice = FixedChoice | SceneSource
 """What may be passed as ``scenes``."""
 
 
-def resolve(
-    scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER
-) -> SceneSource:
+def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER) -> SceneSource:
     """Make a scene source of what a user may pass as ``scenes``.
 
     Args:
@@ -74,7 +72,8 @@ def split(
         share: by digest, the share of all scenes that is held out.
         categories: by category, the held-out ones ("mug", "wine glass"): a scene with any object
             of any of them is held out.
-        needs, start: as ``resolve`` takes them.
+        needs: as ``resolve`` takes them.
+        start: likewise.
 
     Raises:
         InputError: settings that do not go together, no such category, or fixed scenes of which

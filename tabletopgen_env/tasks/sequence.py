@@ -87,7 +87,7 @@ PRESETS: Mapping[str, Preset] = MappingProxyType(
         "coffee_table": Preset(
             "swap the cup and the apple",
             "coffee-table-task-*",
-            (("cup",), ("apple",)),
+            (("cup",), ("small apple",)),
             swap=("cup", "apple"),
         ),
     }

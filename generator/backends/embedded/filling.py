@@ -96,15 +96,17 @@ def supply(
     listed = {thing(entry)[0] for entry in THEMES[theme].things}
     out = list(objects)
     for phrases in needs:
-        there = {o.category for o in out}
+        there = {o.noun for o in out}
         known = (needed(phrase) for phrase in phrases)
-        free = [o for o in known if o is not None and o.category not in there]
+        free = [o for o in known if o is not None and o.noun not in there]
         of_theme = [
             o for o in free if o.category in listed or theme in CATEGORIES[o.category].themes
         ]
         fit = of_theme or free
         if fit:
-            out.append(fit[int(rng.integers(len(fit)))])
+            drawn = fit[int(rng.integers(len(fit)))]
+            same = sum(o.category == drawn.category for o in out)
+            out.append(replace(drawn, name=f"{drawn.category}_{same + 1}"))
     return out
 
 
