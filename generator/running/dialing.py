@@ -1,4 +1,4 @@
-"""Connections on which every wait ends by a deadline: names, TCP, TLS, proxies, each read and write.
+"""Connections on which every wait ends by a deadline: names, TCP, TLS, proxies, reads, writes.
 
 The time limits of an HTTP library hold for one read each, so that a server which sends a byte now
 and then is waited for without end. Here all of a call shares one ``Pace``.
