@@ -53,13 +53,15 @@ def redacted(text: str, secrets: Iterable[str] = ()) -> str:
 def excerpt(said: bytes | str, most: int, secrets: Iterable[str] = ()) -> str:
     """Return how a server's words begin: at most ``most`` characters, without secrets.
 
+    What a terminal would obey is left out.
     However long they are, this takes no longer than for a page.
     """
     secrets = tuple(secrets)
     text = said[:_READ] if isinstance(said, str) else said[:_READ].decode("utf-8", "replace")
     if len(said) > _READ:  # a key that is cut in two could not be found any more
         text = text[: -(_CUT + _WIDER * max(map(len, secrets), default=0))]
-    return redacted(text, secrets)[:most]
+    text = redacted(text, secrets)[:most]
+    return "".join(c if c.isprintable() or c in "\n\r\t" else "?" for c in text)
 
 
 def holds(text: str, secrets: Iterable[str]) -> bool:
