@@ -54,6 +54,8 @@ def read_glb(raw: bytes, what: str) -> Mesh:
     for part in parts:
         if not np.isfinite(part.vertices).all():
             raise InputError(f"{what} holds NaN or infinity; every vertex must be finite.")
+        if not 0 <= part.faces.min() <= part.faces.max() < len(part.vertices):
+            raise InputError(f"{what} is damaged: faces name vertices that are not there.")
     if len(parts) > 1 or _image(parts[0]) is None:
         return _colored(parts)
     try:
