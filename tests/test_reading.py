@@ -57,12 +57,12 @@ def test_any_text_is_read_or_refused(raw):
 )
 @pytest.mark.parametrize("error", [BundleError, InputError])
 def test_deep_texts_are_refused(raw, error):
-    with pytest.raises(error, match="^It nests lists or objects deeper than 64 levels"):
+    with pytest.raises(error, match=r"^It nests lists or objects deeper than 64 levels"):
         parse_json(raw, "It", error)
 
 
 def test_texts_of_too_many_values_are_refused():
-    with pytest.raises(InputError, match="^It holds more than the 4000000 values"):
+    with pytest.raises(InputError, match=r"^It holds more than the 4000000 values"):
         parse_json(b"[" + b"[]," * 3_000_000 + b"1]", "It", InputError)
 
 

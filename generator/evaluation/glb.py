@@ -52,6 +52,8 @@ def read_glb(raw: bytes, what: str) -> Mesh:
     if not 0 < count <= MOST_FACES:
         raise InputError(f"{what} has {count} triangles; 1 to {MOST_FACES} are read.")
     for part in parts:
+        if part.vertices.shape[1:] != (3,) or part.faces.shape[1:] != (3,):
+            raise InputError(f"{what} is damaged: its vertices are no points in space.")
         if not np.isfinite(part.vertices).all():
             raise InputError(f"{what} holds NaN or infinity; every vertex must be finite.")
         if not 0 <= part.faces.min() <= part.faces.max() < len(part.vertices):

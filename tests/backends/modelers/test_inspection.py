@@ -274,6 +274,8 @@ def test_obj_files_are_text_with_faces():
         inspect_obj(b"v\0\0", "it")
     with pytest.raises(BackendError, match="cannot be read"):
         read_surface(b"v 0 0 0\nf 1 2 99\n", "it", "obj")
+    with pytest.raises(BackendError, match="no points in space"):
+        read_surface(b"v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", "it", "obj")
 
 
 def chained(links: int) -> bytes:
