@@ -126,6 +126,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         "generator.evaluation",
         (
             *VALUES,
+            "generator.backends.modelers.surface",
             "generator.backends.protocols",
             "generator.bundle",
             "generator.catalogue",
