@@ -5,8 +5,6 @@ from __future__ import annotations
 import fnmatch
 import os
 import re
-import shutil
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -88,7 +86,7 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
     """Remove one bundle; return where it was.
 
     Raises:
-        BundleError: ``wanted`` fits none or several.
+        BundleError: ``wanted`` fits none or several, or was removed by another process meanwhile.
         StorageError: the bundle is not in the user's store, or cannot be removed.
     """
     found = find(wanted, cache)
@@ -97,7 +95,8 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
         raise BundleError(f"{wanted!r} fits {len(found)} bundles: {names}. Name one.")
     path, root = found[0], user_root(cache)
     check_removable(path, root)
-    _discard(path)
+    if not _discard(path):
+        raise BundleError(f"There is no bundle at {path} any more: another process removed it.")
     return path
 
 
@@ -117,6 +116,8 @@ def clear(cache: str | Path | None = None) -> int:
     Raises:
         StorageError: the folder holds something that is not a bundle; then nothing is removed.
     """
+    from generator.bundle import sweep
+
     root = user_root(cache)
     if not root.is_dir():
         return 0
@@ -128,16 +129,19 @@ def clear(cache: str | Path | None = None) -> int:
             f"{root} is not only a store of bundles: it holds {foreign[:5] or 'the starters'}. "
             "Nothing was removed; remove bundles one by one, or choose another folder."
         )
-    for path in found:
-        _discard(path)
-    return len(found)
+    sweep(root)
+    return sum(_discard(path) for path in found)
 
 
 def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
-    """Return what is wrong with each bundle of the store, by folder name; empty lists are good."""
+    """Return what is wrong with each bundle of the store, by folder name; empty lists are good.
+
+    Bundles that are removed meanwhile are left out.
+    """
     from generator.bundle import verify as verify_bundle
 
-    return {path.name: verify_bundle(path) for path in entries(cache)}
+    wrong = {path: verify_bundle(path) for path in entries(cache)}
+    return {path.name: reasons for path, reasons in wrong.items() if not reasons or path.is_dir()}
 
 
 def _ships(root: Path) -> bool:
@@ -183,11 +187,15 @@ def _stem(path: Path) -> str:
     return named["name"] if named else path.name
 
 
-def _discard(path: Path) -> None:
-    """Take a bundle away by one rename, then delete it: no reader meets half of it."""
+def _discard(path: Path) -> bool:
+    """Remove a bundle; return False if another process has done so.
+
+    Raises:
+        StorageError: it cannot be removed.
+    """
+    from generator.bundle import discard
+
     try:
-        grave = Path(tempfile.mkdtemp(prefix=".staging-", dir=path.parent))
-        path.rename(grave / path.name)
-        shutil.rmtree(grave)
+        return discard(path)
     except OSError as error:
         raise StorageError(f"{path} cannot be removed: {error.strerror or error}.") from error
