@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import platformdirs
 
-from generator.errors import BundleError, StorageError, choices
+from generator.errors import BundleError, MissingError, StorageError, choices
 
 if TYPE_CHECKING:
     from generator.scene import Scene
@@ -61,7 +61,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
         cache: a folder of bundles to search first.
 
     Raises:
-        BundleError: nothing fits; the message names the nearest match and what there is.
+        MissingError: nothing fits; the message names the nearest match and what there is.
     """
     text = str(wanted)
     if text == STARTER:
@@ -71,7 +71,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
     if not found:
         places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
         names = {_stem(path) for path in entries(cache)}
-        raise BundleError(f"No bundle fits {text!r} in {places}." + choices(text, names))
+        raise MissingError(f"No bundle fits {text!r} in {places}." + choices(text, names))
     return sorted(found, key=lambda p: p.name)
 
 
@@ -86,7 +86,8 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
     """Remove one bundle; return where it was.
 
     Raises:
-        BundleError: ``wanted`` fits none or several, or was removed by another process meanwhile.
+        MissingError: ``wanted`` fits none, or was removed by another process meanwhile.
+        BundleError: it fits several.
         StorageError: the bundle is not in the user's store, or cannot be removed.
     """
     found = find(wanted, cache)
@@ -96,7 +97,7 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
     path, root = found[0], user_root(cache)
     check_removable(path, root)
     if not _discard(path):
-        raise BundleError(f"There is no bundle at {path} any more: another process removed it.")
+        raise MissingError(f"There is no bundle at {path} any more: another process removed it.")
     return path
 
 
@@ -138,10 +139,17 @@ def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
 
     Bundles that are removed meanwhile are left out.
     """
-    from generator.bundle import verify as verify_bundle
+    from generator.bundle import check
 
-    wrong = {path: verify_bundle(path) for path in entries(cache)}
-    return {path.name: reasons for path, reasons in wrong.items() if not reasons or path.is_dir()}
+    reasons: dict[str, list[str]] = {}
+    for path in entries(cache):
+        try:
+            reasons[path.name] = check(path)
+        except MissingError:
+            continue
+        except (BundleError, OSError) as error:
+            reasons[path.name] = [str(error)]
+    return reasons
 
 
 def _ships(root: Path) -> bool:

@@ -44,6 +44,10 @@ class BundleError(TabletopError, RuntimeError):
     """A bundle on disk is damaged, unsafe, from another schema, or cannot be found."""
 
 
+class MissingError(BundleError):
+    """There is no bundle there, or none any more: another process removed it."""
+
+
 class StorageError(TabletopError, OSError):
     """The disk refused: unwritable folder, full disk, lock not obtained."""
 

@@ -2,6 +2,7 @@
 
 from .folder import MOST_BYTES as MOST_BYTES
 from .folder import SCHEMA as SCHEMA
+from .folder import check as check
 from .folder import check_name as check_name
 from .folder import load as load
 from .folder import load_picture as load_picture

@@ -170,7 +170,7 @@ def verify(path: str | Path) -> list[str]:
     Files that ``scene.json`` does not list are reported too; loading ignores them.
     """
     try:
-        return _check(path)
+        return check(path)
     except BundleError as error:
         return [str(error)]
     except OSError as error:
@@ -178,8 +178,13 @@ def verify(path: str | Path) -> list[str]:
 
 
 @steady
-def _check(path: str | Path) -> list[str]:
-    """Load everything; return what lies there unlisted."""
+def check(path: str | Path) -> list[str]:
+    """Load everything in a bundle, and return what lies there that ``scene.json`` does not list.
+
+    Raises:
+        MissingError: there is no bundle.
+        BundleError: it is damaged.
+    """
     folder = Path(path)
     load(folder)
     load_segments(folder)

@@ -20,7 +20,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping
 from pathlib import Path
 from typing import Concatenate, ParamSpec, TypeVar
 
-from ..errors import BundleError, StorageError
+from ..errors import BundleError, MissingError, StorageError
 from ..files import remove_tree
 
 STAGING = ".staging-"
@@ -123,7 +123,7 @@ def steady(read: Reader[P, R]) -> Reader[P, R]:
     """Make a reader of bundles that meets whole bundles only: repeat it if one was replaced.
 
     ``read`` takes the bundle's path first, and raises BundleError or OSError where something in it
-    is missing. If the bundle was removed meanwhile, the error says that there is none.
+    is missing. If the bundle was removed meanwhile, that is a MissingError instead.
     """
 
     @functools.wraps(read)
@@ -205,13 +205,13 @@ def _opened(path: Path) -> Iterator[int | None]:
     None where it cannot be opened for another reason than that it is not there.
 
     Raises:
-        BundleError: there is no such folder.
+        MissingError: there is no such folder.
     """
     try:
         descriptor = os.open(path, os.O_PATH | os.O_DIRECTORY | os.O_CLOEXEC)
     except (OSError, ValueError) as error:
         if isinstance(error, ValueError) or error.errno in _ABSENT:
-            raise BundleError(f"There is no bundle at {path}.") from error
+            raise MissingError(f"There is no bundle at {path}.") from error
         descriptor = None
     try:
         yield descriptor

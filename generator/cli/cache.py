@@ -5,7 +5,7 @@ from __future__ import annotations
 import tyro
 from tyro.conf import Positional
 
-from .looking import verify
+from . import looking
 from .printing import emit
 from .store import some
 
@@ -51,4 +51,4 @@ def verify_all(*, json: bool = False) -> int:
     """
     import assets_cache
 
-    return verify(tuple(str(p) for p in assets_cache.entries()), json=json)
+    return looking.verify_all(assets_cache.entries(), json, may_vanish=True)
