@@ -17,6 +17,7 @@ from .identity import load_fingerprint as load_fingerprint
 from .identity import load_kinds as load_kinds
 from .identity import load_report as load_report
 from .publishing import discard as discard
+from .publishing import put_in_place as put_in_place
 from .publishing import steady as steady
 from .publishing import sweep as sweep
 from .segments import Segments as Segments

@@ -65,15 +65,29 @@ def publish(
             place.parent.mkdir(exist_ok=True)
             place.write_bytes(content)
         staging.chmod(0o755)
-        for _ in range(_TRIES):
-            try:
-                return staging.replace(target)
-            except OSError as error:
-                if error.errno not in _OCCUPIED:
-                    raise
-            if _holds(target, files, beside):  # another process published it first
-                return target
-            discard(target)
+        put_in_place(staging, target, lambda: _holds(target, files, beside))
+    return target
+
+
+def put_in_place(source: Path, target: Path, is_fine: Callable[[], bool]) -> None:
+    """Rename a folder to ``target``; what lies there stays if ``is_fine`` says so.
+
+    Otherwise it makes way, a link itself and not what it leads to.
+
+    Raises:
+        OSError: the folder cannot be written.
+    """
+    for _ in range(_TRIES):
+        try:
+            source.replace(target)
+        except OSError as error:
+            if error.errno not in _OCCUPIED:
+                raise
+        else:
+            return
+        if is_fine():  # another process published it first
+            return
+        discard(target)
     raise StorageError(errno.EBUSY, "Others put something else in its place over and over")
 
 

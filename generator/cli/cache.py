@@ -5,6 +5,7 @@ from __future__ import annotations
 import tyro
 from tyro.conf import Positional
 
+from ..reading import escaped
 from . import looking
 from .printing import emit
 from .store import some
@@ -38,7 +39,7 @@ def remove(bundles: Positional[tuple[str, ...]], /) -> int:
 
     for path in [p for wanted in some(bundles) for p in assets_cache.find(wanted)]:
         assets_cache.remove(path)
-        print(f"removed {path.name}")
+        print(escaped(f"removed {path.name}"))
     return 0
 
 
