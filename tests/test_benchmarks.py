@@ -223,7 +223,7 @@ def test_other_packages_are_timed_without_this_one() -> None:
     code = (Path(__file__).parents[1] / "benchmarks" / "pace" / "episodes.py").read_text()
     assert not any(name in code for name in ("generator", "tabletopgen", "posing"))
     command = [sys.executable, "-c", code, "gymnasium", "CartPole-v1", "50"]
-    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    told = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300).stdout
     seen = json.loads(told)
     assert set(seen) == {"wall", "cpu", "reset"} and seen["wall"] > 0
 

@@ -25,7 +25,9 @@ print(" ".join(m for m in heavy if m in sys.modules))
 
 def loaded_by(statement: str) -> list[str]:
     code = textwrap.dedent(PROBE).format(statement=statement)
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300
+    )
     return done.stdout.split()
 
 

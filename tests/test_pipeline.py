@@ -95,7 +95,7 @@ def test_no_byte_depends_on_how_many_threads_compute(from_text: Generation, tmp_
     variables = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), other)
     made = subprocess.run(
         [sys.executable, "-c", MAKES, TEXT, str(tmp_path / "other")],
-        env=os.environ | variables, capture_output=True, text=True, check=True,
+        env=os.environ | variables, capture_output=True, text=True, check=True, timeout=300,
     )  # fmt: skip
     assert made.stdout.split()[-1] == from_text.save(tmp_path / "here").name
 

@@ -9,12 +9,12 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
 from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
 import toy_maker
+from bounded import LONG, join, until
 from running.paid_server import Says, serving
 from toy_maker import ToyMaker, made
 
@@ -37,13 +37,6 @@ def log(tmp_path: Path) -> Path:
 
 def bundles(folder: Path) -> set[str]:
     return {p.name for p in folder.iterdir() if p.is_dir() and p.name != PLACE}
-
-
-def waited(until: Callable[[], bool]) -> None:
-    end = time.monotonic() + 60
-    while not until():
-        assert time.monotonic() < end, "it takes too long"
-        time.sleep(0.02)
 
 
 def test_one_bad_prompt_stops_nothing_and_nothing_is_made_twice(tmp_path: Path, log: Path) -> None:
@@ -103,8 +96,7 @@ def test_a_process_that_dies_between_two_scenes_ends_no_batch(
             if len(given) == 2:
                 for process in list(self._pool._processes.values()):
                     process.kill()
-                while not self._pool._broken:
-                    time.sleep(0.01)
+                until(lambda: self._pool._broken)
             return super().give(task)
 
         def renew(self) -> None:
@@ -129,11 +121,10 @@ def test_two_batches_share_a_folder(tmp_path: Path, log: Path) -> None:
     threads = [threading.Thread(target=run) for _ in range(2)]
     for thread in threads:
         thread.start()
-    waited(lambda: len(made(log)) == 5)
+    until(lambda: len(made(log)) == 5)
     time.sleep(0.2)  # so that the other one finds it being made
     Path(f"{log}.go").touch()
-    for thread in threads:
-        thread.join()
+    join(*threads)
     assert made(log) == sorted(f"{text} 0" for text in texts)
     assert sorted(states) == ["made"] * 5 + ["there"] * 5
 
@@ -146,9 +137,9 @@ def test_killed_and_run_again_nothing_is_made_twice(tmp_path: Path, log: Path) -
         [sys.executable, str(HERE / "toy_maker.py"), str(out), str(log), *texts],
         env={**os.environ, "PYTHONPATH": path},
     )
-    waited(lambda: len(made(log)) == 3 and len(list((out / PLACE).glob("*.json"))) == 2)
+    until(lambda: len(made(log)) == 3 and len(list((out / PLACE).glob("*.json"))) == 2)
     process.send_signal(signal.SIGKILL)
-    process.wait()
+    process.wait(LONG)
     half = key_of(batch.Job("half a cube"), ToyMaker(str(log)))
     assert (out / PLACE / half / "toy-half").is_dir()
     assert len(bundles(out)) == 2

@@ -138,5 +138,5 @@ def test_a_forked_vector_environment_says_that_it_has_no_threads() -> None:
         assert "send a pickled copy" in receiver.recv()
     finally:
         process.kill()
-        process.join()
+        process.join(60)
     envs.close()

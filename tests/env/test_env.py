@@ -291,7 +291,9 @@ def test_the_spec_survives_pickling() -> None:
 
 def test_importing_loads_neither_torch_nor_mujoco() -> None:
     code = "import sys, tabletopgen_env; print(sorted({'torch', 'mujoco'} & set(sys.modules)))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300
+    )
     assert done.stdout.strip() == "[]"
 
 

@@ -54,7 +54,7 @@ def in_fork(work: Callable[[], Any]) -> Any:
         return receiver.recv()
     finally:
         process.kill()
-        process.join()
+        process.join(LIMIT)
 
 
 def told(work: Callable[[], Any]) -> tuple[list[str], list[str]]:

@@ -33,6 +33,7 @@ import laid_table
 import mix_driver
 import mix_servers
 import pytest
+from bounded import LONG
 from laid_table import THINGS
 from mix_servers import KEY, Asked, Servers, Watch
 
@@ -103,7 +104,10 @@ class Place:
                 env={**known, "OMP_NUM_THREADS": "1", **given}, stdout=told, stderr=told,
             )  # fmt: skip
             started(process)
-            code = process.wait()
+            try:
+                code = process.wait(LONG)
+            finally:
+                process.kill()
         mix_servers.drain(before)
         return Run(code, log.read_text(), tuple(self.servers.watch.asked[first:]))
 
@@ -167,11 +171,11 @@ def points(seed: int) -> list[Point]:
 
 def together() -> Callable[[Asked], None]:
     """Return what lets nobody's answer go before all of one kind are asked for."""
-    gates = {question: threading.Barrier(TIMES[question], timeout=120) for question in EACH}
+    gates = {question: threading.Barrier(TIMES[question]) for question in EACH}
 
     def wait(asked: Asked) -> None:
         if asked.question in gates:
-            gates[asked.question].wait()
+            gates[asked.question].wait(LONG)
 
     return wait
 

@@ -307,5 +307,7 @@ def test_the_command_records_and_says_where(
 
 def test_the_command_line_loads_no_formats() -> None:
     code = "import sys, tabletopgen_env.__main__ as m; print({'minari', 'h5py'} & set(sys.modules))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300
+    )
     assert done.stdout.strip() == "set()"

@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 import tiny_models as tiny
 import torch
+from bounded import LONG, at_once
 from safetensors.torch import load_file, save_file
 
 from generator.backends import Backends
@@ -259,14 +260,10 @@ def test_threads_that_ask_at_once_share_what_one_of_them_made() -> None:
     once, seen = Once(make), list[object]()
 
     def ask() -> None:
-        entered.wait()
+        entered.wait(LONG)
         seen.append(once())
 
-    threads = [threading.Thread(target=ask) for _ in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    at_once(*[ask] * 4)
     assert len(made) == 1
     assert len(set(map(id, seen))) == 1
 

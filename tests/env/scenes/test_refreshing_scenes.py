@@ -10,7 +10,6 @@ import signal
 import subprocess
 import sys
 import textwrap
-import time
 import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -18,6 +17,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bounded import LONG, line_of, until
 from toy import toy_scene
 
 import assets_cache
@@ -33,16 +33,6 @@ from tabletopgen_env.scenes import (
 from tabletopgen_env.scenes.crew import Crew
 from tabletopgen_env.scenes.finding import fixed_scenes
 from tabletopgen_env.scenes.pool import Pace
-
-LONG = 60.0
-"""Seconds after which something that should happen is given up; the machine may be busy."""
-
-
-def until(happened: Callable[[], Any]) -> None:
-    end = time.monotonic() + LONG
-    while not happened():
-        assert time.monotonic() < end, "it did not happen"
-        time.sleep(0.02)
 
 
 def initial(count: int = 3) -> FixedScenes:
@@ -446,8 +436,7 @@ def run(tmp_path: Path, end: str, making: str = "slow") -> tuple[subprocess.Pope
         [sys.executable, str(script)], stdout=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": path},
     )  # fmt: skip
-    assert process.stdout is not None
-    *pids, folder = process.stdout.readline().split()
+    *pids, folder = line_of(process).split()
     return process, [int(pid) for pid in pids], Path(folder)
 
 
@@ -476,7 +465,7 @@ def _child(source: RefreshingScenes, before: tuple[int, ...], told: Any) -> None
     """Draw in another process from a source that was handed over or forked."""
     source.draw(np.random.default_rng(1))
     told.send((source.pids, bool(set(source.pids) & set(before))))
-    told.recv()
+    told.poll(LONG)
 
 
 @pytest.mark.parametrize("start", ["fork", "spawn"])

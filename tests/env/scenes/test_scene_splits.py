@@ -109,7 +109,7 @@ def test_sides_draws_and_scenes_are_the_same_in_every_process() -> None:
     for hash_seed in ("3", "4"):
         done = subprocess.run(
             [sys.executable, "-c", STABLE], capture_output=True, text=True, check=True,
-            env={**os.environ, "PYTHONHASHSEED": hash_seed},
+            env={**os.environ, "PYTHONHASHSEED": hash_seed}, timeout=300,
         )  # fmt: skip
         seen.append(json.loads(done.stdout))
     assert seen[0] == seen[1]

@@ -11,6 +11,7 @@ from pathlib import Path
 import gymnasium as gym
 import numpy as np
 import pytest
+from bounded import until
 from toy import toy_scene
 
 from generator.bundle import save
@@ -112,9 +113,13 @@ def test_a_pool_that_is_renewed_at_every_draw_serves_all_slots(temporary) -> Non
     envs = TabletopVectorEnv(4, threads=4, task="Reach", scenes=source, cache=1)
     held = []
     try:
-        while source.renewals < 12:
+
+        def renewed() -> bool:
             envs.reset()
             held.append([ref.key for ref in source.refs])
+            return source.renewals >= 12
+
+        until(renewed)
     finally:
         envs.close()
         assert source.pids, "it was passed in"
