@@ -202,6 +202,7 @@ def test_list_objects(reasoner: Any, desk: Desk) -> None:
     assert all(label == label.lower().strip() and label for label in labels)
 
 
+@pytest.mark.slow
 def test_estimate_view(view: Any) -> None:
     assert np.rad2deg(view.elevation) == pytest.approx(ELEVATION, abs=8)
     assert np.rad2deg(view.azimuth) == pytest.approx(0, abs=8)
@@ -248,6 +249,7 @@ def test_guesses(reasoner: Any, desk: Desk, instances: Any, sizes: Any, view: An
 # ----------------------------------------------------------------------------------------- imager
 
 
+@pytest.mark.slow
 def test_draw(reasoner: Any, imager: Any) -> None:
     drawn = imager.draw(reasoner.plan_scene("a desk with a mug", 0), 0)
     assert drawn.dtype == np.uint8
@@ -269,6 +271,7 @@ def test_complete(desk: Desk, instances: Any, k: int) -> None:
     np.testing.assert_allclose(there, found.box, atol=max(4.0, 0.05 * span))
 
 
+@pytest.mark.slow
 def test_top_view(imager: Any, desk: Desk, instances: Any, view: Any) -> None:
     top = imager.top_view(desk.reference, instances, desk.models, {}, view)
     assert top.image.dtype == np.uint8
@@ -327,6 +330,7 @@ def test_segment_finds_what_is_there(desk: Desk, found: tuple[Detection, ...]) -
     )
 
 
+@pytest.mark.slow
 def test_segment_repeats_itself(segmenter: Any, desk: Desk, found: tuple[Detection, ...]) -> None:
     again = segmenter.segment(
         desk.reference.image, (TABLE, "mug", "book", "book", "apple", "banana")
@@ -336,6 +340,7 @@ def test_segment_repeats_itself(segmenter: Any, desk: Desk, found: tuple[Detecti
         np.testing.assert_array_equal(one.mask, other.mask)
 
 
+@pytest.mark.slow
 def test_segments_become_instances(segmenter: Any, desk: Desk) -> None:
     """The mix that a picture takes without a key: everything but the segmenter is embedded."""
     names = ("mug", "book", "apple")
@@ -360,6 +365,7 @@ def encoder(request: pytest.FixtureRequest, tiny_models: Path) -> Any:
     return kind(side=56, folder=str(tiny_models), device="cpu")
 
 
+@pytest.mark.slow
 def test_features(encoder: Any) -> None:
     assert isinstance(encoder, Encoder)
     images = torch.rand(3, 3, 48, 48, generator=torch.Generator().manual_seed(0))

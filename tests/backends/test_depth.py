@@ -19,6 +19,7 @@ from generator.geometry import Camera, view_rotation
 from generator.scene import TABLE, Intrinsics, Rotation
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("outline", "azimuth", "elevation"),
     [("rectangle", 20, 40), ("square", -30, 25), ("round", 0, 55), ("triangle", 10, 60)],
@@ -58,6 +59,7 @@ def test_hardly_anything_known_measures_nothing():
     assert measure_solid(mug, np.where(mug, 0, shot.depth), plane) is None
 
 
+@pytest.mark.slow
 def test_a_picture_cut_off_centre_keeps_its_metres():
     """Cropping moves the principal point; nothing in the world moves."""
     shot = shoot(azimuth=15)
@@ -71,6 +73,7 @@ def test_a_picture_cut_off_centre_keeps_its_metres():
     np.testing.assert_allclose(apart, np.linalg.norm(np.diff(points, axis=0), axis=1), atol=3e-3)
 
 
+@pytest.mark.slow
 def test_a_rolled_camera_sees_the_same_table():
     """Turning the depth map by a quarter is too much; a few degrees are read off the plane."""
     shot = shoot(noise=0.0)
@@ -108,6 +111,7 @@ def test_without_a_level_plane_there_is_no_table():
 # ------------------------------------------------------------------------- through the backend
 
 
+@pytest.mark.slow
 def test_the_reasoner_measures_what_it_does_not_know():
     shot = shoot()
     reference, instances = scene_of(shot, ("thing_1", "thing_2", "thing_3"))
@@ -131,6 +135,7 @@ def test_what_lies_in_a_bowl_and_on_a_box_is_found_there():
     assert order["bowl"].on == order["book"].on == TABLE
 
 
+@pytest.mark.slow
 def test_the_top_view_keeps_measured_places_and_scale():
     shot = shoot()
     names = ("bowl", "mug", "apple")

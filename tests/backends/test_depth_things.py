@@ -148,6 +148,7 @@ def test_what_nobody_saw_is_added(shot, plane):
     assert iou(got[-1].mask, apple) > 0.6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("azimuth", "elevation"), [(0, 30), (20, 45)])
 def test_the_floor_tells_the_height_of_the_table(azimuth, elevation):
     shot = shoot(azimuth=azimuth, elevation=elevation)
@@ -189,6 +190,7 @@ def aligned(shot: Shot, names: tuple[str, ...], wrong: np.ndarray) -> Alignment:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "things",
     [

@@ -28,6 +28,7 @@ def glance(picture: Picture) -> Glance:
     return glance_at(load_weights(), picture.image)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("threads", [1, 2, 3])
 def test_it_sees_the_same_bits_on_any_number_of_threads(
     picture: Picture, sight: Sight, glance: Glance, threads: int

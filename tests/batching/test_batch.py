@@ -39,6 +39,7 @@ def bundles(folder: Path) -> set[str]:
     return {p.name for p in folder.iterdir() if p.is_dir() and p.name != PLACE}
 
 
+@pytest.mark.slow
 def test_one_bad_prompt_stops_nothing_and_nothing_is_made_twice(tmp_path: Path, log: Path) -> None:
     out, told = tmp_path / "out", []
     summary = batch.run(
@@ -65,6 +66,7 @@ def test_one_bad_prompt_stops_nothing_and_nothing_is_made_twice(tmp_path: Path, 
     assert made(log).count("bad words 0") == 2
 
 
+@pytest.mark.slow
 def test_the_number_of_workers_changes_no_byte(tmp_path: Path, log: Path) -> None:
     jobs = batch.jobs_of(["a cube", "a can"], seed=3, variants=2)
     assert [j.seed for j in jobs] == [3, 4, 3, 4]
@@ -75,6 +77,7 @@ def test_the_number_of_workers_changes_no_byte(tmp_path: Path, log: Path) -> Non
     assert bundles(tmp_path / "2") == names
 
 
+@pytest.mark.slow
 def test_a_process_that_dies_takes_its_own_scene_alone(tmp_path: Path, log: Path) -> None:
     texts = ["deadly one", "a cube", "another cube"]
     summary = batch.run(texts, tmp_path / "out", ToyMaker(str(log)), workers=2)
@@ -83,6 +86,7 @@ def test_a_process_that_dies_takes_its_own_scene_alone(tmp_path: Path, log: Path
     assert len(bundles(tmp_path / "out")) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("busy", [False, True])
 def test_a_process_that_dies_between_two_scenes_ends_no_batch(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch, busy: bool
@@ -110,6 +114,7 @@ def test_a_process_that_dies_between_two_scenes_ends_no_batch(
     assert len(bundles(tmp_path / "out")) == 3 and renewed
 
 
+@pytest.mark.slow
 def test_two_batches_share_a_folder(tmp_path: Path, log: Path) -> None:
     texts = [f"cube number {k}" for k in range(4)] + ["half a cube"]
     out, states = tmp_path / "out", []
@@ -150,6 +155,7 @@ def test_killed_and_run_again_nothing_is_made_twice(tmp_path: Path, log: Path) -
     assert not (out / PLACE / half).exists()
 
 
+@pytest.mark.slow
 def test_an_interrupt_does_not_wait_for_what_is_being_made(tmp_path: Path, log: Path) -> None:
     def interrupt(*told: object) -> None:
         raise KeyboardInterrupt
@@ -162,6 +168,7 @@ def test_an_interrupt_does_not_wait_for_what_is_being_made(tmp_path: Path, log: 
     assert states == ["made", "there"]
 
 
+@pytest.mark.slow
 def test_a_whole_scene_that_is_not_in_its_place_is_put_there(tmp_path: Path, log: Path) -> None:
     out, make = tmp_path / "out", ToyMaker(str(log))
     (first,) = batch.run(["a cube"], out, make).outcomes
@@ -229,6 +236,7 @@ def test_bad_numbers_and_folders_are_refused(tmp_path: Path, log: Path) -> None:
     assert made(log) == []
 
 
+@pytest.mark.slow
 def test_a_worker_computes_on_one_thread(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -15,6 +15,8 @@ from running.paid_server import Asked, Says, Served, serving
 from generator import batch
 from generator.running.store import CallStore
 
+pytestmark = pytest.mark.slow
+
 HUNG = 60.0
 """Seconds that nobody waits for."""
 

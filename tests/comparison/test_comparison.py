@@ -105,6 +105,7 @@ def test_nothing_in_common_is_an_input_error(scene: Scene) -> None:
         picture_camera(scene, segments)
 
 
+@pytest.mark.slow
 def test_the_sheet_shows_the_picture_and_every_objects_colour(
     scene: Scene, shot: Rendered, segments: Segments
 ) -> None:

@@ -17,6 +17,7 @@ from generator.errors import InputError
 pytestmark = pytest.mark.usefixtures("store")
 
 
+@pytest.mark.slow
 def test_remove_move_and_replace(
     store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -82,6 +82,7 @@ def test_a_vessel_in_place_of_a_vessel_takes_what_was_in_it(loaded: Path) -> Non
     assert np.linalg.norm((die.pose.position - bowl.pose.position)[:2]) < bowl.scale[0] / 2
 
 
+@pytest.mark.slow
 def test_the_same_edit_gives_the_same_scene(loaded: Path) -> None:
     edits = [editing.swap(loaded, "mug_1", "a bowl", seed) for seed in (3, 3, 4)]
     first, again, other = (bundle.digest(done.scene) for done in edits)

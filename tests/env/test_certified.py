@@ -74,6 +74,7 @@ def names() -> list[str]:
     return sorted(seen(make_env("office-desk-*", task="Lift", certified=False), "target", 20))
 
 
+@pytest.mark.slow
 def test_only_certified_instances_are_drawn(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
@@ -110,6 +111,7 @@ def test_spots_are_drawn_anew(bundle: Path, certify: Certify) -> None:
         assert len(spots) == 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", [name for name in NAMES if name != "Tidy"])  # has no tray
 def test_what_certify_lists_of_a_task_is_drawn(task: str, bundle: Path, certify: Certify) -> None:
     free = make_env(bundle, task=task)
@@ -194,6 +196,7 @@ def test_the_reasons_of_a_scene_passed_over_take_nothing_from_the_seed(
         assert states[0] == states[1]
 
 
+@pytest.mark.slow
 def test_presets_are_certified_by_themselves(kitchen: Path, certify: Callable[..., Path]) -> None:
     solved = Instance("Sequence", None, None, 5, 5, "kitchen")
     certify(solved, into=kitchen)
@@ -248,6 +251,7 @@ def test_where_things_are_moved_nothing_is_certified(
     assert heavier.reset(seed=0)[1]["certified"] is True
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "listed", [Instance("Lift", "unicorn_1", None, 1, 1), Instance("Lift", None, "spot", 1, 1)]
 )
@@ -288,6 +292,7 @@ def test_every_kind_of_environment_heeds_it(
     many.close()
 
 
+@pytest.mark.slow
 def test_certifying_again_looks_at_everything(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:

@@ -34,6 +34,7 @@ def rollout(env: gym.Env, seed: int, steps: int = 30) -> list[np.ndarray]:
     return seen
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("action", ACTIONS)
 def test_same_seed_gives_the_same_trajectory_bit_for_bit(action) -> None:
     a = rollout(make_env([toy_scene(), toy_scene(toy_objects()[:4])], action=action), seed=3)
@@ -70,6 +71,7 @@ def test_info_names_the_task_and_the_reward_terms() -> None:
     assert 0 < reward < 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("task", "options", "told"),
     [
@@ -297,6 +299,7 @@ def test_importing_loads_neither_torch_nor_mujoco() -> None:
     assert done.stdout.strip() == "[]"
 
 
+@pytest.mark.slow
 def test_a_policy_trains_with_ppo() -> None:
     from stable_baselines3 import PPO
 
@@ -308,6 +311,7 @@ def test_a_policy_trains_with_ppo() -> None:
     assert env.action_space.contains(action)
 
 
+@pytest.mark.slow
 def test_a_policy_trains_with_sac_and_hindsight() -> None:
     from stable_baselines3 import SAC, HerReplayBuffer
 

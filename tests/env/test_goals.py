@@ -48,6 +48,7 @@ def is_done(env: TabletopEnv) -> bool:
 # ------------------------------------------------------------------------------------------ all
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_fresh_episode_is_not_done_and_its_terms_are_shares(name) -> None:
     env = start(name)
@@ -60,6 +61,7 @@ def test_a_fresh_episode_is_not_done_and_its_terms_are_shares(name) -> None:
         assert info["goals"][0] < info["goals"][1] <= env.task.most
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_goal_vectors_alone_give_the_reward(name) -> None:
     env = make_env(toy_scene(), task=name, observation="goal", reward="sparse")

@@ -328,6 +328,7 @@ def test_threads_see_what_one_does() -> None:
     several.close()
 
 
+@pytest.mark.slow
 def test_a_detected_hint_needs_no_torch() -> None:
     code = (
         "import sys; sys.path.insert(0, 'tests'); from toy import toy_scene; "

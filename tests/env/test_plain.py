@@ -168,6 +168,7 @@ def plain_met(achieved: np.ndarray, desired: np.ndarray) -> bool:
     return bool(np.hypot(u, v) <= 1 and abs(z) <= desired[6] and achieved[7] >= desired[7])
 
 
+@pytest.mark.slow
 def test_what_can_be_grasped_is_what_the_arm_reaches_a_grasp_of() -> None:
     walls = [
         toy_object(f"wall_{k}", (0.05, 0.3, 0.2), (x, 0.0)) for k, x in enumerate((-0.045, 0.045))

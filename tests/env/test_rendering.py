@@ -34,6 +34,7 @@ def world():
     return env.world
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("renderer", [pytest.param("gl", marks=needs_gl), "software", "auto"])
 def test_render_modes(renderer) -> None:
     for mode, shape, dtype in (
@@ -135,6 +136,7 @@ def test_closing_frees_and_refuses_to_go_on(world) -> None:
         gl.rgb(world, FRONT_CAMERA)
 
 
+@pytest.mark.slow
 @needs_gl
 def test_many_scenes_share_one_drawer() -> None:
     scenes = [toy_scene(name=f"toy_{k}") for k in range(6)]

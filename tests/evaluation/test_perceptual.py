@@ -45,6 +45,7 @@ def absent(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "transformers", None)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(EMBEDDED))
 def test_an_embedded_score_is_highest_for_the_same_picture(name: str) -> None:
     same, near, other = picture(0), picture(0), picture(1)
@@ -74,6 +75,7 @@ def test_an_unknown_metric_lists_the_choices() -> None:
         available(["lpip"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("metric", [DINOV2, CLIP], ids=lambda m: m.name)
 def test_published_models_are_the_pinned_ones_on_this_machine(
     metric: HubSimilarity, tiny_models: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

@@ -31,6 +31,7 @@ def env() -> Any:
     made.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("target", "goal"),
     [

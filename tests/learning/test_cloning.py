@@ -67,6 +67,7 @@ def test_what_is_seen_may_be_a_dict_and_infos_are_told() -> None:
     assert "randomization" in told[0] and told[-1]["success"]
 
 
+@pytest.mark.slow
 def test_cloning_comes_nearer_to_the_advice_and_repeats_itself() -> None:
     config = CloningConfig(rounds=2, episodes=2, steps=60, last_steps=60, batch=64)
     losses = []

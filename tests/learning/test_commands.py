@@ -97,6 +97,7 @@ def test_enjoying_where_it_was_trained_is_said(
     assert "cannot be told: No bundle" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_film_strip_is_written(trained: Path, table: str, tmp_path: Path) -> None:
     strip = tmp_path / "new" / "strip.png"
     args = ("--scenes", table, "--episodes", "1", "--video-strip", str(strip))
@@ -185,6 +186,7 @@ def test_success_has_to_be_held(table: str) -> None:
     assert evaluate(env, Idle(), 2) == evaluate(env, Idle(), 2) != evaluate(env, Idle(), 2, seed=1)
 
 
+@pytest.mark.slow
 def test_the_newcomers_script_is_short_and_trains(
     table: str, tmp_path: Path, monkeypatch, capsys
 ) -> None:

@@ -45,6 +45,7 @@ def quiet(line: str) -> None:
     assert line
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("family", FAMILIES)
 def test_every_family_trains(small, folder: Path, family: str) -> None:
     algorithm, changes = FAMILIES[family]
@@ -67,6 +68,7 @@ def test_every_family_trains(small, folder: Path, family: str) -> None:
     assert list((folder / "tensorboard").iterdir())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("family", "wanted"),
     [
@@ -117,6 +119,7 @@ def alike(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> bool:
     return all(np.array_equal(one[k], other[k]) for k in one)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("algorithm", ["sac", "ppo"])
 def test_the_same_seed_trains_the_same_weights(small, tmp_path: Path, algorithm: str) -> None:
     made = []
@@ -127,6 +130,7 @@ def test_the_same_seed_trains_the_same_weights(small, tmp_path: Path, algorithm:
     assert alike(made[0], made[1]) and not alike(made[0], made[2])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("algorithm", ["sac", "ppo"])
 def test_resuming_goes_on_with_the_counts(small, folder: Path, algorithm: str) -> None:
     network = {"layers": [8]}
@@ -188,6 +192,7 @@ def test_without_its_replay_buffer_a_run_fills_it_anew(small, folder: Path, monk
     assert after["updates"] - before["updates"] == steps // 2 > 0
 
 
+@pytest.mark.slow
 def test_what_goes_on_does_not_repeat_itself(small, tmp_path: Path, monkeypatch) -> None:
     drawn: list[tuple[int, tuple[int | None, ...]]] = []
     learn = PPO.learn
@@ -256,6 +261,7 @@ def test_a_run_that_never_began_leaves_nothing_behind(small, folder: Path, monke
     assert list(folder.iterdir()) == [], "the folder was there before"
 
 
+@pytest.mark.slow
 def test_a_late_error_deletes_nothing(small, folder: Path, monkeypatch) -> None:
     def broken(*args) -> None:
         raise SceneError("the table fell over")
@@ -295,6 +301,7 @@ def test_the_first_interrupt_ends_with_a_checkpoint(small, folder: Path) -> None
     assert again.steps == done.steps + 20
 
 
+@pytest.mark.slow
 def test_demonstrations_can_be_interrupted(small, folder: Path, monkeypatch) -> None:
     begun = []
 
@@ -312,6 +319,7 @@ def test_demonstrations_can_be_interrupted(small, folder: Path, monkeypatch) -> 
     assert train(recipe, folder, QUICK, True, quiet).steps >= 120
 
 
+@pytest.mark.slow
 def test_what_comes_before_the_first_step_is_kept(small, folder: Path, monkeypatch) -> None:
     def say(line: str) -> None:
         if line.startswith("2 demonstrations"):

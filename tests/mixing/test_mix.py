@@ -196,6 +196,7 @@ def holding(key: str, folder: Path) -> list[Path]:
     return [p for p in found if any(f.encode() in p.read_bytes() for f in forms)]
 
 
+@pytest.mark.slow
 def test_a_scene_killed_five_times_is_the_scene_never_killed(
     servers: Servers, models: Path, tmp_path: Path
 ) -> None:
@@ -278,6 +279,7 @@ def check_ledgers(calm: Path, shaken: Path, cached: int, last: Run) -> None:
         assert ledger["money"] == pytest.approx(sum(spent.get(q, 0.0003) for q in questions))
 
 
+@pytest.mark.slow
 def test_a_wrong_key_is_told_without_it(servers: Servers, models: Path, tmp_path: Path) -> None:
     wrong = "another-key-0badc0de99"
     place = Place(tmp_path, servers, models)

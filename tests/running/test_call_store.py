@@ -99,6 +99,7 @@ def test_a_store_is_looked_at_only_where_it_may_be_full(
     assert len(CallStore(tmp_path)) == 100
 
 
+@pytest.mark.slow
 def test_stores_of_several_processes_are_bounded_together(tmp_path: Path) -> None:
     stores = [CallStore(tmp_path, most_bytes=320_000) for _ in range(3)]
     sizes = []

@@ -133,6 +133,7 @@ except KeyboardInterrupt:
 """
 
 
+@pytest.mark.slow
 def test_the_process_ends_with_the_second_interrupt() -> None:
     path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
     with hanging() as (server, _):

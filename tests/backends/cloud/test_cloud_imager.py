@@ -253,6 +253,7 @@ def redrawn(
     return np.dstack([picture, alpha])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["openai", "seedream"])
 @pytest.mark.parametrize(("scale", "shift"), [(1.0, (0, 0)), (0.9, (60, -40)), (1.12, (-30, 20))])
 def test_a_thing_is_put_back_where_it_was(
@@ -354,6 +355,7 @@ def test_another_thing_is_drawn_again_with_what_was_wrong(
     assert "its shape is another" in second.text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("paint", "told"),
     [
@@ -470,6 +472,7 @@ def test_a_check_that_cannot_be_is_asked_again(
     assert len(server.script.asked("edits")) == 1
 
 
+@pytest.mark.slow
 def test_geometry_stands_in_with_a_warning(server: Running, make_imager: Make) -> None:
     server.script.paint = lambda request: plain()
     server.script.chat = lambda request: check([*GOOD[:2], sight(3)])

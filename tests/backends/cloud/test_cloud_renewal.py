@@ -170,6 +170,7 @@ def fit(request: Request) -> np.ndarray:
     return request.body["images"][0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("address", ["", "/out/latest.png"])
 def test_a_thing_that_was_never_drawn_is_drawn_by_the_next_run(
     server: Running, tmp_path: Path, address: str

@@ -88,6 +88,7 @@ def test_the_folder_is_given_or_the_environment_s_or_the_user_s(
     assert models_folder().parts[-2:] == ("tabletopgen", "models")
 
 
+@pytest.mark.slow
 def test_a_model_lies_as_in_hugging_face_s_cache_at_its_commit(folder: Path) -> None:
     from huggingface_hub import try_to_load_from_cache
 

@@ -78,6 +78,7 @@ def asked(
 # ------------------------------------------------------------------------------------ the players
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_what_the_models_see_is_found_whole_and_once(desk: Desk, detector: str) -> None:
     """Every thing is in the whole picture and in one to four parts of it."""
@@ -178,6 +179,7 @@ def test_a_model_that_fails_names_backend_and_question(
 # --------------------------------------------------------------------------------- the real classes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_tiny_models_of_the_real_classes_answer_and_repeat_themselves(
     tiny_models: Path, detector: str

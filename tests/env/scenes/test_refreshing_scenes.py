@@ -251,6 +251,7 @@ def test_a_killed_process_is_replaced(pool) -> None:
     assert len(source.refs) == 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("making", "reason"),
     [
@@ -375,6 +376,7 @@ def test_a_forgotten_pool_ends_by_itself(pool, tmp_path) -> None:
     assert not any(map(alive, pids)) and not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_an_environment_closes_only_what_it_made(pool, tmp_path) -> None:
     source = pool()
     mine, yours = make_env(source), make_env("refreshing")
@@ -399,6 +401,7 @@ def test_a_copy_begins_anew(pool) -> None:
     assert source.pids
 
 
+@pytest.mark.slow
 def test_an_environment_with_a_running_pool_can_be_pickled(pool) -> None:
     env = make_env(pool())
     blank = pickle.dumps(env)
@@ -440,6 +443,7 @@ def run(tmp_path: Path, end: str, making: str = "slow") -> tuple[subprocess.Pope
     return process, [int(pid) for pid in pids], Path(folder)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("end", "code"),
     [
@@ -468,6 +472,7 @@ def _child(source: RefreshingScenes, before: tuple[int, ...], told: Any) -> None
     told.poll(LONG)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_another_process_has_a_pool_of_its_own_even_a_daemon(pool, start) -> None:
     """Vector environments run in daemonic processes, which may have no multiprocessing children."""

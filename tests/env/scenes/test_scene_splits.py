@@ -104,6 +104,7 @@ print(json.dumps([starters, [ref.key for ref in refs], digest(refs[0].load())]))
 """
 
 
+@pytest.mark.slow
 def test_sides_draws_and_scenes_are_the_same_in_every_process() -> None:
     seen = []
     for hash_seed in ("3", "4"):
