@@ -140,6 +140,7 @@ def _write(folder: str, barrier, count: int) -> None:
         put("raced", Path(folder))
 
 
+@pytest.mark.slow
 def test_concurrent_writers_publish_one_whole_bundle(store: Path) -> None:
     context = multiprocessing.get_context("fork")
     barrier = context.Barrier(4)

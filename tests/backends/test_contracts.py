@@ -167,6 +167,7 @@ def test_every_backend_that_can_be_selected_is_held_against_its_protocols() -> N
     }
 
 
+@pytest.mark.slow
 def test_the_protocols_are_there(
     backend: tuple[Any, Any], reasoner: Any, imager: Any, request: pytest.FixtureRequest
 ) -> None:
@@ -209,6 +210,7 @@ def test_estimate_view(view: Any) -> None:
     assert 10 < np.rad2deg(view.fov) < 90
 
 
+@pytest.mark.slow
 def test_estimate_sizes(reasoner: Any, desk: Desk, instances: Any, view: Any) -> None:
     sizes = reasoner.estimate_sizes(desk.reference, instances, view)
     assert set(sizes) == set(NAMES)
@@ -307,6 +309,7 @@ def found(segmenter: Any, desk: Desk) -> tuple[Detection, ...]:
     return segmenter.segment(desk.reference.image, labels)
 
 
+@pytest.mark.slow
 def test_segment(segmenter: Any, desk: Desk, found: tuple[Detection, ...]) -> None:
     assert isinstance(segmenter, Segmenter)
     assert [d.label for d in found].count(TABLE) == 1

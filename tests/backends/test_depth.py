@@ -40,6 +40,7 @@ def test_the_tabletop_is_found_in_metres(outline, azimuth, elevation):
     np.testing.assert_allclose(plane.camera.rotation, view_rotation(plane.view), atol=1e-6)
 
 
+@pytest.mark.slow
 def test_places_and_sizes_are_those_of_the_things():
     shot = shoot()
     plane = find_depth_plane(shot.depth, shot.intrinsics)
@@ -94,6 +95,7 @@ def test_a_rolled_camera_sees_the_same_table():
     assert found.size == pytest.approx(plane.size, abs=0.03)
 
 
+@pytest.mark.slow
 def test_the_table_mask_decides_between_planes():
     """A big box on the floor is no table, unless the mask says so."""
     shot = shoot()
@@ -124,6 +126,7 @@ def test_the_reasoner_measures_what_it_does_not_know():
     np.testing.assert_allclose(sizes["thing_1"].extent, bowl, atol=0.02)
 
 
+@pytest.mark.slow
 def test_what_lies_in_a_bowl_and_on_a_box_is_found_there():
     box = build("book", 1).size
     things = [("bowl", 0.25, 0.1, 0.0), ("book", -0.2, 0.0, 0.0), ("apple", -0.2, 0.0, box[2])]
@@ -155,6 +158,7 @@ def test_the_top_view_keeps_measured_places_and_scale():
         np.testing.assert_allclose(off, [x, y], atol=reach)
 
 
+@pytest.mark.slow
 def test_points_of_the_tabletop_lie_on_it():
     shot = shoot(noise=0.0)
     plane = find_depth_plane(shot.depth, shot.intrinsics)

@@ -52,6 +52,7 @@ def test_masks_belong_to_their_cells():
     assert not torch.allclose(masks[0], masks[1]) and not torch.allclose(masks[1], masks[2])
 
 
+@pytest.mark.slow
 def test_a_name_is_read_from_its_own_closeup():
     torch.manual_seed(0)
     eye = Eye(4).eval()

@@ -45,6 +45,7 @@ def instance(name: str, label: str, picture: Picture, number: int) -> Instance:
     return Instance(name, label, mask_box(mask), mask, crop, mask_box(mask))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("names", ["true", "one wrong", "two of a kind nobody knows"])
 def test_the_table_is_sized_by_what_stands_on_it(picture: Picture, names: str) -> None:
     labels = [key for key, *_ in THINGS]

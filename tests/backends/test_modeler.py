@@ -92,6 +92,7 @@ def test_silhouettes_are_met_again_from_the_same_view(kind):
     assert overlap(model, instance, view) >= 0.85
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", SHAPES)
 def test_meshes_are_closed_and_parts_cover_them(kind):
     model = generic(kind)[2]

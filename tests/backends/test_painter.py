@@ -34,6 +34,7 @@ def test_the_table_is_whole_and_centred_on_white(picture: np.ndarray) -> None:
     assert (picture[~ink] > 249).all()
 
 
+@pytest.mark.slow
 def test_the_longer_side_is_level(picture: np.ndarray) -> None:
     ink = inked(picture)
     lowest = np.array([np.flatnonzero(column)[-1] for column in ink.T[ink.any(0)]])

@@ -45,6 +45,7 @@ def test_points_on_the_table_are_found_again():
     assert np.abs(plane.to_pixels(plane.to_table(plane.outline)) - plane.outline).max() < 1e-6
 
 
+@pytest.mark.slow
 def test_a_white_table_on_a_shaded_white_ground_is_found():
     y, x = np.mgrid[0:480, 0:640]
     ground = 252 - 10 * (((x - 320) / 320) ** 2 + ((y - 240) / 240) ** 2)

@@ -134,6 +134,7 @@ def test_two_batches_share_a_folder(tmp_path: Path, log: Path) -> None:
     assert sorted(states) == ["made"] * 5 + ["there"] * 5
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="kills by signal")
 def test_killed_and_run_again_nothing_is_made_twice(tmp_path: Path, log: Path) -> None:
     out, texts = tmp_path / "out", ["a cube", "half a cube", "another cube"]

@@ -103,6 +103,7 @@ MASSES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", sorted(MASSES))
 def test_mass_is_plausible(key: str):
     low, high = MASSES[key]

@@ -89,6 +89,7 @@ def test_figures_tell_what_is_moved_missing_and_recoloured(
     assert scores["extra_1"].iou == 0
 
 
+@pytest.mark.slow
 def test_the_picture_may_have_another_resolution_but_not_other_proportions(
     scene: Scene, shot: Rendered, segments: Segments
 ) -> None:

@@ -130,6 +130,7 @@ def test_lessons_are_kept_and_found_again(tmp_path: Path, monkeypatch) -> None:
     assert all(np.array_equal(a.heights, b.heights) for a, b in zip(made, again, strict=True))
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_lessons() -> None:
     first, second = ([*lessons(resolve("starter"), 1, 5)] for _ in range(2))
     assert len(first) == 1 and len(first[0]) == len(second[0])

@@ -89,6 +89,7 @@ def test_only_certified_instances_are_drawn(
     assert len(seen(free, "target")) > 1 and seen(free, "certified") == {False}
 
 
+@pytest.mark.slow
 def test_all_certified_instances_are_drawn_by_the_seed(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
@@ -99,6 +100,7 @@ def test_all_certified_instances_are_drawn_by_the_seed(
         assert one.reset(seed=k)[1]["target"] == other.reset(seed=k)[1]["target"]
 
 
+@pytest.mark.slow
 def test_spots_are_drawn_anew(bundle: Path, certify: Certify) -> None:
     pushed = offered(world_of(bundle), Push(), 0, 1)[0]
     certify(Instance("Reach", None, None, 1, 1), replace(pushed, successes=1, episodes=1))
@@ -133,6 +135,7 @@ def test_what_options_ask_for_wins(bundle: Path, certify: Certify, names: list[s
     assert info["target"] == second and info["certified"] is True
 
 
+@pytest.mark.slow
 def test_without_a_word_on_the_task_it_is_sampled_freely(bundle: Path, certify: Certify) -> None:
     certify(Instance("Push", "mug_1", "spot", 10, 10))
     assert seen(make_env(bundle, task="Lift"), "certified", 2) == {False}

@@ -271,6 +271,7 @@ def test_compute_reward_is_vectorised_and_agrees_with_step(reward) -> None:
     assert np.array_equal(best, np.full(8, 1.0 if reward == "dense" else 0.0))
 
 
+@pytest.mark.slow
 def test_two_environments_in_processes_step_apart() -> None:
     envs = gym.make_vec(
         ID, num_envs=2, vectorization_mode="async", scenes=toy_scene(), max_episode_steps=4

@@ -65,6 +65,7 @@ def told(work: Callable[[], Any]) -> tuple[list[str], list[str]]:
     return done, [str(w.message) for w in caught if "software" in str(w.message)]
 
 
+@pytest.mark.slow
 def test_vectors_of_forked_processes_draw(drawn) -> None:
     envs = gym.make_vec(
         ID, num_envs=2, vectorization_mode="async", scenes=toy_scene(),

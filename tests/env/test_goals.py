@@ -87,6 +87,7 @@ def test_unknown_tasks_and_presets_name_what_there_is() -> None:
         task_named("Lift", "kitchen")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("task", "options", "message"),
     [
@@ -180,6 +181,7 @@ def test_the_gripper_stays_closed_while_pushing() -> None:
     assert env.world.data.qpos[env.world.finger_qpos].sum() < 0.005
 
 
+@pytest.mark.slow
 def test_ways_to_push_along_are_free_and_of_the_stated_length() -> None:
     env = start("Push")
     for seed in range(20):

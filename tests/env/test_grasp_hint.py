@@ -148,6 +148,7 @@ def test_what_shows_no_state_has_no_hint() -> None:
         lift(observation="pixels")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["state", "goal", "pixels+state", "point_cloud+state"])
 def test_every_mode_has_room_for_it(mode) -> None:
     env = lift(observation=mode, image_size=16, points=16)
@@ -319,6 +320,7 @@ def test_detected_hints_follow_what_is_randomised(randomization) -> None:
         assert np.allclose(seen[279:282], env.world.base_rotation.T @ away, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_threads_see_what_one_does() -> None:
     settings = {"task": "Lift", "grasp_hint": "detected", "max_episode_steps": 5}
     several = TabletopVectorEnv(3, scenes=toy_scene(), **settings)

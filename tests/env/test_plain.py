@@ -138,6 +138,7 @@ def test_inverse_kinematics_follows_its_formula() -> None:
         assert found[1] == np.linalg.norm(tool - link_frames(joints)[7, :3, 3])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["PickPlace", "Swap", "Sequence"])
 def test_goals_agree_as_their_definition_says(name) -> None:
     task = task_named(name)

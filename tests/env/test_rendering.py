@@ -49,6 +49,7 @@ def test_render_modes(renderer) -> None:
         env.close()
 
 
+@pytest.mark.slow
 @needs_gl
 @pytest.mark.parametrize("camera", [FRONT_CAMERA, WRIST_CAMERA])
 def test_gl_and_software_see_the_same(world, camera) -> None:
@@ -161,6 +162,7 @@ def test_human_mode_without_a_display_says_so_once(monkeypatch) -> None:
     env.close()
 
 
+@pytest.mark.slow
 def test_what_leaves_the_cache_is_freed_on_the_graphics_side() -> None:
     scenes = [toy_scene(toy_objects()[: k + 1], name=str(k)) for k in range(3)]
     env = make_env(scenes, observation="pixels", image_size=16, cache=1)

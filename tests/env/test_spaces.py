@@ -97,6 +97,7 @@ def test_two_seeded_environments_agree_to_the_bit(name, observation, action, sha
     assert len(set(first)) > 4, "something moves"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", ["PickPlace", "Push"])
 def test_whole_episodes_with_contact_agree_to_the_bit(task, shared) -> None:
     """Grasping, carrying and pushing: sliding contacts, islands that wake and sleep."""
@@ -123,6 +124,7 @@ def test_as_they_come_neither_checker_warns(observation) -> None:
     check(IDS[0], observation=observation)
 
 
+@pytest.mark.slow
 def test_depth_and_segmentation_pass_the_checkers() -> None:
     check(
         IDS[0], ".*unconventional shape", observation="pixels+state", image_size=(36, 40),

@@ -108,6 +108,7 @@ def test_what_was_returned_is_not_written_to_again() -> None:
     envs.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["sync", "async", "vector_entry_point"])
 def test_it_can_be_made_in_every_way(mode) -> None:
     envs = gym.make_vec(ID, num_envs=2, vectorization_mode=mode, scenes=toy_scene())
@@ -223,6 +224,7 @@ def test_wrong_calls_are_explained() -> None:
         envs.step(np.zeros((2, 5)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", MODES)
 def test_after_a_reset_that_fails_no_slot_moves_until_it_is_done(mode) -> None:
     envs = TabletopVectorEnv(2, scenes=toy_scene(), max_episode_steps=2, autoreset_mode=mode)

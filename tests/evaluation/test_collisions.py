@@ -114,6 +114,7 @@ def test_a_rod_in_a_mug_is_no_collision_but_through_its_wall_or_floor_it_is() ->
     assert 0.02 < wall < 0.05
 
 
+@pytest.mark.slow
 def test_a_spoon_that_stands_in_a_mug_is_no_collision() -> None:
     mug, spoon = (
         dataclasses.replace(thing, model=model, placement=placed(thing, model.size))

@@ -250,6 +250,7 @@ def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
     assert "keeps no picture" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_the_command_reports_all_four_defects_of_one_bundle(
     store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
 ) -> None:

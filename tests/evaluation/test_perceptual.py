@@ -61,6 +61,7 @@ def test_embedded_and_published_scores_share_no_name() -> None:
     assert set(PUBLISHED) == {"lpips", "dinov2", "clip"}
 
 
+@pytest.mark.slow
 def test_what_is_not_installed_is_told_with_the_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     absent(monkeypatch)
     found = available()
@@ -88,6 +89,7 @@ def test_published_models_are_the_pinned_ones_on_this_machine(
     assert other < 0.99999
 
 
+@pytest.mark.slow
 def test_published_models_see_what_the_reference_implementation_sees(tiny_models: Path) -> None:
     """A black picture: only mean and deviation are in the model's input."""
     transformers = pytest.importorskip("transformers")

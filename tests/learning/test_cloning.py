@@ -43,6 +43,7 @@ def test_other_observations_are_refused() -> None:
         TableExtractor(gym.spaces.Box(-1, 1, (7,)))
 
 
+@pytest.mark.slow
 def test_a_demonstration_holds_what_was_seen_done_and_advised() -> None:
     shown = demonstrate(lift(), seed=3)
     assert shown is not None and shown.solved

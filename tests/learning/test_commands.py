@@ -69,6 +69,7 @@ def test_resuming_by_the_command(trained: Path, table: str, other: str, capsys) 
     assert "32 steps of tiny" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, capsys) -> None:
     told = []
     for name in (trained, trained / LATEST, trained):

@@ -155,6 +155,7 @@ def test_resuming_goes_on_with_the_counts(small, folder: Path, algorithm: str) -
             assert int(file["position"][0]) == done.steps // 2, "it went on filling the same buffer"
 
 
+@pytest.mark.slow
 def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder: Path) -> None:
     from tabletopgen_env.learning.making import many_envs, new_model, source_of
 
@@ -174,6 +175,7 @@ def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder:
     assert state and state.keys() == loaded.actor.optimizer.state_dict()["state"].keys()
 
 
+@pytest.mark.slow
 def test_without_its_replay_buffer_a_run_fills_it_anew(small, folder: Path, monkeypatch) -> None:
     plan = Plan(episodes=1, keep_replay=False)
     train(small(steps=40, demonstrations=2), folder, plan, say=quiet)
@@ -221,6 +223,7 @@ def test_a_finished_run_says_so(small, folder: Path) -> None:
     assert any("has 32 steps already" in line for line in told)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_resumed_or_begun_is_refused(small, folder: Path) -> None:
     with pytest.raises(InputError, match="holds no run"):
         train(small(), folder, QUICK, resume=True, say=quiet)
@@ -283,6 +286,7 @@ def test_a_damaged_checkpoint_is_refused_and_kept(small, folder: Path) -> None:
     assert len(opened(folder).rows()) == 1 and zipped.exists()
 
 
+@pytest.mark.slow
 def test_the_first_interrupt_ends_with_a_checkpoint(small, folder: Path) -> None:
     told: list[str] = []
 

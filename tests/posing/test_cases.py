@@ -143,6 +143,7 @@ def plain_case(**spoiled: float) -> Case:
     return draw_case(Draw(only=("toy_train",), spoiling=Spoiling(**spoiled)), 0)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 def test_the_true_yaw_implies_the_true_size() -> None:
     case = plain_case()
     assert solving.implied_scale(case, case.yaw) == pytest.approx(1, abs=0.02)
@@ -152,6 +153,7 @@ def test_the_true_yaw_implies_the_true_size() -> None:
     assert solving.implied_scale(smaller, case.yaw) == pytest.approx(1.25, abs=0.03)
 
 
+@pytest.mark.slow
 def test_a_wrong_azimuth_turns_the_world_and_is_no_error_of_the_yaw() -> None:
     case = plain_case(azimuth=10)
     off = case.view.azimuth - solving._azimuth(case.camera.rotation)

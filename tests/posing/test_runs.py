@@ -80,6 +80,7 @@ def test_the_summary_tells_whether_sure_answers_are_better() -> None:
     assert "Of the errors up to 10°, 75 % are within the width" in text
 
 
+@pytest.mark.slow
 def test_a_case_that_fails_is_a_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(case: Case, config: str) -> solving.Found:
         raise InputError("no such thing")

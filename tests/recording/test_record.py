@@ -219,6 +219,7 @@ def test_failures_are_kept_if_asked_and_else_passed_over(
     assert json.loads((path / "dataset.json").read_text())["episodes"][0]["success"] is False
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("format", ["minari", "hdf5", "npz"])
 @pytest.mark.parametrize("failure", [KeyboardInterrupt, OSError("full")])
 def test_what_goes_wrong_leaves_nothing_behind(
@@ -286,6 +287,7 @@ def test_without_a_place_it_goes_into_minaris_store(
     assert minari.load_dataset("TabletopGen-Lift-v0").total_episodes == 1
 
 
+@pytest.mark.slow
 def test_the_command_records_and_says_where(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -153,6 +153,7 @@ def test_what_it_says_is_so_and_never_worse(instances, seed):
         assert errors(found.placements)[1] < 2.0
 
 
+@pytest.mark.slow
 def test_the_measure_sees_what_is_moved_tilted_or_gone(instances):
     true = measured(instances, placements())
     first, *rest = placements()
@@ -289,6 +290,7 @@ def test_settings_out_of_range_are_refused(wrong):
         RefinementConfig(**wrong)
 
 
+@pytest.mark.slow
 def test_what_may_not_move_does_not(instances):
     start = disturbed(0)
     found = refined(instances, start, steps=6, move=0.0)

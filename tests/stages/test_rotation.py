@@ -180,6 +180,7 @@ def test_refining_descends_from_the_coarse_angle():
     assert abs(found.yaw - 0.53) < abs(0.45 - 0.53) / 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("weights", [(1, 0, 0), (0, 1, 0), (0, 0, 1)], ids=["s", "e", "a"])
 @pytest.mark.parametrize("settings", [RotationConfig(), RotationConfig.paper()], ids=["", "paper"])
 def test_gradients_of_the_objective_agree_with_finite_differences(settings, weights):
@@ -394,6 +395,7 @@ def test_width_follows_the_curvature():
     assert 0 < wide["hairbrush"] < wide["mug"] < np.deg2rad(30)
 
 
+@pytest.mark.slow
 def test_a_mug_whose_handle_is_small_is_not_taken_for_round():
     model = build("mug", 5)
     instance, _ = picture_of(model, 2.4, (320, 240))

@@ -294,6 +294,7 @@ def test_openai_s_form_is_told_what_to_keep(server: Running, make_imager: Make) 
     np.testing.assert_allclose(kept.mean(), book.mask.sum() / (1.4 * 80) ** 2, rtol=0.1)
 
 
+@pytest.mark.slow
 def test_a_server_without_masks_is_asked_without(server: Running, make_imager: Make) -> None:
     server.script.unknown = {"mask", "background"}
     server.script.paint = lambda r: redrawn(r.body["images"][0], clear=False)

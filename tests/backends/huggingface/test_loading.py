@@ -147,6 +147,7 @@ def test_reading_asks_no_network_and_is_silent(
     assert capfd.readouterr() == ("", "")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["sam2", "sam3"])
 def test_models_published_with_their_tracker_are_read_without_it(
     name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]

@@ -112,6 +112,7 @@ def test_the_first_pool_is_given_or_made() -> None:
     assert len({ref.key for ref in source.refs}) == 4
 
 
+@pytest.mark.slow
 def test_scenes_are_made_of_what_is_asked_for() -> None:
     source = RefreshingScenes(
         SceneDistribution(themes=("tea",), objects=(1, 1)), size=2, every_resets=9, synchronous=True
@@ -177,6 +178,7 @@ def test_wrong_settings_are_explained(settings, message) -> None:
 # ---------------------------------------------------------------------------- in the background
 
 
+@pytest.mark.slow
 def test_new_scenes_come_while_old_ones_are_drawn(pool, tmp_path) -> None:
     source, rng = pool(workers=1), np.random.default_rng(0)
     given = {ref.key for ref in source.initial.refs}
