@@ -21,8 +21,10 @@ class Smoke:
     """One short run of a script.
 
     Attributes:
-        arguments: of the command line; ``{out}`` is the run's own folder.
-        leaves: globs below that folder; each has to match a file that is not empty.
+        arguments: as a shell takes them; ``{out}`` is the run's own folder, ``{root}`` the
+            repository.
+        leaves: globs below that folder; each has to match a file that is not empty, and
+            no row of a table may have an error.
         prints: text that has to be in what it prints.
         prepare: puts into the folder what the run needs.
         codes: exit codes that are no failure: 1 of a script whose figure missed its mark.
@@ -59,8 +61,8 @@ def _table(stem: str) -> tuple[str, str]:
 
 SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "benchmarks/ablation.py": Smoke(
-        "--cases 1 --sheet 0 --out {out} --pictures {out}/pictures",
-        (*_table("ablation_dev"), "ablation_dev.png", "pictures/ablation_dev/*"),
+        "--cases 1 --text 'a bowl' --sheet 0 --out {out} --pictures {out}/pictures",
+        (*_table("ablation_dev_a_bowl"), "ablation_dev_a_bowl.png", "pictures/*/000.png"),
     ),
     "benchmarks/baselines.py": Smoke(
         "--recipe {out}/tiny.toml --recipe rule-lift --seeds 0 --episodes 1 --validation 1 "
@@ -96,7 +98,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     ),
     "benchmarks/pose.py": Smoke(
         "single --cases 1 --only mug --out {out}",
-        (*_table("pose_single_dev"), "pose_single_dev.png"),
+        (*_table("pose_single_dev_mug"), "pose_single_dev_mug.png"),
     ),
     "benchmarks/rotation_speed.py": Smoke(
         "--cases 1 --out {out}", ("rotation_speed_cpu.md",), "| wall | 1 |"
@@ -115,7 +117,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
     "docs/make_task_pictures.py": Smoke("reach --out {out}", ("reach.png",)),
     "docs/make_tasks_page.py": Smoke("--out {out}", ("tasks.md",)),
     "examples/demo.py": Smoke(
-        "--only text --text A_die_and_a_bowl --out {out}",
+        "--only text --text 'a die and a bowl' --out {out}",
         ("report.md", "text.png", "text_panda.png", "scenes/*/scene.json", "text/*.png"),
     ),
     "examples/expert.py": Smoke(
@@ -133,7 +135,7 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "starters expert --out {out}", ("starters.png", "expert.png")
     ),
     "examples/text_to_scene.py": Smoke(
-        "A_die. --out {out}", ("figures/*.png", "*/scene.json"), "bundle:"
+        "'a die' --out {out}", ("figures/*.png", "*/scene.json"), "bundle:"
     ),
     "examples/train_lift.py": Smoke("1 1 2", ("out/lift.zip",)),
 })  # fmt: skip

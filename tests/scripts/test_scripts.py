@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import csv
 import os
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -30,6 +32,12 @@ def state() -> dict[str, tuple[int, int]]:
     return {str(path): (stat.st_mtime_ns, stat.st_size) for path, stat in told}
 
 
+def errors_in(table: Path) -> list[str]:
+    """Return what the rows of a table say of cases that failed, which end no benchmark."""
+    with table.open(newline="", encoding="utf-8") as file:
+        return [row["error"] for row in csv.DictReader(file) if row.get("error")]
+
+
 def test_every_script_has_a_smoke_run() -> None:
     without, gone = sorted({*scripts()} - {*SMOKES}), sorted({*SMOKES} - {*scripts()})
     assert not without, f"Add an entry to tests/scripts/smokes.py for {without}."
@@ -48,8 +56,7 @@ def test_a_script_runs(script: str, tmp_path: Path) -> None:
     smoke, before = SMOKES[script], state()
     if smoke.prepare is not None:
         smoke.prepare(tmp_path)
-    words = [w.format(out=tmp_path, root=ROOT).replace("_", " ") if w.startswith("A_")
-             else w.format(out=tmp_path, root=ROOT) for w in smoke.arguments.split()]  # fmt: skip
+    words = [w.format(out=tmp_path, root=ROOT) for w in shlex.split(smoke.arguments)]
     own = {"PYTHONPATH": str(ROOT), "TABLETOPGEN_CACHE": str(tmp_path / "store"),
            "PYTHONDONTWRITEBYTECODE": "1", "TMPDIR": str(tmp_path)}  # fmt: skip
     done = subprocess.run(
@@ -59,5 +66,7 @@ def test_a_script_runs(script: str, tmp_path: Path) -> None:
     assert done.returncode in smoke.codes, done.stdout[-1000:] + done.stderr[-3000:]
     assert smoke.prints in done.stdout
     for glob in smoke.leaves:
-        assert any(p.stat().st_size for p in tmp_path.glob(glob)), f"no {glob}"
+        found = [path for path in tmp_path.glob(glob) if path.stat().st_size]
+        assert found, f"no {glob}"
+        assert [e for path in found if path.suffix == ".csv" for e in errors_in(path)] == []
     assert state() == before
