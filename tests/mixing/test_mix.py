@@ -33,7 +33,6 @@ import laid_table
 import mix_driver
 import mix_servers
 import pytest
-from bounded import LONG
 from laid_table import THINGS
 from mix_servers import KEY, Asked, Servers, Watch
 
@@ -52,6 +51,9 @@ TIMES = {
 
 EACH = ("complete", "model", "review_orientation")
 TESTS = Path(__file__).parents[1]
+
+LONG = 600.0
+"""Seconds after which a run is taken to hang; it takes some 20 of CPU."""
 
 Process = subprocess.Popen[bytes]
 
@@ -197,6 +199,7 @@ def holding(key: str, folder: Path) -> list[Path]:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(2 * LONG)
 def test_a_scene_killed_five_times_is_the_scene_never_killed(
     servers: Servers, models: Path, tmp_path: Path
 ) -> None:

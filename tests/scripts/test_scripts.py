@@ -13,8 +13,8 @@ import pytest
 from smokes import ROOT, SMOKES
 
 FOLDERS = ("benchmarks", "docs", "examples")
-LONG = 240.0
-"""Seconds after which a run is taken to hang; each takes a few, and up to 30 of CPU."""
+LONG = 540.0
+"""Seconds after which a run is taken to hang; each takes a few, and 20 at most on an idle machine."""
 
 
 def scripts() -> list[str]:
