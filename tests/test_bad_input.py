@@ -100,6 +100,7 @@ def face() -> np.ndarray:
     return image
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("image", "says"),
     [
@@ -230,6 +231,7 @@ def flatten(payload: dict[str, Any]) -> None:
     payload["objects"][0]["parts"] = [{"kind": "hull", "axis": 2, "vertices": flat}]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "change",
     [
@@ -389,6 +391,7 @@ def lines_of(process: subprocess.Popen[bytes], until: float) -> Iterator[str]:
             yield line.decode().strip()
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
 @pytest.mark.parametrize("stage", ["[1/8]", "[2/8]"])
 def test_a_real_interrupt_of_the_command(stage: str, store: Path) -> None:

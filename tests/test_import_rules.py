@@ -277,6 +277,7 @@ def violations(name: str, used: set[str]) -> list[str]:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "path"), modules(), ids=lambda v: str(v))
 def test_module_keeps_the_import_rules(name: str, path: Path) -> None:
     assert violations(name, imports(name, path)) == []
@@ -325,6 +326,7 @@ def foreign(path: Path) -> set[str]:
     return {DISTRIBUTIONS.get(name, name) for name in found}
 
 
+@pytest.mark.slow
 def test_what_is_imported_is_what_is_installed() -> None:
     """Every package imported is a dependency, and the other way round."""
     used, learning, recording, cloud, many, hub = set(), set(), set(), set(), set(), set()

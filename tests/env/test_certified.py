@@ -74,6 +74,7 @@ def names() -> list[str]:
     return sorted(seen(make_env("office-desk-*", task="Lift", certified=False), "target", 20))
 
 
+@pytest.mark.slow
 def test_only_certified_instances_are_drawn(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
@@ -88,6 +89,7 @@ def test_only_certified_instances_are_drawn(
     assert len(seen(free, "target")) > 1 and seen(free, "certified") == {False}
 
 
+@pytest.mark.slow
 def test_all_certified_instances_are_drawn_by_the_seed(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
@@ -98,6 +100,7 @@ def test_all_certified_instances_are_drawn_by_the_seed(
         assert one.reset(seed=k)[1]["target"] == other.reset(seed=k)[1]["target"]
 
 
+@pytest.mark.slow
 def test_spots_are_drawn_anew(bundle: Path, certify: Certify) -> None:
     pushed = offered(world_of(bundle), Push(), 0, 1)[0]
     certify(Instance("Reach", None, None, 10, 10), replace(pushed, successes=10, episodes=10))
@@ -110,6 +113,7 @@ def test_spots_are_drawn_anew(bundle: Path, certify: Certify) -> None:
         assert len(spots) == 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", [name for name in NAMES if name != "Tidy"])  # has no tray
 def test_what_certify_lists_of_a_task_is_drawn(task: str, bundle: Path, certify: Certify) -> None:
     free = make_env(bundle, task=task, certified=False)
@@ -131,6 +135,7 @@ def test_what_options_ask_for_wins(bundle: Path, certify: Certify, names: list[s
     assert info["target"] == second and info["certified"] is True
 
 
+@pytest.mark.slow
 def test_without_a_word_on_the_task_it_is_sampled_freely(bundle: Path, certify: Certify) -> None:
     certify(Instance("Push", "mug_1", "spot", 10, 10))
     assert seen(make_env(bundle, task="Lift"), "certified", 2) == {False}
@@ -194,6 +199,7 @@ def test_the_reasons_of_a_scene_passed_over_take_nothing_from_the_seed(
         assert states[0] == states[1]
 
 
+@pytest.mark.slow
 def test_presets_are_certified_by_themselves(kitchen: Path, certify: Callable[..., Path]) -> None:
     solved = Instance("Sequence", None, None, 10, 10, "kitchen")
     certify(solved, into=kitchen)
@@ -248,6 +254,7 @@ def test_where_things_are_moved_nothing_is_certified(
     assert heavier.reset(seed=0)[1]["certified"] is True
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "listed", [Instance("Lift", "unicorn_1", None, 10, 10), Instance("Lift", None, "spot", 10, 10)]
 )
@@ -288,6 +295,7 @@ def test_every_kind_of_environment_heeds_it(
     many.close()
 
 
+@pytest.mark.slow
 def test_certifying_again_looks_at_everything(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:

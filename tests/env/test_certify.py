@@ -112,6 +112,7 @@ def test_its_options_ask_for_the_instance(certified: Path) -> None:
     assert (info["target"], info["goal"]) == ("cube_1", "board_1")
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_certificate(certified: Path, bundle: Path) -> None:
     for workers in (1, 2):
         (bundle / FILE).unlink()
@@ -197,6 +198,7 @@ def test_wrong_requests_are_explained(bundle: Path, capsys: pytest.CaptureFixtur
     assert run(["certify", str(bundle.parent / "none")]) == 4
 
 
+@pytest.mark.slow
 def test_the_command_goes_on_where_it_was_interrupted(
     certified: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -148,6 +148,7 @@ def test_what_shows_no_state_has_no_hint() -> None:
         lift(observation="pixels")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["state", "goal", "pixels+state", "point_cloud+state"])
 def test_every_mode_has_room_for_it(mode) -> None:
     env = lift(observation=mode, image_size=16, points=16)
@@ -318,6 +319,7 @@ def test_detected_hints_follow_what_is_randomised(randomization) -> None:
         assert np.allclose(seen[279:282], env.world.base_rotation.T @ away, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_threads_see_what_one_does() -> None:
     settings = {"task": "Lift", "grasp_hint": "detected", "max_episode_steps": 5}
     several = TabletopVectorEnv(3, scenes=toy_scene(), **settings)
@@ -327,6 +329,7 @@ def test_threads_see_what_one_does() -> None:
     several.close()
 
 
+@pytest.mark.slow
 def test_a_detected_hint_needs_no_torch() -> None:
     code = (
         "import sys; sys.path.insert(0, 'tests'); from toy import toy_scene; "
@@ -335,7 +338,7 @@ def test_a_detected_hint_needs_no_torch() -> None:
         "assert 'torch' not in sys.modules"
     )
     root = Path(__file__).parents[2]
-    subprocess.run([sys.executable, "-c", code], check=True, cwd=root)
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=root, timeout=300)
 
 
 def test_the_experts_advice_follows_the_hint_at_once() -> None:

@@ -95,6 +95,7 @@ def marked(world: World, env: TabletopEnv) -> World:
     return world
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("switch", SWITCHES)
 def test_a_switch_draws_the_same_whatever_else_is_on(switch) -> None:
     everything = started(STRONG, seed=4)[2]
@@ -129,6 +130,7 @@ def test_what_was_drawn_is_plain_numbers() -> None:
     assert json.loads(json.dumps(started("strong")[2])) == started("strong")[2]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("switch", [*SWITCHES, "everything"])
 def test_a_world_is_put_back_to_the_byte(switch) -> None:
     randomizer = Randomizer(STRONG if switch == "everything" else only(switch))
@@ -187,6 +189,7 @@ def test_pictures_are_those_of_the_unchanged_world_after_undoing() -> None:
 # -------------------------------------------------------------------------------- as environment
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("observation", ["goal", "pixels+state"])
 def test_both_checkers_pass_with_everything_on(observation) -> None:
     env = make_env(toy_scene(toy_objects()[:2]), observation=observation, image_size=36,

@@ -34,6 +34,7 @@ def world():
     return env.world
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("renderer", [pytest.param("gl", marks=needs_gl), "software", "auto"])
 def test_render_modes(renderer) -> None:
     for mode, shape, dtype in (
@@ -48,6 +49,7 @@ def test_render_modes(renderer) -> None:
         env.close()
 
 
+@pytest.mark.slow
 @needs_gl
 @pytest.mark.parametrize("camera", [FRONT_CAMERA, WRIST_CAMERA])
 def test_gl_and_software_see_the_same(world, camera) -> None:
@@ -135,6 +137,7 @@ def test_closing_frees_and_refuses_to_go_on(world) -> None:
         gl.rgb(world, FRONT_CAMERA)
 
 
+@pytest.mark.slow
 @needs_gl
 def test_many_scenes_share_one_drawer() -> None:
     scenes = [toy_scene(name=f"toy_{k}") for k in range(6)]
@@ -159,6 +162,7 @@ def test_human_mode_without_a_display_says_so_once(monkeypatch) -> None:
     env.close()
 
 
+@pytest.mark.slow
 def test_what_leaves_the_cache_is_freed_on_the_graphics_side() -> None:
     scenes = [toy_scene(toy_objects()[: k + 1], name=str(k)) for k in range(3)]
     env = make_env(scenes, observation="pixels", image_size=16, cache=1)

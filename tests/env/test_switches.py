@@ -140,6 +140,7 @@ def test_a_higher_table_is_higher_in_the_base_frame_with_all_that_is_on_it() -> 
     assert data.xpos[base, 2] == pytest.approx(plate.pos[2] + plate.size[1])
 
 
+@pytest.mark.slow
 def test_delayed_actions_act_late_and_the_robot_holds_still_until_then() -> None:
     delays = set()
     for seed in range(6):

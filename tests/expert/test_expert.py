@@ -32,6 +32,7 @@ def env() -> Any:
     made.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("target", "goal"),
     [

@@ -43,6 +43,7 @@ def test_other_observations_are_refused() -> None:
         TableExtractor(gym.spaces.Box(-1, 1, (7,)))
 
 
+@pytest.mark.slow
 def test_a_demonstration_holds_what_was_seen_done_and_advised() -> None:
     shown = demonstrate(lift(), seed=3)
     assert shown is not None and shown.solved
@@ -67,6 +68,7 @@ def test_what_is_seen_may_be_a_dict_and_infos_are_told() -> None:
     assert "randomization" in told[0] and told[-1]["success"]
 
 
+@pytest.mark.slow
 def test_cloning_comes_nearer_to_the_advice_and_repeats_itself() -> None:
     config = CloningConfig(rounds=2, episodes=2, steps=60, last_steps=60, batch=64)
     losses = []

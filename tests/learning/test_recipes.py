@@ -246,6 +246,7 @@ def test_training_draws_from_as_many_tables_as_the_recipe_says(
     assert seen[2].unwrapped.source is seen[1]
 
 
+@pytest.mark.slow
 def test_tables_in_common_are_told_by_what_they_are(table: str, other: str, tmp_path: Path) -> None:
     copied = str(shutil.copytree(table, tmp_path / "copied"))
     one, two = source_of(table, "train"), source_of((copied, other), "held_out")

@@ -389,6 +389,7 @@ def test_settings_out_of_range_are_refused():
     assert not cloud.log
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("before", range(340, 400, 7))
 def test_a_key_that_a_quote_would_cut_in_two_is_found_all_the_same(before):
     def refuse(call: Call) -> Answer:
