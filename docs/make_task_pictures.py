@@ -149,7 +149,8 @@ def strip_picture(
         sheet.paste(cut, (k * (WIDTH + 4), 0))
     draw, font = ImageDraw.Draw(sheet), ImageFont.load_default(19)
     draw.text((sheet.width / 2, HEIGHT + 4), caption, (40, 44, 52), font, anchor="mt")
-    return sheet.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+    palette = sheet.quantize(256, Image.Quantize.MAXCOVERAGE)
+    return sheet.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)  # the haze is smooth
 
 
 def make(name: str, out: Path) -> Path:

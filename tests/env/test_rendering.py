@@ -60,7 +60,7 @@ def test_gl_and_software_see_the_same(world, camera) -> None:
     assert np.quantile(np.abs(a[near] - b[near]), 0.95) < 0.005
     assert ((a < 2.0) == (b < 2.0)).mean() > 0.98
     colors = gl.rgb(world, camera)[near].astype(float), soft.rgb(world, camera)[near].astype(float)
-    assert np.abs(colors[0] - colors[1]).mean() < 60
+    assert np.abs(colors[0] - colors[1]).mean() < 30
     gl.close()
 
 
@@ -97,11 +97,11 @@ def test_the_marker_shows_the_spot_and_only_then(world) -> None:
     assert (greener[:, 1] > greener[:, 0]).all()
 
 
-def test_every_visible_geom_becomes_triangles_that_face_outwards(world) -> None:
+def test_every_visible_geom_but_the_floor_becomes_triangles_that_face_outwards(world) -> None:
     shapes = visible_shapes(world.model)
     drawn = {shape.geom for shape in shapes}
     visible = set(np.flatnonzero(world.model.geom_group < 3))
-    assert drawn == visible
+    assert drawn == visible - {world.model.geom("floor").id}
     pedestal = next(s for s in shapes if world.model.geom(s.geom).name == "pedestal_column")
     a, b, c = (pedestal.vertices[pedestal.faces[:, k]] for k in range(3))
     assert (np.einsum("fi,fi->f", np.cross(b - a, c - a), a + b + c) > 0).all()

@@ -9,6 +9,7 @@ import torch
 from stable_baselines3 import SAC
 from toy import toy_scene
 
+from generator.cores import torch_threads
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.episodes import HOLD
@@ -71,7 +72,7 @@ def test_what_is_seen_may_be_a_dict_and_infos_are_told() -> None:
 @pytest.mark.slow
 def test_cloning_comes_nearer_to_the_advice_and_repeats_itself() -> None:
     config = CloningConfig(rounds=2, episodes=2, steps=60, last_steps=60, batch=64)
-    losses = []
+    losses, threads = [], torch.get_num_threads
     for _ in range(2):
         env = lift()
         model = SAC(
@@ -79,7 +80,11 @@ def test_cloning_comes_nearer_to_the_advice_and_repeats_itself() -> None:
             policy_kwargs={"features_extractor_class": TableExtractor, "net_arch": [32]},
         )  # fmt: skip
         rounds = []
-        seen = clone(model, env, config, 5, rounds.append)
+        with torch_threads(2):
+            seen = clone(model, env, config, 5, lambda r: rounds.append((r, threads())))
+            assert threads() == 2, "a script's own setting is put back"
+        assert all(count == 1 for _, count in rounds)
+        rounds = [r for r, _ in rounds]
         losses.append([r.loss for r in rounds])
         assert [r.number for r in rounds] == [0, 1] and len(seen) == 4
         assert rounds[-1].states == sum(len(d.advice) for d in seen)
