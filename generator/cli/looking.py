@@ -11,7 +11,7 @@ from typing import Annotated, Any
 from tyro import conf
 from tyro.conf import Positional
 
-from ..errors import BundleError, InputError, SceneError
+from ..errors import InputError, TabletopError
 from .printing import emit, print_scene
 from .store import find, one, some
 
@@ -36,16 +36,14 @@ def verify(bundles: Positional[tuple[str, ...]], /, *, json: bool = False) -> in
         bundles: Names, digests, globs or paths.
         json: Print one JSON object instead of lines.
     """
-    from ..bundle import load, load_segments
+    from ..bundle import check
     from ..physics.gate import judge
 
     results = {}
     for path in [p for wanted in some(bundles) for p in find(wanted)]:
         try:
-            load_segments(path)
-            report = judge(load(path))
-            results[path.name] = list(report.failures)
-        except (BundleError, SceneError) as error:
+            results[path.name] = list(judge(check(path)).failures)
+        except TabletopError as error:
             results[path.name] = [str(error)]
     emit(results, json, lambda: [f"{n}: {'; '.join(f) or 'sound'}" for n, f in results.items()])
     return 1 if any(results.values()) else 0
@@ -58,21 +56,25 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
         bundle: A bundle's name, digest, glob or path.
         picture: Write a PNG here instead of opening a window.
     """
+    from ..bundle import load
+    from ..mjcf import compiled, scene_spec
+
     path = one(bundle)
+    scene = load(path)
     screen = sys.platform in ("darwin", "win32") or any(
         os.environ.get(v) for v in ("DISPLAY", "WAYLAND_DISPLAY")
     )
     if picture is None and screen:
         import mujoco.viewer
 
-        mujoco.viewer.launch_from_path(str(path / "scene.xml"))
+        # What was checked, not the file, which may be another by now.
+        mujoco.viewer.launch(compiled(scene_spec(scene), scene.name))
         return 0
-    from ..bundle import load
     from ..figures import preview
     from ..pictures import write_picture
 
     target = picture or Path(f"{path.name}.png")
-    write_picture(preview(load(path)), target)
+    write_picture(preview(scene), target)
     print(target if picture else f"No screen here; wrote {target}.")
     return 0
 
