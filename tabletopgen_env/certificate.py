@@ -13,8 +13,9 @@ from typing import Any
 from generator.bundle import MOST_BYTES, read_inside
 from generator.errors import BundleError, InputError, choices, require
 from generator.files import write_whole
+from generator.reading import parse_object
 
-from .files import no_constant, typed
+from .files import typed
 from .tasks import NAMES, TaskName, task_named
 
 FILE = "certificate.json"
@@ -138,11 +139,11 @@ def read_certificate(path: str | Path) -> Certificate | None:
         return None
     raw = read_inside(folder, FILE, _MOST_FILE)
     try:
-        payload = json.loads(raw, parse_constant=no_constant)
-        if not isinstance(payload, dict) or payload.get("schema") != SCHEMA:
+        payload = parse_object(raw, "It", BundleError, max_bytes=_MOST_FILE)
+        if typed(payload.get("schema"), int) != SCHEMA:
             raise ValueError(f"it is not of schema {SCHEMA}")
         found = _decoded(payload)
-    except (ValueError, TypeError, KeyError, RecursionError) as error:
+    except (ValueError, TypeError, KeyError, BundleError) as error:
         raise BundleError(
             f"{folder}: {FILE} is no sound certificate ({type(error).__name__}: {error}). "
             "Remove it, or certify the bundle again."

@@ -12,7 +12,7 @@ from ..errors import InputError
 from .arrays import freeze, frozen_array
 from .plan import ScenePlan
 
-_LEAST_FOV = 1e-3  # radians
+_LEAST_FOV = 0.01  # radians
 
 
 @dataclass(frozen=True)
