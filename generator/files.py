@@ -1,7 +1,9 @@
-"""Files that are written in one go, with an error that says what to do."""
+"""Files that are written in one go, and files and folders that are removed by a plain name."""
 
 from __future__ import annotations
 
+import os
+import shutil
 import tempfile
 from pathlib import Path
 
@@ -60,3 +62,67 @@ def make_private(folder: Path) -> None:
     if not folder.parent.is_dir():
         make_private(folder.parent)
     folder.mkdir(mode=0o700, exist_ok=True)
+
+
+def is_plain_name(name: object) -> bool:
+    """Return whether a name, as read from a file, is that of an entry of one folder."""
+    return (
+        isinstance(name, str)
+        and name.isprintable()
+        and 0 < len(os.fsencode(name)) <= 255
+        and name not in (".", "..")
+        and not set(name) & {"/", "\\"}
+    )
+
+
+def remove_tree(parent: Path, name: str) -> None:
+    """Remove a folder inside ``parent``; nothing happens if there is none.
+
+    It is the only way in which folders named by a file's content are removed.
+
+    Args:
+        parent: the folder that the caller owns.
+        name: the plain name of an entry of it: never a path, never a link.
+
+    Raises:
+        StorageError: the name is not plain, is that of no folder, or the folder cannot be removed.
+    """
+    place = _inside(parent, name)
+    try:
+        shutil.rmtree(place)  # refuses links, and follows none inside
+    except FileNotFoundError:
+        if os.path.lexists(place):  # somebody else was removing it, too
+            shutil.rmtree(place, ignore_errors=True)
+    except OSError as error:
+        raise StorageError(
+            f"{place} cannot be removed: {error.strerror or error}. Remove it by hand."
+        ) from error
+
+
+def remove_file(parent: Path, name: str) -> None:
+    """Remove a file or a link inside ``parent``; nothing happens if there is none.
+
+    It is the only way in which files named by a file's content are removed.
+
+    Args:
+        parent: the folder that the caller owns.
+        name: the plain name of an entry of it: never a path.
+
+    Raises:
+        StorageError: the name is not plain, is that of a folder, or the file cannot be removed.
+    """
+    place = _inside(parent, name)
+    try:
+        place.unlink(missing_ok=True)
+    except OSError as error:
+        raise StorageError(
+            f"{place} cannot be removed: {error.strerror or error}. Remove it by hand."
+        ) from error
+
+
+def _inside(parent: Path, name: str) -> Path:
+    if not is_plain_name(name):
+        raise StorageError(
+            f"{name!r} is not the plain name of an entry of {parent}; nothing was removed."
+        )
+    return parent / name

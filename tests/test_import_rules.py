@@ -14,20 +14,25 @@ ROOT = Path(__file__).parent.parent
 PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
 
 VALUES = (
-    "generator.cores", "generator.errors", "generator.geometry", "generator.png", "generator.scene"
+    "generator.cores", "generator.errors", "generator.geometry", "generator.png",
+    "generator.reading", "generator.scene",
 )  # fmt: skip
 # The first rule whose prefix fits a module decides what of this project it may import.
 RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.cores", ()),
     ("generator.errors", ()),
     ("generator.png", ()),
-    ("generator.scene", ("generator.errors", "generator.scene")),
+    ("generator.reading", ("generator.errors",)),
+    ("generator.scene", ("generator.errors", "generator.reading", "generator.scene")),
     ("generator.geometry", VALUES),
     ("generator.paper_json", VALUES),
     ("generator.render", (*VALUES, "generator.render")),
     ("generator.backends.protocols", VALUES),
     ("generator.backends.installing", ("generator.errors",)),
-    ("generator.running", ("generator.errors", "generator.files", "generator.running")),
+    (
+        "generator.running",
+        ("generator.errors", "generator.files", "generator.reading", "generator.running"),
+    ),
     (
         "generator.backends.select",
         (*VALUES, "generator.backends.protocols", "generator.running"),

@@ -1,0 +1,131 @@
+"""The bounded readers: what they refuse, with which error, and that they end."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from generator.errors import BackendError, BundleError, InputError
+from generator.reading import parse_json, parse_object, printable, read_regular, split_url
+
+TEXTS = st.text(st.characters(exclude_categories=("Cs",)))
+VALUES = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False)
+    | TEXTS,
+    lambda inner: st.lists(inner) | st.dictionaries(TEXTS, inner),
+    max_leaves=20,
+)  # fmt: skip
+
+
+@settings(derandomize=True, deadline=None)
+@given(VALUES, st.booleans())
+def test_what_json_writes_is_read(value, escaped):
+    assert parse_json(json.dumps(value, ensure_ascii=escaped), "It", InputError) == value
+
+
+@settings(derandomize=True, deadline=None, max_examples=300)
+@given(st.text() | st.binary())
+def test_any_text_is_read_or_refused(raw):
+    try:
+        raw = raw.encode() if isinstance(raw, str) else raw
+    except UnicodeEncodeError:
+        return
+    try:
+        expected = json.loads(raw.decode("utf-8-sig"))
+    except ValueError:
+        with pytest.raises(InputError, match="It is not valid JSON"):
+            parse_json(raw, "It", InputError)
+    else:
+        if expected == expected and expected not in (float("inf"), -float("inf")):
+            assert parse_json(raw, "It", InputError) == expected
+
+
+@pytest.mark.parametrize(
+    "raw",
+    [
+        b"[" * 10**6,
+        b'{"a":' * 10**5 + b"1" + b"}" * 10**5,
+        b"[" * 65 + b"]" * 65,
+        "[" * 70 + '"]]]]]]]]]]]]"' + "]" * 70,
+    ],
+    ids=["open", "objects", "one too deep", "brackets in a string"],
+)
+def test_deep_texts_are_refused(raw):
+    with pytest.raises(BundleError, match="It nests lists or objects deeper than 64 levels"):
+        parse_json(raw, "It", BundleError)
+
+
+def test_depth_counts_no_brackets_in_strings():
+    deep = "[" * 64 + "]" * 64
+    assert parse_json(deep, "It", InputError)
+    assert parse_json(json.dumps({"a": "[" * 500, "b": '\\"[{' * 99}), "It", InputError)
+
+
+@pytest.mark.parametrize("piece", [b'"', b'\\"', b'"\\', b'["\\"', b"\\"], ids=str)
+def test_strings_without_an_end_cost_linear_time(piece):
+    with pytest.raises(InputError):
+        parse_json(b'"' + piece * (4 * 2**20 // len(piece)) + b"\\", "It", InputError)
+
+
+@pytest.mark.parametrize(
+    "raw",
+    ["NaN", "[Infinity]", "-Infinity", "1e999", "[1e400]", '"\\ud800"', '{"\\udfff": 1}', b"\xff",
+     b'"\xed\xa0\x80"', '"a"'.encode("utf-16"), "9" * 5000, "", "{", "{'a': 1}"],
+    ids=repr,
+)  # fmt: skip
+def test_no_number_and_no_text_is_refused(raw):
+    with pytest.raises(BackendError, match="It is not valid JSON"):
+        parse_json(raw, "It", BackendError)
+
+
+def test_sizes_keys_and_kinds_are_checked():
+    with pytest.raises(InputError, match="11 bytes of JSON; at most 10"):
+        parse_json(b" " * 10 + b"1", "It", InputError, max_bytes=10)
+    with pytest.raises(InputError, match="a key is repeated"):
+        parse_json('{"a": 1, "a": 2}', "It", InputError, unique=True)
+    with pytest.raises(InputError, match="one JSON object, not list"):
+        parse_object("[]", "It", InputError)
+
+
+@pytest.mark.parametrize(
+    "url",
+    ["http://[::1", "https://a℀b/x", "ftp://a/b", "https:///x", "https://a:99999/", "//a/b", "",
+     "https://a:0/", "https://a b/", "https://a/\x1b[2J", None, 5, "https://a/" + "b" * 9000,
+     "https://a\n/", "http://a:b/"],
+    ids=lambda url: repr(url)[:20],
+)  # fmt: skip
+def test_urls_that_are_none_are_refused(url):
+    with pytest.raises(BackendError, match=r"^The link"):
+        split_url(url, "The link", BackendError)
+
+
+def test_urls_are_split():
+    parts = split_url("https://[::1]:8443/a?b=c", "The link", BackendError)
+    assert (parts.hostname, parts.port, parts.query) == ("::1", 8443, "b=c")
+
+
+def test_only_regular_files_of_a_size_are_read(tmp_path: Path):
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "file").write_bytes(b"12345")
+    (tmp_path / "link").symlink_to("file")
+    for name in ("pipe", ".", "/dev/zero", "/dev/null"):
+        with pytest.raises(InputError, match="not a regular file"):
+            read_regular(tmp_path / name, "It", InputError, max_bytes=10)
+    for name in ("none", "a\0b", "x" * 300):
+        with pytest.raises(InputError, match="cannot be read"):
+            read_regular(str(tmp_path / name), "It", InputError, max_bytes=10)
+    with pytest.raises(InputError, match="larger than 4 bytes"):
+        read_regular(tmp_path / "link", "It", InputError, max_bytes=4)
+    assert read_regular(tmp_path / "link", "It", InputError, max_bytes=5) == b"12345"
+
+
+@pytest.mark.parametrize("text", ["\x1b[2J", "a\nb", "a\x00", "\u202eabc", "\ud800", 5, "x" * 201])
+def test_names_that_cannot_be_shown_are_refused(text):
+    with pytest.raises(BundleError, match=r"^The label"):
+        printable(text, "The label", BundleError)
+    assert printable("café au lait 3", "The label", BundleError) == "café au lait 3"
