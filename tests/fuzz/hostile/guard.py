@@ -34,9 +34,12 @@ _DEVICES = "/dev/"
 class Guard:
     """Watches this process's changes of files while it is armed."""
 
-    def __init__(self, room: Path) -> None:
-        """Watch from now on; see ``arm``. A hook stays as long as its process."""
-        self._room = os.path.realpath(room)
+    def __init__(self, room: Path, temporary: Path) -> None:
+        """Watch from now on; see ``arm``. A hook stays as long as its process.
+
+        What is done in ``temporary`` is of no account: what stays there is seen in the room.
+        """
+        self._room, self._temporary = os.path.realpath(room), os.path.realpath(temporary)
         self._folder = ""
         self.touched: list[str] = []
         sys.addaudithook(self._heard)
@@ -66,7 +69,9 @@ class Guard:
 
     def _check(self, event: str, path: Any, descriptor: Any, follow: bool) -> None:
         place = _resolved(path, descriptor, follow)
-        if place is None or _within(place, self._folder) or place.startswith(_DEVICES):
+        if place is None or place.startswith(_DEVICES):
+            return
+        if _within(place, self._folder) or place.startswith(self._temporary + os.sep):
             return
         self.touched.append(f"{event} {place}")
         if not _within(place, self._room):

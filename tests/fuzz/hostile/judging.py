@@ -37,6 +37,11 @@ def accepts(*calls: Callable[[], Any]) -> bool:
     return good
 
 
+def accepts_any(*calls: Callable[[], Any]) -> bool:
+    """Make every call; return whether one was not refused; see ``accepts``."""
+    return any([accepts(call) for call in calls])
+
+
 def command(*arguments: str) -> bool:
     """Run a ``tabletopgen`` command; return whether it succeeded.
 

@@ -36,7 +36,7 @@ def main() -> None:
     faulthandler.register(signal.SIGUSR1)
     resource.setrlimit(resource.RLIMIT_AS, (MOST_ADDRESSES, MOST_ADDRESSES))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    guard = Guard(room)
+    guard = Guard(room, room / "tmp")
     for line in sys.stdin:
         asked = json.loads(line)
         told: dict[str, Any] = {"end": "ready"}

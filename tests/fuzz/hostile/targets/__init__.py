@@ -26,6 +26,12 @@ KINDS: Mapping[str, str] = MappingProxyType({
     "external": "meshes:external",
     "picture": "pictures:pictures",
     "depth": "pictures:depths",
+    "http": "network:http",
+    "chat-answer": "network:chat",
+    "image-answer": "network:images",
+    "hunyuan3d-answer": "network:hunyuan3d",
+    "tencent-answer": "network:tencent",
+    "address": "network:addresses",
     "generate-options": "pictures:cameras",
 })
 """The module and the function of each kind of input."""

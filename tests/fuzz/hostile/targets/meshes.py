@@ -15,7 +15,6 @@ import numpy as np
 import trimesh
 from modelers.foreign import glb as packed
 from modelers.foreign import instance, prior, striped_box
-from PIL import Image
 
 from generator.backends.modelers.folder import Folder
 from generator.backends.modelers.normalising import normal_mesh
@@ -24,7 +23,7 @@ from generator.evaluation.glb import read_glb
 from generator.png import encode_png
 from generator.scene import USUAL_VIEW
 
-from ..judging import accepts, command
+from ..judging import accepts, accepts_any, command
 from ..streams import bomb, hostile_png, png, spoiled
 from ..values import mutate, number, text, written
 from . import Run
@@ -44,7 +43,7 @@ def glb(rng: random.Random, folder: Path) -> Run:
     """GLB files in a folder of assets, and as answers."""
     raw = hostile_glb(rng)
     (folder / "mug_1.glb").write_bytes(raw)
-    return lambda: accepts(
+    return lambda: accepts_any(
         lambda: normal_mesh(raw, "the answer"),
         lambda: read_glb(raw, "the file"),
         lambda: Folder(str(folder)).model(instance("mug"), prior("mug"), USUAL_VIEW),
@@ -313,11 +312,3 @@ def _materials(rng: random.Random) -> bytes:
         content = b"".join(b"newmtl m%d\nmap_Kd t.png\n" % k for k in range(20_000))
     return content
 
-
-def tiff(picture: np.ndarray) -> bytes:
-    """Return a picture in another format than PNG."""
-    import io
-
-    file = io.BytesIO()
-    Image.fromarray(picture).save(file, "TIFF")
-    return file.getvalue()

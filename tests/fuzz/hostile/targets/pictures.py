@@ -18,7 +18,7 @@ from generator.bundle.segments import decode_segments
 from generator.scene import Intrinsics
 from generator.stages.reference import read_image, refer
 
-from ..judging import accepts, command
+from ..judging import accepts, accepts_any, command
 from ..streams import hostile_png, spoiled
 from ..values import number, text, value
 from . import Run
@@ -54,7 +54,7 @@ def pictures(rng: random.Random, folder: Path) -> Run:
         except NotAPicture:  # which the imager turns into an error of ours
             return
 
-    return lambda: accepts(
+    return lambda: accepts_any(
         lambda: read_image(path), lambda: read_image(raw), lambda: decode_png(raw, "x.png"),
         of_cloud, lambda: check_pictures([raw]), lambda: decode_segments(names, raw),
         lambda: read_image(str(path)),
@@ -83,7 +83,7 @@ def depths(rng: random.Random, folder: Path) -> Run:
         good = accepts(lambda: found.append(Intrinsics(*given)))
         asks: Any = None  # nobody is asked about a picture
         usual = found[0] if found else Intrinsics(*camera)
-        return good & accepts(
+        return good and accepts_any(
             lambda: refer(picture, asks, asks, 0, depth=depth, intrinsics=usual),
             lambda: refer(depth, asks, asks, 0),
         )
