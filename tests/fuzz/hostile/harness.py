@@ -229,7 +229,7 @@ class Worker:
             time.sleep(0.3)
         self._kill()
         code = "" if end != "foreign" else f"the process ended with {process.returncode}\n"
-        detail = code + self._log.read_text(errors="replace")[-4000:]
+        detail = code + _brief(self._log.read_text(errors="replace"))
         return Outcome(kind, seed, number, end, detail, seconds, mib)
 
     def _kill(self) -> None:
@@ -278,6 +278,16 @@ def report(tally: Tally, most: int = 12) -> str:
     ]
     head = f"{tally.kind}: {counts} of {len(tally.outcomes)}, by {len(firsts)} causes"
     return "\n\n".join([head, *shown]) + "\n"
+
+
+def _brief(log: str) -> str:
+    """Return where each thread was: its innermost frames, and those of the product."""
+    kept, depth = [], 0
+    for line in log.splitlines()[-400:]:
+        depth = depth + 1 if line.startswith("  File") else 0
+        if depth <= 3 or "/generator/" in line or "/tabletopgen_env/" in line:
+            kept.append(line)
+    return "\n".join(kept)
 
 
 def _readable(stream: IO[str]) -> bool:

@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from .guard import Guard
-from .room import LEFTOVERS, listing, remove
+from .room import LEFTOVERS, remove
 from .targets import Craft, target
 
 MOST_ADDRESSES = 16 * 2**30
@@ -64,7 +64,7 @@ def answer(kind: str, seed: int, number: int, room: Path, guard: Guard) -> dict[
     _emptied(folder)
     rng = random.Random(f"{seed}/{kind}/{number}")
     run = target(kind)(rng, folder)
-    before, rss = set(listing(folder)), _reset_peak()
+    before, rss = _names(folder), _reset_peak()
     guard.arm(folder)
     began = time.perf_counter()
     end, detail = _ended(run)
@@ -73,12 +73,21 @@ def answer(kind: str, seed: int, number: int, room: Path, guard: Guard) -> dict[
     grown = (_status("VmHWM") - rss) / 1024
     left = [
         name
-        for name in set(listing(folder)) - before
+        for name in _names(folder) - before
         if Path(name).name.startswith(LEFTOVERS) or name.endswith(LEFTOVERS)
     ]
     if touched or left:
         end, detail = "outside", f"touched {touched[:5]}, left behind {left[:5]}\n{detail}"
     return {"end": end, "detail": detail, "seconds": seconds, "mib": max(0.0, grown)}
+
+
+def _names(folder: Path) -> set[str]:
+    """Return what is in a folder, by name alone."""
+    return {
+        os.path.join(here, name)
+        for here, folders, files in os.walk(folder)
+        for name in (*folders, *files)
+    }
 
 
 def _ended(run: Any) -> tuple[str, str]:

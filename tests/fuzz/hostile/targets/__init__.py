@@ -32,6 +32,13 @@ KINDS: Mapping[str, str] = MappingProxyType({
     "hunyuan3d-answer": "network:hunyuan3d",
     "tencent-answer": "network:tencent",
     "address": "network:addresses",
+    "prompts": "files:prompts",
+    "batch-records": "files:batches",
+    "spending": "files:purses",
+    "ledger": "files:ledgers",
+    "prices": "files:prices",
+    "call-store": "files:calls",
+    "bundle-names": "files:stores",
     "generate-options": "pictures:cameras",
 })
 """The module and the function of each kind of input."""
