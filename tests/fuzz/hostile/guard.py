@@ -64,6 +64,8 @@ class Guard:
             return
         for table, follow in ((_OF_NAMES, False), (_OF_FILES, True)):
             for place, descriptor in table.get(event, ()):
+                if event == "os.mkdir" and os.path.isdir(args[0]):  # it fails, and changes nothing
+                    continue
                 known = descriptor is not None and descriptor < len(args)
                 self._check(event, args[place], args[descriptor] if known else None, follow)
 

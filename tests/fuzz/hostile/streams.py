@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import random
 import struct
 import zlib
@@ -40,13 +41,16 @@ def _changed(raw: bytes, rng: random.Random) -> bytes:
     if kind == 6:
         return raw[:at] + bytes(rng.choice((1, 100, 10_000))) + raw[at:]
     if kind == 7:
-        return rng.choice((b"", b"\x00", b"\xff" * 64, b"<html>", b"{}", b"PK\x03\x04", b"\x1f\x8b"))
+        return rng.choice(
+            (b"", b"\x00", b"\xff" * 64, b"<html>", b"{}", b"PK\x03\x04", b"\x1f\x8b")
+        )
     if not raw:
         return rng.randbytes(16)
     at = min(at, len(raw) - 1)
     return raw[:at] + bytes([raw[at] ^ 1 << rng.randrange(8)]) + raw[at + 1 :]
 
 
+@functools.cache
 def bomb(size: int) -> bytes:
     """Return ``size`` zeros, compressed as zlib does."""
     packer = zlib.compressobj(9)

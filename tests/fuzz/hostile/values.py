@@ -60,9 +60,7 @@ def value(rng: random.Random, extra: tuple[str, ...] = ()) -> Any:
     return {text(rng, extra): value(rng, extra) for _ in range(rng.randrange(4))}
 
 
-def mutate(
-    given: Any, rng: random.Random, extra: tuple[str, ...] = (), raw: bool = False
-) -> Any:
+def mutate(given: Any, rng: random.Random, extra: tuple[str, ...] = (), raw: bool = False) -> Any:
     """Return a copy of JSON values with one to three changes.
 
     Args:
@@ -102,9 +100,7 @@ def _place(root: list[Any], rng: random.Random) -> tuple[Any, Any]:
         key = rng.choice(list(inner)) if isinstance(inner, dict) else rng.randrange(len(inner))
 
 
-def _change(
-    holder: Any, key: Any, rng: random.Random, extra: tuple[str, ...], raw: bool
-) -> None:
+def _change(holder: Any, key: Any, rng: random.Random, extra: tuple[str, ...], raw: bool) -> None:
     here = holder[key]
     if isinstance(here, bool) or here is None or rng.random() < 0.25:
         choices: list[Callable[[], Any]] = [lambda: value(rng, extra)]

@@ -17,30 +17,41 @@ from types import MappingProxyType
 Run = Callable[[], bool]
 Craft = Callable[[random.Random, Path], Run]
 
-KINDS: Mapping[str, str] = MappingProxyType({
-    "bundle-values": "bundles:values",
-    "bundle-files": "bundles:files",
-    "certificate": "bundles:certificates",
-    "glb": "meshes:glb",
-    "obj": "meshes:obj",
-    "external": "meshes:external",
-    "picture": "pictures:pictures",
-    "depth": "pictures:depths",
-    "http": "network:http",
-    "chat-answer": "network:chat",
-    "image-answer": "network:images",
-    "hunyuan3d-answer": "network:hunyuan3d",
-    "tencent-answer": "network:tencent",
-    "address": "network:addresses",
-    "prompts": "files:prompts",
-    "batch-records": "files:batches",
-    "spending": "files:purses",
-    "ledger": "files:ledgers",
-    "prices": "files:prices",
-    "call-store": "files:calls",
-    "bundle-names": "files:stores",
-    "generate-options": "pictures:cameras",
-})
+KINDS: Mapping[str, str] = MappingProxyType(
+    {
+        "bundle-values": "bundles:values",
+        "bundle-files": "bundles:files",
+        "certificate": "bundles:certificates",
+        "glb": "meshes:glb",
+        "obj": "meshes:obj",
+        "external": "meshes:external",
+        "picture": "pictures:pictures",
+        "depth": "pictures:depths",
+        "http": "network:http",
+        "chat-answer": "network:chat",
+        "image-answer": "network:images",
+        "hunyuan3d-answer": "network:hunyuan3d",
+        "tencent-answer": "network:tencent",
+        "address": "network:addresses",
+        "prompts": "files:prompts",
+        "batch-records": "files:batches",
+        "spending": "files:purses",
+        "ledger": "files:ledgers",
+        "prices": "files:prices",
+        "call-store": "files:calls",
+        "bundle-names": "files:stores",
+        "policy": "learning:policies",
+        "recipe": "learning:recipes",
+        "run-folder": "learning:run_folders",
+        "arrays": "learning:arrays",
+        "reset-options": "environments:options",
+        "settings": "environments:settings",
+        "scene-names": "environments:scene_names",
+        "text": "environments:texts",
+        "paper-json": "environments:papers",
+        "generate-options": "pictures:cameras",
+    }
+)
 """The module and the function of each kind of input."""
 
 

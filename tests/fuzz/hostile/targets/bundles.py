@@ -92,8 +92,8 @@ def files(rng: random.Random, folder: Path) -> Run:
 
 def certificates(rng: random.Random, folder: Path) -> Run:
     """Certificates beside a sound bundle."""
-    from tabletopgen_env.env import make_env
     from tabletopgen_env.certificate import SCHEMA, certified_instances, read_certificate
+    from tabletopgen_env.env import make_env
 
     raw, kept = base()
     payload = json.loads(raw)

@@ -18,7 +18,7 @@ from generator import batch, bundle
 from generator.batch import running as batch_running
 from generator.batch.place import PLACE
 from generator.batch.records import key_of
-from generator.errors import InputError
+from generator.errors import InputError, TabletopError
 from generator.physics.gate import judge
 from generator.running.account import Account
 from generator.running.entries import Entry
@@ -31,7 +31,7 @@ from generator.scene import Provenance, Scene
 from ..judging import accepts, accepts_any, command
 from ..odd import put
 from ..streams import spoiled
-from ..values import TEXTS, mutate, number, text, value, written
+from ..values import TEXTS, mutate, number, text, written
 from . import Run
 
 _OUTSIDE = (
@@ -378,21 +378,29 @@ def stores(rng: random.Random, folder: Path) -> Run:
     if rng.random() < 0.3:
         wanted = mutate(rng.choice(extra), rng)
         wanted = wanted if isinstance(wanted, str) else str(wanted)
-    scene = _scene().replace(name=value(rng, extra) if rng.random() < 0.3 else wanted)
+    scene = _scene().replace(name=wanted)
     asked = rng.random() < 0.2
 
     def run() -> bool:
         good = accepts_any(
-            lambda: assets_cache.find(wanted, store),
+            lambda: _quietly(lambda: assets_cache.find(wanted, store)),
             lambda: bundle.save(scene, folder / "other"),
-            lambda: bundle.load(wanted),
+            lambda: _quietly(lambda: bundle.load(wanted)),
         )
         bundle.verify(wanted)
-        if asked:
-            os.environ[assets_cache.VARIABLE] = str(store)
+        if asked and wanted.isprintable():
+            os.environ["TABLETOPGEN_CACHE"] = str(store)
             command("cache", "list", wanted)
             command("inspect", wanted)
-        accepts(lambda: assets_cache.remove(wanted, store))
+        accepts(lambda: _quietly(lambda: assets_cache.remove(wanted, store)))
         return good
 
     return run
+
+
+def _quietly(call: Callable[[], Any]) -> None:
+    """Make a call whose error may repeat what the user typed, whatever that does to a terminal."""
+    try:
+        call()
+    except TabletopError:
+        raise InputError("refused") from None

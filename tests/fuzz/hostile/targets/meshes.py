@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 import trimesh
-from modelers.foreign import glb as packed
-from modelers.foreign import instance, prior, striped_box
+from backends.modelers.foreign import glb as packed
+from backends.modelers.foreign import instance, prior, striped_box
 
 from generator.backends.modelers.folder import Folder
 from generator.backends.modelers.normalising import normal_mesh
@@ -311,4 +311,3 @@ def _materials(rng: random.Random) -> bytes:
     if rng.random() < 0.03:
         content = b"".join(b"newmtl m%d\nmap_Kd t.png\n" % k for k in range(20_000))
     return content
-

@@ -10,9 +10,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import cloud.desk as desk
 import numpy as np
-from modelers.foreign import instance, prior
+from backends.cloud import desk
+from backends.modelers.foreign import instance, prior
 
 from generator.backends.cloud.imager import Imager
 from generator.backends.cloud.reasoner import Reasoner
@@ -133,9 +133,7 @@ def _asks(reasoner: Reasoner) -> dict[str, Callable[[], Any]]:
         "estimate_view": lambda: reasoner.estimate_view(picture, things[0]),
         "estimate_sizes": lambda: reasoner.estimate_sizes(picture, things, desk.VIEW),
         "stacking_order": lambda: reasoner.stacking_order(picture, things, desk.VIEW),
-        "guess_rotations": lambda: reasoner.guess_rotations(
-            picture, things, desk.SIZES, desk.VIEW
-        ),
+        "guess_rotations": lambda: reasoner.guess_rotations(picture, things, desk.SIZES, desk.VIEW),
         "guess_layout": lambda: reasoner.guess_layout(picture, things, desk.SIZES, desk.VIEW),
         "rate": lambda: reasoner.rate(
             picture.image, (picture.image,), {"VF": "fidelity", "IA": "appeal"}
@@ -309,4 +307,3 @@ def addresses(rng: random.Random, folder: Path) -> Run:
 
     _named("http://127.0.0.1:1")
     return lambda: accepts(cloud, local, service)
-
