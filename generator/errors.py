@@ -136,7 +136,7 @@ def require_number(
     if most is not None:
         high = f" and <= {most:g}" if low else f" <= {most:g}"
     number = isinstance(value, kind) and not isinstance(value, bool)
-    size = float(value) if number else math.nan  # type: ignore[arg-type]
+    size = _as_float(value) if number else math.nan
     good = endless or math.isfinite(size)
     good = good and size >= (-math.inf if least is None else least)
     good = good and size > above if above is not None else good
@@ -144,3 +144,11 @@ def require_number(
         raise InputError(
             f"{needs} to be a {'whole ' if whole else ''}number{low}{high}, got {value!r}."
         )
+
+
+def _as_float(value: object) -> float:
+    """Return a number as a float, NaN where it is too large for one."""
+    try:
+        return float(value)  # type: ignore[arg-type]
+    except OverflowError:
+        return math.nan
