@@ -124,6 +124,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             rows[tally.kind] = row(tally, seconds)
             write(rows, chosen.out, chosen.machine, command)
             print(", ".join(f"{k} {v}" for k, v in rows[tally.kind].items()), flush=True)
+            slowest = sorted(tally.outcomes, key=lambda o: -o.seconds)[:5]
+            print("  slowest: " + ", ".join(f"{o.number} ({o.seconds:.1f} s)" for o in slowest))
             bad += len(tally.bad)
             print(report(tally), end="", flush=True)
     return int(bool(bad))

@@ -37,7 +37,7 @@ from . import Run
 Payload = dict[str, Any]
 Files = dict[str, bytes]
 
-_SIMULATED = 0.15  # share of the sound bundles that are also simulated and reset
+_SIMULATED = 0.02  # share of the sound bundles that are also simulated and reset
 _NAMES = ("table", "cube_1", "mug_1", "mesh", "0-cube", "scene.json", "scene.xml", "hull", "box")
 
 
@@ -72,10 +72,35 @@ def values(rng: random.Random, folder: Path) -> Run:
     """Bundles with mutated fields, digests and XML made anew."""
     raw, files = base()
     files = dict(files)
-    payload = mutate(json.loads(raw), rng, _NAMES)
+    payload = json.loads(raw)
+    if rng.random() < 0.5:
+        payload = mutate(payload, rng, _NAMES)
+    else:
+        _aim(payload, rng)
     if not isinstance(payload, dict):
         payload = {"scene": payload}
     return _run(_put(payload, files, rng, folder), rng)
+
+
+def _aim(payload: Payload, rng: random.Random) -> None:
+    """Put hostile numbers and texts where physics, pictures and people meet them."""
+    for _ in range(rng.choice((1, 1, 2))):
+        holder: Any = rng.choice((
+            payload["table"], payload["report"], payload["view"], *payload["objects"],
+            *payload["objects"], *payload["models"].values(),
+        ))  # fmt: skip
+        key: Any = rng.choice(list(holder))
+        while isinstance(holder[key], dict | list) and holder[key]:
+            holder = holder[key]
+            key = rng.choice(list(holder) if isinstance(holder, dict) else range(len(holder)))
+        here = holder[key]
+        if isinstance(here, str):
+            holder[key] = text(rng, _NAMES)
+        elif isinstance(here, bool) or not isinstance(here, int | float):
+            holder[key] = rng.choice((number(rng), text(rng, _NAMES), [], None))
+        else:
+            factor = rng.choice((1e-300, 1e-12, 1e-6, 1e-3, 0.5, 2.0, 1e3, 1e6, 1e12, 1e300))
+            holder[key] = rng.choice((number(rng), here * factor, -here))
 
 
 def files(rng: random.Random, folder: Path) -> Run:
@@ -308,7 +333,7 @@ def _disturbed(place: Path, rng: random.Random) -> None:
 
 def _run(place: Path, rng: random.Random) -> Run:
     """Return what reads a bundle in every way there is; a share of the sound ones is simulated."""
-    simulate, show, stored = rng.random() < _SIMULATED, rng.random() < 0.3, rng.random() < 0.2
+    simulate, show, stored = rng.random() < _SIMULATED, rng.random() < 0.3, rng.random() < 0.1
     store = str(place.parent)
 
     def run() -> bool:
@@ -320,8 +345,7 @@ def _run(place: Path, rng: random.Random) -> Run:
             lambda: load_picture(place, "reference"),
         )  # fmt: skip
         if show:
-            command("inspect", str(place))
-            command("inspect", str(place), "--json")
+            command("inspect", str(place), *(["--json"] if simulate else []))
         if stored:
             assets_cache.verify(store)
             accepts(lambda: assets_cache.find("toy", store))
