@@ -25,12 +25,16 @@ MAX_DEPTH = 64
 MAX_JSON_BYTES = 64 * 2**20
 """A JSON text may be this long unless the caller says otherwise."""
 
+MAX_VALUES = 4_000_000
+"""A JSON text may hold this many lists, objects and commas; read, each takes up to 72 bytes."""
+
 MAX_URL_LENGTH = 8192
 
 MAX_NAME_LENGTH = 200
 """Characters of a name or a label."""
 
 _STRING = re.compile(rb'"[^"\\]*+(?:\\.[^"\\]*+)*+"?', re.DOTALL)  # possessive: linear in time
+_HOST = re.compile(r"[\w.:%-]+", re.ASCII)  # of an IPv6 address the colons, too
 _NOT_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 _STEP = {ord("["): 1, ord("{"): 1, ord("]"): -1, ord("}"): -1}
 
@@ -61,7 +65,10 @@ def parse_json(
         data = raw.encode() if isinstance(raw, str) else bytes(raw)
         if len(data) > max_bytes:
             raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
-        if _depth(data) > max_depth:
+        bare = _STRING.sub(b"", data)
+        if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > MAX_VALUES:
+            raise error(f"{what} holds more than the {MAX_VALUES} values that are read.")
+        if _depth(bare) > max_depth:
             raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
         payload = json.loads(
             data.decode("utf-8-sig"),
@@ -116,7 +123,8 @@ def split_url(url: object, what: str, error: type[TabletopError]) -> SplitResult
     try:
         parts = urlsplit(url)
         host, port = parts.hostname, parts.port
-        fine = parts.scheme in ("http", "https") and bool(host) and port != 0
+        fine = parts.scheme in ("http", "https") and bool(_HOST.fullmatch(host or ""))
+        fine = fine and port != 0
         fine = fine and url.isascii() and url.isprintable() and " " not in url
     except ValueError:
         fine = False
@@ -179,8 +187,9 @@ def _read(descriptor: int, count: int) -> bytes:
         return file.read(count)
 
 
-def _depth(data: bytes) -> int:
-    brackets = _STRING.sub(b"", data).translate(None, _NOT_BRACKETS)
+def _depth(bare: bytes) -> int:
+    """Return how deep the brackets of a JSON text without its strings are nested."""
+    brackets = bare.translate(None, _NOT_BRACKETS)
     return max(itertools.accumulate(map(_STEP.__getitem__, brackets)), default=0)
 
 

@@ -221,6 +221,18 @@ def test_health():
         Hunyuan3D(served.url, session=quick()).health()
 
 
+@pytest.mark.parametrize("body", [b"[" * 200_000, b'{"a":' * 9_000, b'{"status": [1]}', b"\xff"])
+@pytest.mark.parametrize("status", [200, 404])
+def test_an_answer_nested_without_end_is_told(body: bytes, status: int) -> None:
+    answer = Answer(status, body, "text/plain")
+    assert len(said(answer)) < 1000
+    with (
+        serving(lambda call: answer) as served,
+        pytest.raises(BackendError, match="hunyuan3d, health"),
+    ):
+        Hunyuan3D(served.url, session=quick()).health()
+
+
 def test_settings_out_of_range_are_refused():
     with pytest.raises(BackendError, match=r"Did you mean '2\.1'"):
         Hunyuan3D(version="2.2")  # type: ignore[arg-type]
