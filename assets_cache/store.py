@@ -5,15 +5,13 @@ from __future__ import annotations
 import fnmatch
 import os
 import re
-import shutil
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import platformdirs
 
-from generator.errors import BundleError, StorageError, choices
+from generator.errors import BundleError, MissingError, StorageError, choices
 
 if TYPE_CHECKING:
     from generator.scene import Scene
@@ -63,7 +61,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
         cache: a folder of bundles to search first.
 
     Raises:
-        BundleError: nothing fits; the message names the nearest match and what there is.
+        MissingError: nothing fits; the message names the nearest match and what there is.
     """
     text = str(wanted)
     if text == STARTER:
@@ -73,7 +71,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
     if not found:
         places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
         names = {_stem(path) for path in entries(cache)}
-        raise BundleError(f"No bundle fits {text!r} in {places}." + choices(text, names))
+        raise MissingError(f"No bundle fits {text!r} in {places}." + choices(text, names))
     return sorted(found, key=lambda p: p.name)
 
 
@@ -88,7 +86,8 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
     """Remove one bundle; return where it was.
 
     Raises:
-        BundleError: ``wanted`` fits none or several.
+        MissingError: ``wanted`` fits none, or was removed by another process meanwhile.
+        BundleError: it fits several.
         StorageError: the bundle is not in the user's store, or cannot be removed.
     """
     found = find(wanted, cache)
@@ -97,7 +96,8 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
         raise BundleError(f"{wanted!r} fits {len(found)} bundles: {names}. Name one.")
     path, root = found[0], user_root(cache)
     check_removable(path, root)
-    _discard(path)
+    if not _discard(path):
+        raise MissingError(f"There is no bundle at {path} any more: another process removed it.")
     return path
 
 
@@ -117,6 +117,8 @@ def clear(cache: str | Path | None = None) -> int:
     Raises:
         StorageError: the folder holds something that is not a bundle; then nothing is removed.
     """
+    from generator.bundle import sweep
+
     root = user_root(cache)
     if not root.is_dir():
         return 0
@@ -128,16 +130,26 @@ def clear(cache: str | Path | None = None) -> int:
             f"{root} is not only a store of bundles: it holds {foreign[:5] or 'the starters'}. "
             "Nothing was removed; remove bundles one by one, or choose another folder."
         )
-    for path in found:
-        _discard(path)
-    return len(found)
+    sweep(root)
+    return sum(_discard(path) for path in found)
 
 
 def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
-    """Return what is wrong with each bundle of the store, by folder name; empty lists are good."""
-    from generator.bundle import verify as verify_bundle
+    """Return what is wrong with each bundle of the store, by folder name; empty lists are good.
 
-    return {path.name: verify_bundle(path) for path in entries(cache)}
+    Bundles that are removed meanwhile are left out.
+    """
+    from generator.bundle import check
+
+    reasons: dict[str, list[str]] = {}
+    for path in entries(cache):
+        try:
+            reasons[path.name] = check(path)
+        except MissingError:
+            continue
+        except (BundleError, OSError) as error:
+            reasons[path.name] = [str(error)]
+    return reasons
 
 
 def _ships(root: Path) -> bool:
@@ -183,11 +195,15 @@ def _stem(path: Path) -> str:
     return named["name"] if named else path.name
 
 
-def _discard(path: Path) -> None:
-    """Take a bundle away by one rename, then delete it: no reader meets half of it."""
+def _discard(path: Path) -> bool:
+    """Remove a bundle; return False if another process has done so.
+
+    Raises:
+        StorageError: it cannot be removed.
+    """
+    from generator.bundle import discard
+
     try:
-        grave = Path(tempfile.mkdtemp(prefix=".staging-", dir=path.parent))
-        path.rename(grave / path.name)
-        shutil.rmtree(grave)
+        return discard(path)
     except OSError as error:
         raise StorageError(f"{path} cannot be removed: {error.strerror or error}.") from error

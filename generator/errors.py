@@ -44,6 +44,10 @@ class BundleError(TabletopError, RuntimeError):
     """A bundle on disk is damaged, unsafe, from another schema, or cannot be found."""
 
 
+class MissingError(BundleError):
+    """There is no bundle there, or none any more: another process removed it."""
+
+
 class StorageError(TabletopError, OSError):
     """The disk refused: unwritable folder, full disk, lock not obtained."""
 
@@ -147,8 +151,8 @@ def require_number(
 
 
 def _as_float(value: object) -> float:
-    """Return a number as a float, NaN where it is too large for one."""
+    """Return a number as a float, infinite where it is too large for one."""
     try:
         return float(value)  # type: ignore[arg-type]
     except OverflowError:
-        return math.nan
+        return math.inf

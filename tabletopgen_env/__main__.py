@@ -11,6 +11,7 @@ from tyro import conf
 
 import assets_cache
 from generator.errors import InputError, TabletopError, exit_code
+from generator.reading import escaped
 
 from .certificate import Terms
 from .certify import DEFAULT, certify_all, is_certified
@@ -60,11 +61,12 @@ def certify(
             for seen in certificate.instances:
                 asked = {"preset": seen.preset} if seen.preset else seen.options
                 told = ", ".join(f"{name} {value}" for name, value in asked.items())
-                print(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
-                      f"{seen.successes} of {seen.episodes}", flush=True)  # fmt: skip
+                print(escaped(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
+                      f"{seen.successes} of {seen.episodes}"), flush=True)  # fmt: skip
     finally:  # also when it is interrupted
         for path, error in failed:
-            print(f"error: {path.name} is not certified: {error}", file=sys.stderr)
+            told = escaped(f"error: {path.name} is not certified: {error}")
+            print(told, file=sys.stderr)
     return exit_code(failed[0][1]) if failed else 0
 
 
@@ -102,7 +104,7 @@ def run(arguments: list[str]) -> int:
             use_underscores=False,
         )
     except TabletopError as error:
-        print(f"error: {error}", file=sys.stderr)
+        print(escaped(f"error: {error}"), file=sys.stderr)
         return exit_code(error)
     except KeyboardInterrupt:
         print("interrupted", file=sys.stderr)

@@ -111,7 +111,13 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.pictures", (*VALUES, "generator.files")),
     (
         "generator.bundle",
-        (*VALUES, "generator.mjcf", "generator.provenance", "generator.bundle"),
+        (
+            *VALUES,
+            "generator.files",
+            "generator.mjcf",
+            "generator.provenance",
+            "generator.bundle",
+        ),
     ),
     (
         "generator.comparison",

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from generator.errors import BackendError, BundleError, InputError
-from generator.reading import parse_json, parse_object, printable, read_regular, split_url
+from generator.reading import escaped, parse_json, parse_object, printable, read_regular, split_url
 
 TEXTS = st.text(st.characters(exclude_categories=("Cs",)))
 VALUES = st.recursive(
@@ -129,3 +129,8 @@ def test_names_that_cannot_be_shown_are_refused(text):
     with pytest.raises(BundleError, match=r"^The label"):
         printable(text, "The label", BundleError)
     assert printable("café au lait 3", "The label", BundleError) == "café au lait 3"
+
+
+def test_what_is_shown_holds_no_controls():
+    shown = escaped("a\x1b[2Jb\x9bc\nd\u202ee\r\t\ud800 \u00e9 杯")
+    assert shown == "a\\x1b[2Jb\\x9bc\nd\\u202ee\\r\\t\\ud800 \u00e9 杯"

@@ -10,9 +10,12 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import InputError, require_number
+from ..reading import parse_json, read_regular
 
 MOST = 100_000
 """No batch has more scenes."""
+
+_MOST_BYTES = 64 * 2**20  # of a file of prompts
 
 
 @dataclass(frozen=True)
@@ -24,7 +27,9 @@ class Job:
 
     def __post_init__(self) -> None:
         if not isinstance(self.text, str):
-            raise InputError(f"A prompt is a text, got {self.text!r}.")
+            raise InputError(f"A prompt is a text, got {self.text!r:.80}.")
+        if any(0xD800 <= ord(c) < 0xE000 for c in self.text):  # as of file names that are no text
+            raise InputError(f"A prompt is a text in Unicode, got {self.text!r:.80}.")
         require_number("A batch needs seeds", self.seed, least=0, whole=True)
 
 
@@ -54,22 +59,15 @@ def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:
         InputError: there is no such file, or it holds something else.
     """
     path = Path(path)
+    raw = read_regular(path, "The file of prompts", InputError, max_bytes=_MOST_BYTES)
+    if path.suffix.lower() == ".json":
+        entries = parse_json(raw, f"The file of prompts {path}", InputError, max_bytes=_MOST_BYTES)
+        return _jobs(entries, seed, path)
     try:
-        content = path.read_text(encoding="utf-8")
-    except FileNotFoundError as error:
-        raise InputError(f"There is no file of prompts at {path}.") from error
-    except (OSError, UnicodeDecodeError) as error:
+        lines = (line.strip() for line in raw.decode("utf-8-sig").splitlines())
+    except UnicodeDecodeError as error:
         raise InputError(f"{path} cannot be read as text: {error}.") from error
-    if path.suffix.lower() != ".json":
-        lines = (line.strip() for line in content.splitlines())
-        return [Job(line, seed) for line in lines if line and not line.startswith("#")]
-    try:
-        entries = json.loads(content)
-    except ValueError as error:
-        raise InputError(f"{path} is not JSON: {error}.") from error
-    if not isinstance(entries, list):
-        raise InputError(f"{path} must be an array of texts, or of objects with a text.")
-    return [_job(entry, seed, path) for entry in entries]
+    return [Job(line, seed) for line in lines if line and not line.startswith("#")]
 
 
 def key(job: Job, maker: dict[str, Any], picture: bytes | None) -> str:
@@ -82,9 +80,15 @@ def key(job: Job, maker: dict[str, Any], picture: bytes | None) -> str:
     return hashlib.sha256(json.dumps(told, sort_keys=True).encode()).hexdigest()[:24]
 
 
+def _jobs(entries: Any, seed: int, path: Path) -> list[Job]:
+    if not isinstance(entries, list):
+        raise InputError(f"{path} must be an array of texts, or of objects with a text.")
+    return [_job(entry, seed, path) for entry in entries]
+
+
 def _job(entry: Any, seed: int, path: Path) -> Job:
     if isinstance(entry, str):
         return Job(entry, seed)
     if not isinstance(entry, dict) or "text" not in entry:
-        raise InputError(f"{path} holds {entry!r}, which is no text and no object with a text.")
+        raise InputError(f"{path} holds {entry!r:.80}, which is no text and no object with a text.")
     return Job(entry["text"], entry.get("seed", seed))

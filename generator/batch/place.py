@@ -16,9 +16,11 @@ def place_of(folder: Path) -> Path:
     """Return where a batch's folder keeps its records; both are made if missing.
 
     Raises:
-        StorageError: they cannot be made.
+        StorageError: they cannot be made, or the records are a link to elsewhere.
     """
     place = folder / PLACE
+    if place.is_symlink():
+        raise StorageError(f"{place} is a link; a batch keeps its records in its own folder.")
     try:
         place.mkdir(parents=True, exist_ok=True)
     except OSError as error:

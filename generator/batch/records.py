@@ -10,7 +10,6 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import json
-import shutil
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -20,18 +19,20 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from filelock import FileLock, Timeout
 
-from ..bundle import load_fingerprint, load_report
+from ..bundle import load_fingerprint, load_report, put_in_place
 from ..errors import (
     BackendError,
     BudgetError,
     BundleError,
     DryRunError,
+    InputError,
     StorageError,
     TabletopError,
 )
-from ..files import write_whole
+from ..files import remove_file, remove_tree, write_whole
+from .facts import read
 from .jobs import Job, key
-from .place import PLACE
+from .place import PLACE, place_of
 
 if TYPE_CHECKING:
     from .making import Maker
@@ -71,12 +72,12 @@ class Outcome:
 
 def key_of(job: Job, make: Maker) -> str:
     """Return what names a job's record. Of a picture, its content counts, if it can be read."""
-    from ..stages.reference import is_picture_name
+    from ..stages.reference import fetch, is_picture_name
 
     picture = None
     if is_picture_name(job.text):
-        with contextlib.suppress(OSError):
-            picture = Path(job.text).read_bytes()
+        with contextlib.suppress(InputError):  # who makes it tells of it
+            picture = fetch(job.text)
     return key(job, make.identity(), picture)
 
 
@@ -92,10 +93,8 @@ def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
     Raises:
         StorageError: the folder cannot be written, or the disk is full.
     """
-    name = key_of(job, make)
-    place = folder / PLACE
+    name, place = key_of(job, make), place_of(folder)
     try:
-        place.mkdir(exist_ok=True)
         with FileLock(place / f"{name}.lock", timeout=0):
             _put_in_place(folder, name)
             return recorded(job, folder, name, retry) or _made(job, folder, name, make)
@@ -112,18 +111,19 @@ def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
 
 def recorded(job: Job, folder: Path, name: str, retry: bool = False) -> Outcome | None:
     """Return what came of a job before, its bundle in place; None if it is to be made."""
-    facts = _read(folder, name)
+    facts = read(folder / PLACE, name)
     if facts is None:
         return None
-    if facts.get("bundle") is None:
-        kept = facts.get("kind") in KEPT and not retry
-        return Outcome(job, "failed", **facts) if kept else None
-    there = _sound(folder / str(facts["bundle"]))
-    return Outcome(job, "there", **facts) if there else None
+    if facts.bundle is None:
+        kept = facts.kind in KEPT and not retry
+        return Outcome(job, "failed", **dataclasses.asdict(facts)) if kept else None
+    there = _sound(folder / facts.bundle)
+    return Outcome(job, "there", **dataclasses.asdict(facts)) if there else None
 
 
 def failed(job: Job, folder: Path, name: str, error: str, kind: str, seconds: float) -> Outcome:
     """Write down that a job failed; return that."""
+    error = error.encode("utf-8", "backslashreplace").decode()  # a file's name need not be text
     outcome = Outcome(job, "failed", None, kind, error, round(seconds, 2))
     _write(outcome, folder, name)
     return outcome
@@ -132,7 +132,7 @@ def failed(job: Job, folder: Path, name: str, error: str, kind: str, seconds: fl
 def _made(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
     """Make a job's scene; whatever goes wrong with it is written down."""
     own = folder / PLACE / name
-    shutil.rmtree(own, ignore_errors=True)
+    _clear(folder / PLACE, name)
     start = time.perf_counter()
     try:
         made = make(job, own)
@@ -156,14 +156,27 @@ def _made(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
 
 
 def _put_in_place(folder: Path, name: str) -> None:
-    """Put a recorded bundle that lies where it was made among the others."""
+    """Put a recorded bundle that lies where it was made among the others.
+
+    What lies in its place makes way only if the new one has the digest that its name ends with, so
+    that it is the same bundle, damaged.
+    """
     own = folder / PLACE / name
-    facts = _read(folder, name) if own.is_dir() else None
-    bundle = str((facts or {}).get("bundle") or "")
-    if bundle and (own / bundle).is_dir() and not _sound(folder / bundle):
-        shutil.rmtree(folder / bundle, ignore_errors=True)
-        (own / bundle).replace(folder / bundle)
-    shutil.rmtree(own, ignore_errors=True)
+    facts = None if own.is_symlink() or not own.is_dir() else read(folder / PLACE, name)
+    if facts is not None and facts.bundle is not None:
+        made, target = own / facts.bundle, folder / facts.bundle
+        if not made.is_symlink() and _sound(made) and not _sound(target):
+            put_in_place(made, target, lambda: _sound(target))
+    _clear(folder / PLACE, name)
+
+
+def _clear(place: Path, name: str) -> None:
+    """Remove what was left where a job's scene is made; of a link, the link."""
+    own = place / name
+    if own.is_symlink() or own.is_file():
+        remove_file(place, name)
+    else:
+        remove_tree(place, name)
 
 
 def _sound(bundle: Path) -> bool:
@@ -173,16 +186,6 @@ def _sound(bundle: Path) -> bool:
     except BundleError:
         return False
     return True
-
-
-def _read(folder: Path, name: str) -> dict[str, Any] | None:
-    """Return the record of a job, without the job; None if there is none."""
-    known = {f.name for f in dataclasses.fields(Outcome)} - {"job", "state"}
-    try:
-        told = json.loads((folder / PLACE / f"{name}.json").read_bytes())
-        return {k: v for k, v in told.items() if k in known}
-    except (OSError, ValueError, AttributeError):
-        return None
 
 
 def _figures(report: Mapping[str, Any]) -> dict[str, float]:

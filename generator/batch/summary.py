@@ -50,12 +50,11 @@ class Summary:
         Lengths are in millimetres, angles in degrees; ``objects`` and ``left_out`` are counts.
         """
         rows = [o.gate for o in self.outcomes if o.gate]
+        names = dict.fromkeys(name for row in rows for name in row)
+        columns = {name: [row[name] for row in rows if name in row] for name in names}
         return {
-            name: {
-                "mean": round(float(np.mean([row[name] for row in rows])), 4),
-                "most": float(max(row[name] for row in rows)),
-            }
-            for name in (rows[0] if rows else ())
+            name: {"mean": round(float(np.mean(column)), 4), "most": float(max(column))}
+            for name, column in columns.items()
         }
 
     def facts(self) -> dict[str, Any]:

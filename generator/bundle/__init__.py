@@ -2,6 +2,7 @@
 
 from .folder import MOST_BYTES as MOST_BYTES
 from .folder import SCHEMA as SCHEMA
+from .folder import check as check
 from .folder import check_name as check_name
 from .folder import load as load
 from .folder import load_picture as load_picture
@@ -15,4 +16,8 @@ from .identity import load_digest as load_digest
 from .identity import load_fingerprint as load_fingerprint
 from .identity import load_kinds as load_kinds
 from .identity import load_report as load_report
+from .publishing import discard as discard
+from .publishing import put_in_place as put_in_place
+from .publishing import steady as steady
+from .publishing import sweep as sweep
 from .segments import Segments as Segments

@@ -11,9 +11,7 @@ from __future__ import annotations
 
 import hashlib
 import re
-import shutil
 import stat
-import tempfile
 from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -26,6 +24,7 @@ from ..mjcf import document
 from ..png import encode_png
 from ..scene import Scene
 from .encoding import decode_png, decode_scene, dumps, encode_scene, loads
+from .publishing import publish, steady
 from .segments import PATH as SEGMENTS_PATH
 from .segments import Segments, decode_segments, encode_segments
 
@@ -81,7 +80,8 @@ def save(
     truth = dumps({"schema": SCHEMA, **payload, "files": listed})
     digest = hashlib.sha256(truth).hexdigest()[:12]
     try:
-        return _publish(Path(folder), f"{scene.name}-{digest}", files | {"scene.json": truth})
+        files["scene.json"] = truth
+        return publish(Path(folder), f"{scene.name}-{digest}", files, beside=BESIDE)
     except OSError as error:
         raise StorageError(
             f"The bundle of {scene.name!r} cannot be written to {folder}: "
@@ -89,6 +89,7 @@ def save(
         ) from error
 
 
+@steady
 def load(path: str | Path) -> Scene:
     """Read a bundle back, every file checked against its recorded size and hash.
 
@@ -118,6 +119,7 @@ def load(path: str | Path) -> Scene:
         ) from error
 
 
+@steady
 def load_segments(path: str | Path) -> Segments | None:
     """Read what was found in the bundle's reference picture; None if it keeps nothing of it.
 
@@ -134,6 +136,7 @@ def load_segments(path: str | Path) -> Segments | None:
     return decode_segments(payload["instances"], raw)
 
 
+@steady
 def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | None:
     """Read a picture of a bundle ("reference", "preview", ...), checked; None if it has none.
 
@@ -148,6 +151,7 @@ def load_picture(path: str | Path, stem: str) -> UInt8[np.ndarray, "h w 3"] | No
     return decode_png(_read_listed(folder, name, listed[name]), name)
 
 
+@steady
 def load_pictures(path: str | Path) -> dict[str, bytes]:
     """Read every picture of a bundle as the bytes of its PNG, by stem, checked.
 
@@ -165,13 +169,26 @@ def verify(path: str | Path) -> list[str]:
 
     Files that ``scene.json`` does not list are reported too; loading ignores them.
     """
-    folder = Path(path)
     try:
-        load(folder)
-        load_segments(folder)
-        listed = {*read_truth(folder)["files"], "scene.json"}
+        return check(path)
     except BundleError as error:
         return [str(error)]
+    except OSError as error:
+        return [f"{path} cannot be looked into: {error.strerror or error}."]
+
+
+@steady
+def check(path: str | Path) -> list[str]:
+    """Load everything in a bundle, and return what lies there that ``scene.json`` does not list.
+
+    Raises:
+        MissingError: there is no bundle.
+        BundleError: it is damaged.
+    """
+    folder = Path(path)
+    load(folder)
+    load_segments(folder)
+    listed = {*read_truth(folder)["files"], "scene.json"}
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
     return [
         f"{folder} holds {name}, which scene.json does not list"
@@ -218,30 +235,6 @@ def _checked_stem(stem: str) -> str:
 
 def _fingerprint(content: bytes) -> dict[str, Any]:
     return {"bytes": len(content), "sha256": hashlib.sha256(content).hexdigest()}
-
-
-def _publish(folder: Path, name: str, files: Mapping[str, bytes]) -> Path:
-    """Write ``files`` into a staging folder and rename it to ``folder / name``."""
-    folder.mkdir(parents=True, exist_ok=True)
-    target = folder / name
-    staging = Path(tempfile.mkdtemp(prefix=".staging-", dir=folder))
-    try:
-        for path, content in files.items():
-            place = staging / path
-            place.parent.mkdir(exist_ok=True)
-            place.write_bytes(content)
-        staging.chmod(0o755)
-        if target.exists() and verify(target):
-            target.rename(staging / ".damaged")
-        try:
-            staging.replace(target)
-        except OSError:
-            if verify(target):  # else another writer published the same bytes first
-                raise
-    finally:
-        shutil.rmtree(staging, ignore_errors=True)
-        shutil.rmtree(target / ".damaged", ignore_errors=True)
-    return target
 
 
 # ----------------------------------------------------------------------------------------- reading

@@ -11,6 +11,7 @@ from ..errors import BundleError
 from ..scene import Scene
 from .encoding import dumps, encode_scene
 from .folder import read_truth
+from .publishing import steady
 
 _CONTENT = ("table", "objects", "models")
 
@@ -24,6 +25,7 @@ def digest(scene: Scene) -> str:
     return _digest(encode_scene(scene)[0])
 
 
+@steady
 def load_digest(path: str | Path) -> str:
     """Read what ``digest`` says of the scene of a bundle, without its meshes.
 
@@ -37,6 +39,7 @@ def load_digest(path: str | Path) -> str:
     return _digest(payload)
 
 
+@steady
 def load_fingerprint(path: str | Path) -> str:
     """Return the sha256 of a bundle's ``scene.json``; its first 12 digits end the bundle's name.
 
@@ -46,6 +49,7 @@ def load_fingerprint(path: str | Path) -> str:
     return hashlib.sha256(dumps(read_truth(Path(path)))).hexdigest()
 
 
+@steady
 def load_kinds(path: str | Path) -> list[tuple[str, str]]:
     """Read the category and the label of each object of a bundle, without its meshes.
 
@@ -63,6 +67,7 @@ def load_kinds(path: str | Path) -> list[tuple[str, str]]:
         ) from error
 
 
+@steady
 def load_report(path: str | Path) -> dict[str, Any]:
     """Read the recorded gate of a bundle, field by field, and how many ``objects`` it judged.
 

@@ -7,6 +7,7 @@ import sys
 import tyro
 
 from ..errors import TabletopError, exit_code
+from ..reading import escaped
 from . import batching, cache, editing, evaluating, interrupts, looking, making, models
 
 DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.
@@ -47,7 +48,7 @@ def run(arguments: list[str]) -> int:
             prog="tabletopgen", description=DESCRIPTION, args=arguments, use_underscores=False
         )
     except TabletopError as error:
-        print(f"error: {error}", file=sys.stderr)
+        print(escaped(f"error: {error}"), file=sys.stderr)
         return exit_code(error)
     except KeyboardInterrupt:
         print("interrupted; nothing was published", file=sys.stderr)

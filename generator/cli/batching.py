@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from tyro.conf import Positional
 
 from ..errors import InputError, require_number
+from ..reading import escaped
 from .choosing import USUAL, Chosen, lines_of, roles_of
 from .printing import emit
 
@@ -178,7 +179,7 @@ def _progress(total: int, *, quiet: bool) -> Iterator[Callable[[Outcome, int, in
         def show(outcome: Outcome, done: int, _: int) -> None:
             bar.update(task, completed=done)
             if outcome.state == "failed":
-                console.print(f"failed: {outcome.job.text[:60]!r}: {outcome.error}")
+                console.print(escaped(f"failed: {outcome.job.text[:60]!r}: {outcome.error}"))
 
         yield show
 
@@ -190,23 +191,22 @@ def _print(summary: Summary, out: Path, spent: Mapping[str, Any]) -> None:
     console = Console(file=sys.stdout, highlight=False, markup=False, emoji=False)
     counts = summary.counts()
     left = f", {counts['unpaid']} not paid for" if counts["unpaid"] else ""
-    console.print(
-        f"{out}: {counts['made']} made, {counts['there']} there already, {counts['failed']} failed"
-        + left,
-        soft_wrap=True,
-    )
+    told = f"{counts['made']} made, {counts['there']} there already, {counts['failed']} failed"
+    console.print(escaped(f"{out}: {told}{left}"), soft_wrap=True)
     if spent:
-        told = spent["spent"]
-        most = "" if told["budget"] is None else f" of {told['budget']:g}"
-        unknown = f", and {told['unpriced']} calls of unknown price" if told["unpriced"] else ""
-        console.print(f"  spent in all runs: {told['money']:.4f}{most} {told['currency']}{unknown}")
+        paid = spent["spent"]
+        currency = escaped(paid["currency"])
+        most = "" if paid["budget"] is None else f" of {paid['budget']:g}"
+        unknown = f", and {paid['unpriced']} calls of unknown price" if paid["unpriced"] else ""
+        console.print(f"  spent in all runs: {paid['money']:.4f}{most} {currency}{unknown}")
     for kind, count in summary.kinds().items():
-        console.print(f"  {count} {kind}")
+        console.print(escaped(f"  {count} {kind}"))
     table = Table("gate", "mean", "most")
     for name, figures in summary.gate().items():
-        table.add_row(name, f"{figures['mean']:g}", f"{figures['most']:g}")
+        table.add_row(escaped(name), f"{figures['mean']:g}", f"{figures['most']:g}")
     if table.row_count:
         console.print(table)
     for outcome in (*summary.failures, *summary.unpaid):
         how = "failed" if outcome.state == "failed" else "not made"
-        console.print(f"  {how}: {outcome.job.text[:60]!r}: {outcome.error}", soft_wrap=True)
+        text = escaped(f"  {how}: {outcome.job.text[:60]!r}: {outcome.error}")
+        console.print(text, soft_wrap=True)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import tyro
 from tyro.conf import Positional
 
-from .looking import verify
+from ..reading import escaped
+from . import looking
 from .printing import emit
 from .store import some
 
@@ -38,7 +39,7 @@ def remove(bundles: Positional[tuple[str, ...]], /) -> int:
 
     for path in [p for wanted in some(bundles) for p in assets_cache.find(wanted)]:
         assets_cache.remove(path)
-        print(f"removed {path.name}")
+        print(escaped(f"removed {path.name}"))
     return 0
 
 
@@ -51,4 +52,4 @@ def verify_all(*, json: bool = False) -> int:
     """
     import assets_cache
 
-    return verify(tuple(str(p) for p in assets_cache.entries()), json=json)
+    return looking.verify_all(assets_cache.entries(), json, may_vanish=True)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
+from ..reading import escaped
 from .paying import answering, open_session, scene_key, told
 from .printing import emit
 from .store import find, one, some
@@ -98,9 +99,9 @@ def evaluate(
             f"Col_S {100 * summary.col_s:.1f} %"
         )
         if order:
-            print(f"ranked by {judge}, the best first: {', '.join(order)}")
+            print(f"ranked by {judge}, the best first: {', '.join(map(escaped, order))}")
         if session is not None and (spent := session.account.text(session.prices.currency)):
-            print(spent)
+            print(escaped(spent))
     return 0 if all(e.flawless for _, e in found) else 1
 
 
@@ -160,9 +161,9 @@ def _print(found: list[tuple[str, Evaluation]]) -> None:
 
     console = Console(file=sys.stdout, highlight=False, markup=False, emoji=False)
     for path, evaluation in found:
-        console.print(path, soft_wrap=True)
+        console.print(escaped(path), soft_wrap=True)
         for line in _lines(evaluation.facts()):
-            console.print(f"  {line}", soft_wrap=True)
+            console.print(escaped(f"  {line}"), soft_wrap=True)
         if evaluation.flawless:
             console.print("  no defect found")
             continue
@@ -170,7 +171,7 @@ def _print(found: list[tuple[str, Evaluation]]) -> None:
         for f in evaluation.findings:
             value = "" if f.value is None else f"{f.value:.3g} {f.unit}"
             limit = "" if f.limit is None else f"{f.limit:.3g} {f.unit}"
-            table.add_row(f.name, f.kind, f.text, value, limit, f.evidence)
+            table.add_row(escaped(f.name), f.kind, escaped(f.text), value, limit, f.evidence)
         console.print(table)
 
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
 from tyro import conf
 from tyro.conf import Positional
 
-from ..errors import BundleError, InputError, SceneError
+from ..errors import BundleError, InputError, MissingError, SceneError
 from .printing import emit, print_scene
 from .store import find, one, some
 
@@ -36,17 +36,26 @@ def verify(bundles: Positional[tuple[str, ...]], /, *, json: bool = False) -> in
         bundles: Names, digests, globs or paths.
         json: Print one JSON object instead of lines.
     """
+    return verify_all([p for wanted in some(bundles) for p in find(wanted)], json)
+
+
+def verify_all(paths: Iterable[Path], json: bool, *, may_vanish: bool = False) -> int:
+    """Verify bundles; return the exit code.
+
+    ``may_vanish``: one that another process removes meanwhile is left out, not unsound.
+    """
     from ..bundle import load, load_segments
     from ..physics.gate import judge
 
     results = {}
-    for path in [p for wanted in some(bundles) for p in find(wanted)]:
+    for path in paths:
         try:
             load_segments(path)
             report = judge(load(path))
             results[path.name] = list(report.failures)
         except (BundleError, SceneError) as error:
-            results[path.name] = [str(error)]
+            if not (may_vanish and isinstance(error, MissingError)):
+                results[path.name] = [str(error)]
     emit(results, json, lambda: [f"{n}: {'; '.join(f) or 'sound'}" for n, f in results.items()])
     return 1 if any(results.values()) else 0
 

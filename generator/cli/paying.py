@@ -11,8 +11,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..errors import DryRunError
+from ..errors import DryRunError, InputError
 from ..provenance import plain
+from ..reading import escaped, read_regular
 from .choosing import Roles, lines_of
 
 if TYPE_CHECKING:
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 VARIABLE = "TABLETOPGEN_CALLS"
 """Environment variable naming the folder where answers of servers are kept."""
+
+_MOST_BYTES = 2**30  # of a file that decides a scene
 
 
 def calls_folder(calls: Path | None) -> Path:
@@ -55,8 +58,9 @@ def scene_key(*decisive: Any) -> str:
 
 def _content(path: Path) -> str:
     try:
-        return hashlib.sha256(path.read_bytes()).hexdigest()
-    except OSError:  # who needs it tells of it
+        content = read_regular(path, "The file", InputError, max_bytes=_MOST_BYTES)
+        return hashlib.sha256(content).hexdigest()
+    except InputError:  # who needs it tells of it
         return str(path)
 
 
@@ -79,8 +83,8 @@ def answering(session: Session, scene: str) -> Iterator[None]:
         session.stop.set()
         spent = session.account.text(session.prices.currency)
         if spent and not isinstance(error, DryRunError):
-            print(f"{spent}\nWhat was answered is kept; {spending.path} says what was spent.",
-                  file=sys.stderr)  # fmt: skip
+            told = f"{spent}\nWhat was answered is kept; {spending.path} says what was spent."
+            print(escaped(told), file=sys.stderr)
         raise
 
 

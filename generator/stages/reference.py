@@ -14,6 +14,7 @@ from jaxtyping import Float, UInt8
 
 from ..backends.protocols import Imager, Reasoner
 from ..errors import InputError
+from ..reading import read_regular
 from ..scene import Intrinsics, Reference, ScenePlan
 
 if TYPE_CHECKING:
@@ -298,18 +299,7 @@ def _read_bytes(
             f"{type(source).__name__}."
         )
     else:
-        path = Path(source)
-        if not path.is_file():
-            raise InputError(
-                f"No {what} at {str(path)!r}."
-                + (" Pass a text, or a path to a file." if what == "picture" else "")
-            )
-        if path.stat().st_size > config.max_bytes:
-            raise InputError(f"The {what} file is larger than {config.max_bytes:,} bytes.")
-        try:
-            data = path.read_bytes()
-        except OSError as error:
-            raise InputError(f"Cannot read {str(path)!r}: {error.strerror}.") from error
+        data = read_regular(source, f"The {what}", InputError, max_bytes=config.max_bytes)
     if not data or len(data) > config.max_bytes:
         raise InputError(f"A {what} needs 1 to {config.max_bytes:,} bytes, got {len(data):,}.")
     return data

@@ -75,7 +75,7 @@ def test_an_interrupted_batch_says_that_what_is_made_is_kept(
 @pytest.mark.parametrize(
     ("args", "code", "words"),
     [
-        (("no-such.txt",), 2, "no file of prompts"),
+        (("no-such.txt",), 2, "No such file"),
         (("prompts.txt", "--backend", "embeded"), 3, "Did you mean 'embedded'"),
         (("prompts.txt", "--encoder", "cloud"), 3, "nobody answers features"),
         (("prompts.txt", "--route", "compose", "--imager", "cloud"), 2, "asks nobody"),

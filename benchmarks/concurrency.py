@@ -1,0 +1,206 @@
+"""Bundles are published or absent: savers, removers and readers at one store, and what they met.
+
+    python benchmarks/concurrency.py --seconds 60
+
+Five processes save the same two scenes over and over, two remove what they find, one lists and
+loads, one verifies; another one saves and is killed at random (SIGKILL), and what it leaves is made
+to look old, so that others remove it. Each counts what it did. What must not happen is counted as
+broken: a save, or a removal, that fails; a reader that meets anything but a whole bundle or none; a
+staging folder that is left in the end. Writes the table to ``concurrency.md``; the exit code is 1
+if anything was broken.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import json
+import multiprocessing
+import os
+import random
+import tempfile
+import time
+import traceback
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+
+from posing import tables
+
+import assets_cache
+from generator.bundle import load, save, verify
+from generator.errors import MissingError
+from generator.scene import Scene
+
+HERE = Path(__file__).parent
+CREW = {"save": 5, "remove": 2, "list": 1, "verify": 1}
+Step = Callable[[Path, Sequence[Scene], random.Random], str]
+
+
+def do_save(store: Path, scenes: Sequence[Scene], rng: random.Random) -> str:
+    """Save one of the scenes."""
+    save(rng.choice(scenes), store)
+    return "saved"
+
+
+def do_remove(store: Path, scenes: Sequence[Scene], rng: random.Random) -> str:
+    """Remove a bundle; another process may be faster."""
+    time.sleep(rng.uniform(0, 0.08))
+    names = sorted(p.name for p in store.iterdir() if not p.name.startswith("."))
+    if not names:
+        return _wait()
+    try:
+        assets_cache.remove(store / rng.choice(names), store)
+    except MissingError:
+        return "was removed already"
+    return "removed"
+
+
+def do_list(store: Path, scenes: Sequence[Scene], rng: random.Random) -> str:
+    """List the store and load a bundle of it."""
+    found = [p for p in assets_cache.entries(store) if p.parent == store]
+    if not found:
+        return _wait()
+    try:
+        load(rng.choice(found))
+    except MissingError:
+        return "was removed meanwhile"
+    return "loaded whole"
+
+
+def do_verify(store: Path, scenes: Sequence[Scene], rng: random.Random) -> str:
+    """Verify one bundle by its path, whether it is there or not, and all of the store's."""
+    found = list(store.glob("[!.]*"))
+    if not found:
+        return _wait()
+    reasons = [r for p in found for r in verify(p)]
+    wrong = [r for r in reasons if not r.startswith("There is no bundle")]
+    if wrong:
+        raise AssertionError("; ".join(wrong))
+    return "removed meanwhile" if reasons else "sound"
+
+
+def _wait() -> str:
+    time.sleep(0.002)
+    return "nothing there"
+
+
+STEPS: dict[str, Step] = {
+    "save": do_save, "remove": do_remove, "list": do_list, "verify": do_verify,
+}  # fmt: skip
+
+
+def work(kind: str, seed: int, store: Path, scenes: Sequence[Scene], end: float, log: Path) -> None:
+    """Repeat a step until ``end``; write down how often it did what, and how it failed."""
+    rng, counts, broken = random.Random(seed), Counter[str](), list[str]()
+    while time.monotonic() < end:
+        try:
+            counts[STEPS[kind](store, scenes, rng)] += 1
+        except Exception:
+            broken.append(traceback.format_exc(limit=-4))
+    log.write_text(json.dumps({"kind": kind, "counts": counts, "broken": broken}))
+
+
+def kill_savers(store: Path, scenes: Sequence[Scene], end: float, log: Path) -> Counter[str]:
+    """Start savers and kill them, until ``end``; return what became of them."""
+    context, rng, counts = multiprocessing.get_context("fork"), random.Random(99), Counter[str]()
+    while time.monotonic() < end:
+        args = ("save", rng.randrange(2**30), store, scenes, end, log / "killed.json")
+        saver = context.Process(target=work, args=args, daemon=True)
+        saver.start()
+        time.sleep(rng.uniform(0.05, 0.6))
+        saver.kill()
+        saver.join()
+        counts["killed"] += 1
+        counts["staging folders made to look old"] += age(store)
+    return counts
+
+
+def age(store: Path) -> int:
+    """Make all staging folders look an hour old, those in use too; return how many."""
+    past, count = time.time() - 3600, 0
+    for staging in store.glob(".staging-*"):
+        with contextlib.suppress(OSError):
+            os.utime(staging, (past, past))
+            count += 1
+    return count
+
+
+def race(store: Path, seconds: float) -> tuple[dict[str, Counter[str]], list[str]]:
+    """Let all work at once; return what each kind did how often, and what was broken."""
+    context = multiprocessing.get_context("fork")
+    shipped = sorted(assets_cache.find("starter"), key=lambda p: (p / "scene.json").stat().st_size)
+    scenes = [only_first(load(path)) for path in shipped[:2]]
+    expected = {save(scene, store).name for scene in scenes}
+    counts, broken = {kind: Counter[str]() for kind in CREW}, list[str]()
+    with tempfile.TemporaryDirectory(prefix="tabletopgen-race-") as folder:
+        log, end = Path(folder), time.monotonic() + seconds
+        crew = [
+            context.Process(
+                target=work, args=(kind, n, store, scenes, end, log / f"{kind}_{n}.json"),
+                daemon=True,
+            )
+            for kind, number in CREW.items() for n in range(number)
+        ]  # fmt: skip
+        for process in crew:
+            process.start()
+        counts["kill"] = kill_savers(store, scenes, end, log)
+        broken += [f"process {p.name} ended with {p.exitcode}" for p in _late(crew)]
+        for told in (json.loads(path.read_bytes()) for path in log.glob("*_*.json")):
+            counts[told["kind"]].update(told["counts"])
+            broken += [f"{told['kind']}: {text}" for text in told["broken"]]
+    age(store)
+    for scene in scenes:
+        save(scene, store)
+    left = {p.name for p in store.iterdir()} ^ expected
+    broken += [f"left behind or missing in the end: {name}" for name in sorted(left)]
+    return counts, broken
+
+
+def only_first(scene: Scene) -> Scene:
+    """Return a scene with one object, which is saved and read in no time."""
+    first = next(o for o in scene.objects if o.placement.on == "table")
+    return scene.replace(objects=(first,))
+
+
+def _late(
+    crew: Sequence[multiprocessing.process.BaseProcess],
+) -> Iterator[multiprocessing.process.BaseProcess]:
+    """Wait for processes; yield those that did not end well."""
+    for process in crew:
+        process.join(60)
+        if process.exitcode != 0:
+            process.kill()
+            yield process
+
+
+def table(counts: dict[str, Counter[str]], broken: Sequence[str], head: str) -> str:
+    """Return the counts as Markdown."""
+    rows = [
+        f"| {kind} | {CREW.get(kind, 1)} | {what} | {count} |"
+        for kind, told in counts.items()
+        for what, count in told.most_common()
+    ]
+    titles = "| process | how many | what came of it | times |"
+    lines = [head, "", titles, "|---|---|---|---|", *rows, "", f"Broken: {len(broken)}.", ""]
+    return "\n".join([*lines, *(f"- {text}" for text in broken[:10])])
+
+
+def main() -> int:
+    """Run the race, print and write the table; 1 if anything was broken."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--seconds", type=float, default=60.0)
+    parser.add_argument("--out", type=Path, default=HERE / "results")
+    args = parser.parse_args()
+
+    with tempfile.TemporaryDirectory(prefix="tabletopgen-store-") as store:
+        counts, broken = race(Path(store), args.seconds)
+    text = table(counts, broken, f"`{tables.command_line('--out')}`, {tables.where()}.")
+    args.out.mkdir(parents=True, exist_ok=True)
+    (args.out / "concurrency.md").write_text(text, encoding="utf-8")
+    print(text)
+    return 1 if broken else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

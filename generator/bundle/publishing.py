@@ -1,0 +1,242 @@
+"""Folders that are published or absent, whoever saves, removes and reads them at the same time.
+
+A bundle is built in a staging folder beside its place and put there by one rename; it is taken away
+by one rename, too, and deleted afterwards. Savers and removers therefore need no lock. A staging
+folder is locked by the process that made it, so the rest of a process that died is recognised, and
+removed by the next that saves or removes something in the same place.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import fcntl
+import functools
+import os
+import re
+import tempfile
+import time
+from collections.abc import Callable, Collection, Iterator, Mapping
+from pathlib import Path
+from typing import Concatenate, ParamSpec, TypeVar
+
+from ..errors import BundleError, MissingError, StorageError
+from ..files import remove_tree
+
+STAGING = ".staging-"
+"""How the names of staging folders begin."""
+
+STALE = 60.0
+"""Seconds after which a staging folder that nobody locks is removed."""
+
+_RANDOM = re.compile(re.escape(STAGING) + r"[a-z0-9_]{8}")  # as ``tempfile.mkdtemp`` names it
+_TRIES = 200  # more than any number of processes at one bundle needs
+_OCCUPIED = frozenset({errno.ENOTEMPTY, errno.EEXIST, errno.ENOTDIR})
+_ABSENT = frozenset({errno.ENOENT, errno.ENOTDIR})
+
+P = ParamSpec("P")
+R = TypeVar("R")
+Reader = Callable[Concatenate[str | Path, P], R]
+
+
+def publish(
+    folder: Path, name: str, files: Mapping[str, bytes], *, beside: Collection[str] = ()
+) -> Path:
+    """Publish files as ``folder / name``, all at once; return that path.
+
+    What is there already stays if it holds the same, and makes way otherwise.
+
+    Args:
+        folder: made if missing.
+        name: plain name of the new folder.
+        files: contents by path within it, of at most two parts.
+        beside: other files that may lie in it.
+
+    Raises:
+        OSError: the folder cannot be written, or the disk is full.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    target = folder / name
+    if _holds(target, files, beside):
+        return target
+    with staging_in(folder) as staging:
+        for path, content in files.items():
+            place = staging / path
+            place.parent.mkdir(exist_ok=True)
+            place.write_bytes(content)
+        staging.chmod(0o755)
+        put_in_place(staging, target, lambda: _holds(target, files, beside))
+    return target
+
+
+def put_in_place(source: Path, target: Path, is_fine: Callable[[], bool]) -> None:
+    """Rename a folder to ``target``; what lies there stays if ``is_fine`` says so.
+
+    Otherwise it makes way, a link itself and not what it leads to.
+
+    Raises:
+        OSError: the folder cannot be written.
+    """
+    for _ in range(_TRIES):
+        try:
+            source.replace(target)
+        except OSError as error:
+            if error.errno not in _OCCUPIED:
+                raise
+        else:
+            return
+        if is_fine():  # another process published it first
+            return
+        discard(target)
+    raise StorageError(errno.EBUSY, "Others put something else in its place over and over")
+
+
+def discard(path: Path) -> bool:
+    """Remove a bundle so that no reader meets half of it; return False if it is gone already.
+
+    Raises:
+        OSError: it cannot be removed.
+    """
+    with staging_in(path.parent) as grave:
+        try:
+            path.rename(grave / path.name)
+        except FileNotFoundError:
+            return False
+    return True
+
+
+@contextlib.contextmanager
+def staging_in(folder: Path) -> Iterator[Path]:
+    """Yield a new folder in ``folder`` that in the end is removed, unless it was renamed.
+
+    Raises:
+        OSError: it cannot be made or removed.
+    """
+    sweep(folder)
+    staging, lock = _make_staging(folder)
+    try:
+        yield staging
+    finally:
+        try:
+            if _is_at(staging, lock):
+                remove_tree(folder, staging.name)
+        finally:
+            os.close(lock)
+
+
+def sweep(folder: Path) -> None:
+    """Remove the staging folders that dead processes left in ``folder``, as far as that works."""
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        left = [entry.name for entry in entries if _RANDOM.fullmatch(entry.name)]
+        for name in left:
+            with contextlib.suppress(OSError):
+                _remove_if_stale(folder, name)
+
+
+def steady(read: Reader[P, R]) -> Reader[P, R]:
+    """Make a reader of bundles that meets whole bundles only: repeat it if one was replaced.
+
+    ``read`` takes the bundle's path first, and raises BundleError or OSError where something in it
+    is missing. If the bundle was removed meanwhile, that is a MissingError instead.
+    """
+
+    @functools.wraps(read)
+    def reading(path: str | Path, *args: P.args, **kwargs: P.kwargs) -> R:
+        for _ in range(_TRIES):
+            with _opened(Path(path)) as opened:
+                try:
+                    return read(path, *args, **kwargs)
+                except (BundleError, OSError):
+                    if opened is None or _is_at(Path(path), opened):
+                        raise
+        raise BundleError(f"{path} was replaced over and over while it was read. Try again.")
+
+    return reading
+
+
+def _holds(target: Path, files: Mapping[str, bytes], beside: Collection[str]) -> bool:
+    """Tell whether a folder holds exactly these plain files, and maybe some of ``beside``."""
+    found: set[str] = set()
+    try:
+        for place, folders, names in os.walk(target):
+            if any(Path(place, folder).is_symlink() for folder in folders):
+                return False
+            found |= {Path(place, name).relative_to(target).as_posix() for name in names}
+        if found - set(beside) != set(files):
+            return False
+        return all(_content(target / path, len(files[path])) == files[path] for path in files)
+    except OSError:  # it is being removed
+        return False
+
+
+def _content(path: Path, size: int) -> bytes | None:
+    """Return the content of a plain file of that size; None if it is something else."""
+    descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+    with os.fdopen(descriptor, "rb") as file:
+        return file.read() if os.fstat(descriptor).st_size == size else None
+
+
+def _make_staging(folder: Path) -> tuple[Path, int]:
+    """Return a new staging folder, and the descriptor by which it is locked."""
+    for _ in range(_TRIES):
+        staging = Path(tempfile.mkdtemp(prefix=STAGING, dir=folder))
+        try:
+            lock = os.open(staging, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+        except FileNotFoundError:  # removed by one whose clock is far ahead
+            continue
+        if _lock(lock) and _is_at(staging, lock):
+            return staging, lock
+        os.close(lock)
+    raise StorageError(errno.EBUSY, f"Staging folders in {folder} vanish; see who removes them")
+
+
+def _lock(descriptor: int) -> bool:
+    """Lock a new folder, unless it is about to be removed by one whose clock is far ahead."""
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        return False
+    except OSError:  # a file system without locks: there it never counts as stale
+        return True
+    return True
+
+
+def _remove_if_stale(folder: Path, name: str) -> None:
+    flags = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
+    lock = os.open(folder / name, flags)
+    try:
+        if time.time() - os.fstat(lock).st_mtime > STALE:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            remove_tree(folder, name)
+    finally:
+        os.close(lock)
+
+
+@contextlib.contextmanager
+def _opened(path: Path) -> Iterator[int | None]:
+    """Yield a descriptor of a folder: as long as it is open, no other has the same number.
+
+    None where it cannot be opened for another reason than that it is not there.
+
+    Raises:
+        MissingError: there is no such folder.
+    """
+    try:
+        descriptor = os.open(path, os.O_PATH | os.O_DIRECTORY | os.O_CLOEXEC)
+    except (OSError, ValueError) as error:
+        if isinstance(error, ValueError) or error.errno in _ABSENT:
+            raise MissingError(f"There is no bundle at {path}.") from error
+        descriptor = None
+    try:
+        yield descriptor
+    finally:
+        if descriptor is not None:
+            os.close(descriptor)
+
+
+def _is_at(path: Path, descriptor: int) -> bool:
+    """Tell whether an opened folder still is what lies at ``path``."""
+    try:
+        return os.path.samestat(path.stat(), os.fstat(descriptor))
+    except OSError:
+        return False
