@@ -15,7 +15,8 @@ import numpy as np
 from toy import toy_object, toy_scene
 
 from generator.bundle import load, load_picture, load_pictures, load_segments, save, verify
-from generator.bundle.encoding import decode_scene, dumps
+from generator.bundle.decoding import decode_scene
+from generator.bundle.encoding import dumps
 from generator.bundle.segments import Segments
 from generator.errors import BundleError
 from generator.mjcf import compiled, document, scene_spec
@@ -181,7 +182,8 @@ def _put(
 def _xml_of(payload: Payload, files: Files) -> bytes | None:
     """Return the XML of the values, as whoever forges a bundle can make it by our own code."""
     try:
-        return document(decode_scene(payload, files.__getitem__)).xml.encode()
+        decoded = decode_scene(payload, files.__getitem__)
+        return document(decoded.scene, paths=decoded.paths).xml.encode()
     except Exception:  # no values of a scene: then it does not matter what the XML says
         return None
 

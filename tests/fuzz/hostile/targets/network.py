@@ -283,7 +283,7 @@ def addresses(rng: random.Random, folder: Path) -> Run:
     """Addresses of servers as users and environments name them."""
     address = rng.choice((*_ADDRESSES, *TEXTS, "http://127.0.0.1:1", "https://127.0.0.1:1/v1"))
     if rng.random() < 0.3:
-        address = mutate("http://127.0.0.1:1/v1", rng)
+        address = str(mutate("http://127.0.0.1:1/v1", rng))
     shared = session(folder, rng)
 
     def cloud() -> None:

@@ -13,7 +13,7 @@ from PIL import Image
 
 from generator.backends.cloud.pictures import NotAPicture, decoded
 from generator.backends.modelers.inspection import check_pictures
-from generator.bundle.encoding import decode_png
+from generator.bundle.contents import decode_png
 from generator.bundle.segments import decode_segments
 from generator.scene import Intrinsics
 from generator.stages.reference import read_image, refer
