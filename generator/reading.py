@@ -63,13 +63,16 @@ def parse_json(
     """
     try:
         data = raw.encode() if isinstance(raw, str) else bytes(raw)
-        if len(data) > max_bytes:
-            raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
-        bare = _STRING.sub(b"", data)
-        if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > MAX_VALUES:
-            raise error(f"{what} holds more than the {MAX_VALUES} values that are read.")
-        if _depth(bare) > max_depth:
-            raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
+    except ValueError as failure:
+        raise _not_json(what, error, failure) from failure
+    if len(data) > max_bytes:
+        raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
+    bare = _STRING.sub(b"", data)
+    if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > MAX_VALUES:
+        raise error(f"{what} holds more than the {MAX_VALUES} values that are read.")
+    if _depth(bare) > max_depth:
+        raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
+    try:
         payload = json.loads(
             data.decode("utf-8-sig"),
             parse_constant=_not_finite,
@@ -79,8 +82,7 @@ def parse_json(
         if rb"\u" in data:  # an escape may spell half a surrogate pair, which is no text
             json.dumps(payload, ensure_ascii=False).encode()
     except (ValueError, RecursionError) as failure:
-        reason = str(failure)[:200] or type(failure).__name__
-        raise error(f"{what} is not valid JSON ({reason}).") from failure
+        raise _not_json(what, error, failure) from failure
     return payload
 
 
@@ -190,6 +192,11 @@ def escaped(text: str) -> str:
 def _read(descriptor: int, count: int) -> bytes:
     with open(descriptor, "rb", closefd=False) as file:
         return file.read(count)
+
+
+def _not_json(what: str, error: type[TabletopError], failure: Exception) -> TabletopError:
+    reason = str(failure)[:200] or type(failure).__name__
+    return error(f"{what} is not valid JSON ({reason}).")
 
 
 def _depth(bare: bytes) -> int:

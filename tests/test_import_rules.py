@@ -136,6 +136,8 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         "generator.evaluation",
         (
             *VALUES,
+            "generator.backends.modelers.flattening",
+            "generator.backends.modelers.inspection",
             "generator.backends.protocols",
             "generator.bundle",
             "generator.catalogue",

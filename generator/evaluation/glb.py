@@ -10,7 +10,9 @@ import trimesh
 from jaxtyping import Float, Int, UInt8
 from PIL import Image
 
-from ..errors import InputError
+from ..backends.modelers.flattening import flattened
+from ..backends.modelers.inspection import inspect_glb
+from ..errors import BackendError, InputError
 from ..scene import Mesh
 
 MOST_FACES = 400_000
@@ -36,7 +38,11 @@ def read_glb(raw: bytes, what: str) -> Mesh:
     if raw[:4] != b"glTF":
         raise InputError(f"{what} is not a GLB file. Save each object as binary glTF.")
     try:
-        loaded = trimesh.load_scene(io.BytesIO(raw), file_type="glb")
+        plain = flattened(raw, inspect_glb(raw, what, MOST_FACES))
+    except BackendError as error:
+        raise InputError(str(error)) from error
+    try:
+        loaded = trimesh.load_scene(io.BytesIO(plain), file_type="glb")
         parts = [g for g in loaded.dump() if isinstance(g, trimesh.Trimesh) and len(g.faces)]
     except Exception as error:  # whatever a parser may stumble over in a foreign file
         raise InputError(
@@ -46,8 +52,12 @@ def read_glb(raw: bytes, what: str) -> Mesh:
     if not 0 < count <= MOST_FACES:
         raise InputError(f"{what} has {count} triangles; 1 to {MOST_FACES} are read.")
     for part in parts:
+        if part.vertices.shape[1:] != (3,) or part.faces.shape[1:] != (3,):
+            raise InputError(f"{what} is damaged: its vertices are no points in space.")
         if not np.isfinite(part.vertices).all():
             raise InputError(f"{what} holds NaN or infinity; every vertex must be finite.")
+        if not 0 <= part.faces.min() <= part.faces.max() < len(part.vertices):
+            raise InputError(f"{what} is damaged: faces name vertices that are not there.")
     if len(parts) > 1 or _image(parts[0]) is None:
         return _colored(parts)
     try:

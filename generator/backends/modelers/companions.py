@@ -59,7 +59,7 @@ def _read(name: str, what: str, folder: Path | None, most: int) -> bytes:
     try:
         inside = "://" not in name and (home / name).resolve().is_relative_to(home)
         there = (home / name).is_file()
-    except (OSError, ValueError):  # no name that a file could have
+    except (OSError, ValueError, RuntimeError):  # no name of a file, or a link to itself
         inside = there = False
     if not inside:
         raise BackendError(

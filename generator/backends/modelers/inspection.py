@@ -6,6 +6,7 @@ import base64
 import binascii
 import hashlib
 import io
+import re
 import struct
 from collections import Counter
 from collections.abc import Iterable
@@ -43,6 +44,8 @@ from .flattening import (
 )
 
 _FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TGA")  # of a texture; others' readers are many
+_LONG_LINE = re.compile(rb"^[^\n]{%d}" % (MOST_LINE + 1), re.MULTILINE)
+_FACE = re.compile(rb"\nf[^\n]*+")
 _SCANS = 100  # of a JPEG; each goes over all of the picture, and takes next to no bytes
 _MOST = {
     "nodes": MOST_NODES, "meshes": MOST_MESHES, "materials": MOST_MATERIALS,
@@ -100,9 +103,7 @@ def inspect_glb(
 
 
 def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
-    """Check that an OBJ file is text with faces, and not too many.
-
-    Faces of more than three corners are counted once here, and as triangles when they are read.
+    """Check that an OBJ file is text with faces, and not too many: of each face its triangles.
 
     Raises:
         BackendError: it is none, or too large.
@@ -114,9 +115,11 @@ def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
     count = text.count(b"\nf")
     if not 0 < count <= most_faces:
         raise BackendError(f"{what} has {count} faces; 1 to {most_faces} are read.")
-    count = text.count(b"\nv ") + text.count(b"\nv\t")
-    if count > 3 * most_faces:
-        raise BackendError(f"{what} has {count} vertices; at most {3 * most_faces} are read.")
+    for kind in (b"v", b"vt", b"vn"):
+        count = text.count(b"\n" + kind + b" ") + text.count(b"\n" + kind + b"\t")
+        if count > 3 * most_faces:
+            name = "vertices" if kind == b"v" else f"lines {kind.decode()!r}"
+            raise BackendError(f"{what} has {count} {name}; at most {3 * most_faces} are read.")
     count = text.count(b"usemtl") + text.count(b"\no") + text.count(b"\ng")
     if count > MOST_GROUPS:
         raise BackendError(
@@ -124,6 +127,9 @@ def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
             "read. Sort its faces by material."
         )
     check_lines(text, what)
+    count = sum(max(len(face[0].split()) - 3, 0) for face in _FACE.finditer(text))
+    if count > most_faces:
+        raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are read.")
 
 
 def check_lines(text: bytes, what: str) -> None:
@@ -132,9 +138,8 @@ def check_lines(text: bytes, what: str) -> None:
     Raises:
         BackendError: one is.
     """
-    longest = max(map(len, text.split(b"\n")))
-    if longest > MOST_LINE:
-        raise BackendError(f"{what} has a line of {longest} bytes; at most {MOST_LINE} are read.")
+    if _LONG_LINE.search(text):
+        raise BackendError(f"{what} has a line of more than the {MOST_LINE} bytes that are read.")
 
 
 def check_pictures(pictures: Iterable[bytes], most: int = MOST_TEXELS_TOGETHER) -> str | None:

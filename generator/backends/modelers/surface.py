@@ -149,6 +149,8 @@ def surface_of(
     if count > most_faces:
         raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are read.")
     for part in parts:
+        if part.vertices.shape[1:] != (3,) or part.faces.shape[1:] != (3,):
+            raise BackendError(f"{what} is damaged: its vertices are no points in space.")
         if not np.isfinite(np.asarray(part.vertices, np.float32)).all():
             raise BackendError(f"{what} holds NaN or infinity; every vertex must be finite.")
         faces = np.asarray(part.faces)
