@@ -184,6 +184,16 @@ def printable(
     return text
 
 
+def is_number(value: object, *, least: float = 0.0, most: float = 1e12) -> bool:
+    """Return whether a value of a foreign JSON text is a number in a range; ``true`` is none."""
+    return type(value) in (int, float) and least <= value <= most  # type: ignore[operator]
+
+
+def is_count(value: object, *, most: float = 1e12) -> bool:
+    """Return whether a value of a foreign JSON text is an integer from 0 to ``most``."""
+    return type(value) is int and is_number(value, most=most)
+
+
 def escaped(text: str) -> str:
     """Return a text that may be foreign as a terminal can show it: its lines, no controls."""
     return "".join(c if c.isprintable() or c == "\n" else repr(c)[1:-1] for c in text)

@@ -11,11 +11,10 @@ from typing import Any
 
 from ..errors import StorageError
 from ..files import is_plain_name
-from ..reading import parse_object, read_regular
+from ..reading import is_number, parse_object, read_regular
 
 _MOST_BYTES = 2**20  # of a record; the error in it may be long
 _BUNDLE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*-[0-9a-f]{12}")  # as ``bundle.save`` names them
-_MOST = 1e9  # of a figure
 
 
 @dataclass(frozen=True)
@@ -53,13 +52,8 @@ def _is_sound(facts: Facts) -> bool:
     named = facts.bundle is None or (
         is_plain_name(facts.bundle) and _BUNDLE.fullmatch(facts.bundle) is not None
     )
-    return texts and named and _is_number(facts.seconds)
+    return texts and named and is_number(facts.seconds)
 
 
 def _are_figures(gate: Any) -> bool:
-    return isinstance(gate, dict) and all(map(_is_number, gate.values()))
-
-
-def _is_number(value: Any) -> bool:
-    number = isinstance(value, int | float) and not isinstance(value, bool)
-    return number and 0 <= value <= _MOST
+    return isinstance(gate, dict) and all(is_number(v, least=-1e12) for v in gate.values())

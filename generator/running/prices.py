@@ -12,10 +12,13 @@ from types import MappingProxyType
 from typing import Any
 
 from ..errors import InputError, choices, require, require_number
+from ..reading import printable, read_regular
 
 _DATED = re.compile(r"-(?:\d{4}-\d\d-\d\d|\d{6,8})$")
 _PORT = re.compile(r":\d+$")
+_MOST_BYTES = 2**20  # of a table
 _MILLION = 1e6
+_MOST = 1e12  # of a price
 _SHIPPED = Path(__file__).with_name("prices.toml")
 
 
@@ -75,9 +78,12 @@ class Prices:
             InputError: the file cannot be read, or says something that is not a price.
         """
         try:
-            table = tomllib.loads(Path(path).read_text(encoding="utf-8"))
-        except (OSError, ValueError) as error:
-            raise InputError(f"The price table {path} cannot be read: {error}.") from error
+            raw = read_regular(path, "The price table", InputError, max_bytes=_MOST_BYTES)
+            table = tomllib.loads(raw.decode())
+        except InputError:
+            raise
+        except (ValueError, RecursionError) as error:
+            raise InputError(f"The price table {path} cannot be read: {error!s:.200}.") from error
         known = [f.name for f in dataclasses.fields(cls)]
         for name in table:
             if name not in known:
@@ -86,7 +92,8 @@ class Prices:
         if not isinstance(models, dict):
             raise InputError(f'{path}: models is a table of [models."name"].')
         priced = {name: _price(f"{path}: {name}", entry) for name, entry in models.items()}
-        date, currency = str(table.get("date", "")), str(table.get("currency", "USD"))
+        date = printable(str(table.get("date", "")), f"{path}: the date", InputError)
+        currency = printable(table.get("currency", "USD"), f"{path}: the currency", InputError)
         return cls(date, currency, MappingProxyType(priced))
 
     def price(self, model: str, server: str = "") -> Price | None:
@@ -106,9 +113,9 @@ class Prices:
 def _price(where: str, entry: Any) -> Price:
     known = [f.name for f in dataclasses.fields(Price)]
     if not isinstance(entry, dict):
-        raise InputError(f"{where}: a price is a table of {', '.join(known)}, got {entry!r}.")
+        raise InputError(f"{where}: a price is a table of {', '.join(known)}, got {entry!r:.80}.")
     for name, value in entry.items():
         if name not in known:
             raise InputError(f"{where}: no price {name!r}." + choices(name, known))
-        require_number(f"{where} needs {name}", value, least=0)
+        require_number(f"{where} needs {name}", value, least=0, most=_MOST)
     return Price(**{name: float(value) for name, value in entry.items()})

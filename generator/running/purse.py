@@ -11,20 +11,25 @@ import contextlib
 import dataclasses
 import json
 import math
+import re
 import secrets
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from filelock import FileLock, Timeout
 
 from ..errors import BudgetError, InputError, StorageError
-from ..files import write_whole
+from ..files import remove_file, write_whole
+from ..reading import is_count, is_number, parse_object, printable, read_regular
 
 FILE = "spent.json"
 """Where a purse's folder keeps the sum."""
 
 _SPENDERS = "spenders"
+_NAME = re.compile(r"[0-9a-f]{16}")  # of a spender, see ``Purse.spending``
+_MOST_BYTES = 2**20  # of the file
 _PATIENCE = 60.0  # seconds: nobody holds the sum for long
 
 
@@ -91,17 +96,14 @@ class Purse:
             StorageError: here the folder is not the one that the purse was opened in.
         """
         name = secrets.token_hex(8)
-        path = self._life(name)
+        spenders = self.folder / _SPENDERS
         with self._changing():
-            path.parent.mkdir(exist_ok=True)
+            spenders.mkdir(exist_ok=True)
         try:
-            with FileLock(path, thread_local=False):
+            with FileLock(spenders / _life(name), thread_local=False):
                 yield Spender(self, name)
         finally:
-            path.unlink(missing_ok=True)
-
-    def _life(self, name: str) -> Path:
-        return self.folder / _SPENDERS / f"{name}.lock"
+            remove_file(spenders, _life(name))
 
     @contextlib.contextmanager
     def _changing(self, own: str = "") -> Iterator[list[Sum]]:
@@ -125,13 +127,13 @@ class Purse:
 
     def _dead(self, name: str) -> bool:
         """Tell whether nobody holds a spender's lock any more."""
-        life = self._life(name)
+        spenders = self.folder / _SPENDERS
         try:
-            with FileLock(life, timeout=0):
+            with FileLock(spenders / _life(name), timeout=0):
                 pass
         except Timeout:
             return False
-        life.unlink(missing_ok=True)
+        remove_file(spenders, _life(name))
         return True
 
     def _elsewhere(self) -> StorageError:
@@ -202,6 +204,11 @@ class Spender:
             )
 
 
+def _life(name: str) -> str:
+    """Return the name of the file that a spender locks as long as it lives."""
+    return f"{name}.lock"
+
+
 def _buried(known: Sum, name: str) -> Sum:
     """Return the sum with what one spender had set aside spent."""
     rest = {k: v for k, v in known.held.items() if k != name}
@@ -235,19 +242,43 @@ def _read(folder: Path) -> Sum | None:
         StorageError: it cannot be understood; it is never taken for nothing.
     """
     path = folder / FILE
+    if (folder / _SPENDERS).is_symlink():
+        raise StorageError(f"{folder / _SPENDERS} is a link; spenders are kept beside their sum.")
     try:
-        told = Sum(**json.loads(path.read_bytes()))
-        amounts = [told.money, *(a for held in told.held.values() for a in held)]
-        if not all(math.isfinite(a) and a >= 0 for a in amounts):
-            raise ValueError(f"amounts {amounts}")
-    except FileNotFoundError:
-        return None
-    except (ValueError, TypeError, AttributeError) as error:
+        raw = read_regular(path, "What was spent", StorageError, max_bytes=_MOST_BYTES)
+    except StorageError as error:
+        if isinstance(error.__cause__, FileNotFoundError) and not path.is_symlink():
+            return None
+        raise
+    try:
+        return _sum_of(parse_object(raw, "It", StorageError, unique=True))
+    except StorageError as error:
         raise StorageError(
-            f"{path} does not say what was spent ({error}). Mend it: "
+            f"{path} does not say what was spent: {error} Mend it: "
             '{"mark": "any", "currency": "USD", "money": 1.23}.'
         ) from error
-    return told
+
+
+def _sum_of(told: dict[str, Any]) -> Sum:
+    """Return the sum that a file's values say.
+
+    Raises:
+        StorageError: they say none.
+    """
+    known = {f.name for f in dataclasses.fields(Sum)}
+    if not {"mark", "currency"} <= set(told) <= known:
+        raise StorageError(f"It has the values {sorted(told)!r:.200}.")
+    for name in ("mark", "currency"):
+        printable(told[name], f"Its {name}", StorageError, max_length=64)
+    held, unpriced = told.get("held", {}), told.get("unpriced", 0)
+    if not isinstance(held, dict) or not all(isinstance(v, list) for v in held.values()):
+        raise StorageError("Its 'held' has to list the amounts of each spender.")
+    if wrong := [name for name in held if not _NAME.fullmatch(name)]:
+        raise StorageError(f"{wrong[0]!r:.80} is no spender: their names are 16 hex digits.")
+    amounts = [told.get("money", 0.0), *(a for own in held.values() for a in own)]
+    if not (all(map(is_number, amounts)) and is_count(unpriced)):
+        raise StorageError("Its amounts have to be numbers from 0 on.")
+    return Sum(**told)
 
 
 def _write(folder: Path, told: Sum) -> None:

@@ -9,25 +9,27 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import math
 import os
 import secrets
 import time
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from types import MappingProxyType
+from typing import Any, get_args
 
 from filelock import FileLock
 
 from ..errors import InputError, StorageError
 from ..files import make_private
+from ..reading import is_count, is_number, parse_object, read_regular
+from .entries import Entry, Outcome
 from .redaction import redacted
-
-if TYPE_CHECKING:
-    from .entries import Entry
 
 FOLDER = "spending"
 """Where a call store's folder holds these files, one for each scene."""
 
+_MOST_BYTES = 256 * 2**20  # of the file
+_MOST_LINE = 2**20  # bytes
 _PATIENCE = 30.0  # seconds: nobody holds the file for long
 
 
@@ -55,21 +57,21 @@ class Spending:
             InputError: what was spent was in another currency.
         """
         try:
-            lines = self.path.read_bytes().split(b"\n")
-        except (FileNotFoundError, NotADirectoryError):
-            return ()
-        except OSError as error:
+            raw = read_regular(self.path, "The file", StorageError, max_bytes=_MOST_BYTES)
+        except StorageError as error:
+            if isinstance(error.__cause__, FileNotFoundError | NotADirectoryError):
+                return ()
             raise self._refused("read", error) from error
         calls: dict[str, dict[str, Any]] = {}
-        for line in filter(None, lines):
+        for line in filter(None, raw.split(b"\n")):
             told = _told(line)
             if told is None:
                 continue
             calls[told["call"]] = told
             if told["currency"] != self.currency:
                 raise InputError(
-                    f"{self.path} has what this scene's calls cost in {told['currency']}, and the "
-                    f"price table is in {self.currency}. Use one in {told['currency']}."
+                    f"{self.path} has what calls cost in {told['currency']!r:.80}, and "
+                    f"the price table is in {self.currency}. Use one in that."
                 )
         return tuple(calls.values())
 
@@ -105,15 +107,30 @@ class Spending:
 
 
 def _told(line: bytes) -> dict[str, Any] | None:
-    """Return what a line says; None for one that a process died at."""
+    """Return what a line says; None for one that a process died at.
+
+    What else is of the wrong kind is left out, so that the money counts.
+    """
     try:
-        told = json.loads(line)
-        texts = [told[name] for name in ("call", "currency", "server", "question")]
-        money = told["money"]
-    except (ValueError, KeyError, TypeError):
+        told = parse_object(line, "The line", StorageError, max_bytes=_MOST_LINE)
+    except StorageError:
         return None
-    number = money is None or (isinstance(money, int | float) and 0 <= money < math.inf)
-    return told if number and all(isinstance(text, str) for text in texts) else None
+    fine = {name: value for name, value in told.items() if name in _FITS and _FITS[name](value)}
+    return fine if {"call", "currency", "server", "question", "money"} <= set(fine) else None
+
+
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str)
+
+
+_FITS: Mapping[str, Callable[[Any], bool]] = MappingProxyType({
+    **dict.fromkeys(("call", "key", "currency", "server", "question", "model", "at"), _is_text),
+    **dict.fromkeys(("tokens_in", "tokens_out", "images"), is_count),
+    "seconds": is_number,
+    "money": lambda value: value is None or is_number(value),
+    "outcome": lambda value: value in get_args(Outcome),
+})  # fmt: skip
+"""What the values of a line have to be."""
 
 
 def new_call() -> str:
@@ -122,4 +139,4 @@ def new_call() -> str:
 
 
 def _open_private(path: str, flags: int) -> int:
-    return os.open(path, flags, 0o600)
+    return os.open(path, flags | os.O_NOFOLLOW | os.O_NONBLOCK, 0o600)

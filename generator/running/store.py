@@ -12,6 +12,7 @@ import hashlib
 import json
 import os
 import re
+import stat
 import tempfile
 import threading
 import time
@@ -22,7 +23,8 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 from ..errors import StorageError, require_number
-from ..files import make_private
+from ..files import make_private, remove_file
+from ..reading import parse_object, read_regular
 
 MOST_BYTES = 4 * 2**30
 """Size of a store unless its owner says otherwise."""
@@ -31,6 +33,7 @@ _MAGIC = b"tabletopgen call 1"
 _KEY = re.compile(r"[0-9a-f]{64}")
 _PARTIAL = ".partial-"
 _STALE = 3600.0  # seconds: an older unfinished file was left by a process that is gone
+_MOST_HEAD = 2**16  # bytes of what is said of an answer
 _SHARE = 32  # of its size is what a store is filled by between two looks at it
 _POLL = 0.05  # seconds between two looks at a lock
 
@@ -68,16 +71,18 @@ class CallStore:
     def get(self, key: str) -> Answer | None:
         """Return the answer to a question, or None. A damaged one is dropped."""
         path = self._path(key)
-        try:
-            raw = path.read_bytes()
-        except OSError:
+        if not os.path.lexists(path):
             return None
-        answer = _decoded(key, raw)
+        answer = None
+        with contextlib.suppress(StorageError):
+            if not path.is_symlink():
+                raw = read_regular(path, "An answer", StorageError, max_bytes=self.most_bytes)
+                answer = _decoded(key, raw)
         with contextlib.suppress(OSError):
             if answer is None:
-                path.unlink()
+                remove_file(path.parent, key)
             else:
-                os.utime(path)  # the order in which answers go
+                os.utime(path, follow_symlinks=False)  # the order in which answers go
         return answer
 
     def put(self, key: str, answer: Answer) -> None:
@@ -110,7 +115,7 @@ class CallStore:
     def forget(self, key: str) -> None:
         """Drop an answer, if there is one."""
         with contextlib.suppress(OSError):
-            self._path(key).unlink()
+            remove_file(self._path(key).parent, key)
 
     @contextlib.contextmanager
     def holding(self, key: str, check: Callable[[], None] = lambda: None) -> Iterator[None]:
@@ -172,7 +177,7 @@ class CallStore:
         """Remove unfinished files of a question that is held: their writers are gone."""
         path = self._path(key)
         for left in path.parent.glob(f"{_PARTIAL}{path.name}-*"):
-            left.unlink(missing_ok=True)
+            remove_file(left.parent, left.name)
 
     def _make_room(self, newest: Path, size: int) -> None:
         """See to it that all answers fit, now that one of ``size`` bytes is there, too.
@@ -197,20 +202,25 @@ class CallStore:
             if size <= wanted:
                 break
             if entry.path != newest:
-                entry.path.unlink(missing_ok=True)
+                remove_file(entry.path.parent, entry.path.name)
                 size -= entry.bytes
         return size
 
     def _kept(self) -> list[_Kept]:
-        """Return the answers that are there; what dead writers left half done is removed."""
+        """Return the answers that are there; what dead writers left half done is removed.
+
+        What has no answer's name, or is a link or in a linked folder, is somebody else's.
+        """
         kept = []
-        for path in (self.folder / "answers").glob("*/*"):
+        for path in (self.folder / "answers").glob("[0-9a-f][0-9a-f]/*"):
             with contextlib.suppress(OSError):  # another process dropped it
-                status = path.stat()
-                if not path.name.startswith(_PARTIAL):
+                status = path.lstat()
+                if not stat.S_ISREG(status.st_mode) or path.parent.is_symlink():
+                    continue
+                if _KEY.fullmatch(path.name):
                     kept.append(_Kept(path, status.st_size, status.st_mtime))
-                elif time.time() - status.st_mtime > _STALE:
-                    path.unlink()
+                elif path.name.startswith(_PARTIAL) and time.time() - status.st_mtime > _STALE:
+                    remove_file(path.parent, path.name)
         return kept
 
 
@@ -228,13 +238,19 @@ def _encoded(key: str, answer: Answer) -> bytes:
 
 
 def _decoded(key: str, raw: bytes) -> Answer | None:
-    """Return the answer that ``raw`` holds, or None if it is not whole or another key's."""
+    """Return the answer that ``raw`` holds, or None if it is not whole or another key's.
+
+    Raises:
+        StorageError: it was not written by a store.
+    """
     first, _, content = raw.partition(b"\n")
     if first != b"%s %s" % (_MAGIC, _checksum(key, content)):
         return None
     head, _, body = content.partition(b"\n")
-    facts = json.loads(head)
-    return Answer(facts["status"], facts["content_type"], body)
+    facts = parse_object(head, "An answer's head", StorageError, max_bytes=_MOST_HEAD)
+    status, kind = facts.get("status"), facts.get("content_type")
+    sound = type(status) is int and 100 <= status <= 599 and isinstance(kind, str)
+    return Answer(status, kind, body) if sound and kind.isprintable() else None
 
 
 def _checksum(key: str, content: bytes) -> bytes:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import io
+import os
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
@@ -299,6 +300,11 @@ def _read_bytes(
             f"{type(source).__name__}."
         )
     else:
+        if not os.path.lexists(source):
+            raise InputError(
+                f"No {what} at {str(source)!r}."
+                + (" Pass a text, or a path to a file." if what == "picture" else "")
+            )
         data = read_regular(source, f"The {what}", InputError, max_bytes=config.max_bytes)
     if not data or len(data) > config.max_bytes:
         raise InputError(f"A {what} needs 1 to {config.max_bytes:,} bytes, got {len(data):,}.")

@@ -236,7 +236,7 @@ def test_what_cannot_be_read_is_not_taken_for_nothing(tmp_path: Path) -> None:
 
 def test_money_of_another_kind_is_not_added_up(tmp_path: Path) -> None:
     Spending.beside(tmp_path, "a", "EUR").write("one", "k", Entry("s", "q", money=0.25))
-    with pytest.raises(InputError, match="in EUR, and the price table is in USD"):
+    with pytest.raises(InputError, match="in 'EUR', and the price table is in USD"):
         Account().resume(Spending.beside(tmp_path, "a", "USD"))
 
 
