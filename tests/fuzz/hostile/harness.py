@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import select
@@ -239,10 +240,8 @@ class Worker:
             return
         for stream in (process.stdin, process.stdout):
             _close(stream)
-        try:
+        with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGKILL)
-        except ProcessLookupError:
-            pass
         process.wait(30)
 
 
@@ -305,7 +304,5 @@ def _resident(pid: int) -> float:
 
 def _close(stream: IO[str] | None) -> None:
     if stream is not None:
-        try:
+        with contextlib.suppress(OSError):
             stream.close()
-        except OSError:
-            pass

@@ -39,7 +39,8 @@ def accepts(*calls: Callable[[], Any]) -> bool:
 
 def accepts_any(*calls: Callable[[], Any]) -> bool:
     """Make every call; return whether one was not refused; see ``accepts``."""
-    return any([accepts(call) for call in calls])
+    taken = [accepts(call) for call in calls]
+    return any(taken)
 
 
 def command(*arguments: str) -> bool:

@@ -260,7 +260,8 @@ _LINES = (
     "usemtl other", "mtllib ../../outside.xml", "mtllib /dev/zero", "mtllib m.mtl m.mtl", "s off",
     "l 1 2 3", "p 1", "f 0/0 0/0 0/0", "f 1//1 2//2 3//3", "f 99999999999999999999 1 2", "\x00",
     "curv 0 1 1 2", "call x.obj", "csh rm x", "f 1.5 2 3", "f a b c", "v " + "1" * 400 + " 0 0",
-    "usemtl", "mtllib", "f", "v", "vt nan nan", "f 1/99999999 2/2 3/3", "\\", "mtllib " + "a" * 5000,
+    "usemtl", "mtllib", "f", "v", "vt nan nan", "f 1/99999999 2/2 3/3", "\\",
+    "mtllib " + "a" * 5000,
 )  # fmt: skip
 
 

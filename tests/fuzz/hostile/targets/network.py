@@ -1,4 +1,4 @@
-"""Answers of servers: of the cloud's chat and image models, of modelers, and of no server at all."""
+"""Answers of servers: of the cloud's chat and image models, of modelers, and of no server."""
 
 from __future__ import annotations
 
