@@ -23,6 +23,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.errors", ()),
     ("generator.png", ()),
     ("generator.reading", ("generator.errors",)),
+    ("generator.npz", ("generator.errors", "generator.reading")),
     ("generator.scene", ("generator.errors", "generator.reading", "generator.scene")),
     ("generator.geometry", VALUES),
     ("generator.paper_json", VALUES),
@@ -90,7 +91,10 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.catalogue.sheet", (*VALUES, "generator.catalogue", "generator.render")),
     ("generator.catalogue", (*VALUES, "generator.catalogue")),
     ("generator.layout", (*VALUES, "generator.layout", "generator.catalogue")),
-    ("generator.physics", (*VALUES, "generator.physics", "generator.mjcf")),
+    (
+        "generator.physics",
+        (*VALUES, "generator.mjcf", "generator.npz", "generator.physics"),
+    ),
     (
         "generator.stages",  # which stage a stage's own modules may import: see below
         (
@@ -218,6 +222,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.bundle",
             "generator.files",
             "generator.mjcf",
+            "generator.npz",
             "generator.pictures",
             "generator.render",
             "generator.compose",

@@ -180,7 +180,7 @@ def verify(path: str | Path) -> list[str]:
 
 @steady
 def check(path: str | Path) -> list[str]:
-    """Load everything in a bundle, and return what lies there that ``scene.json`` does not list.
+    """Check everything in a bundle, and return what lies there that ``scene.json`` does not list.
 
     Raises:
         MissingError: there is no bundle.

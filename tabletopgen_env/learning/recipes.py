@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 from generator.errors import InputError, choices, require
+from generator.reading import read_regular
 
 from ..scenes.recipe import MOST_SEEDS
 from ..tasks import NAMES
@@ -268,15 +269,11 @@ def _check_scenes(name: str, side: str, value: Any) -> None:
 
 
 def _read(path: Path) -> dict[str, Any]:
+    raw = read_regular(path, "The recipe", InputError, max_bytes=MOST_BYTES)
     try:
-        if path.stat().st_size > MOST_BYTES:
-            raise InputError(f"{path} is larger than a recipe's {MOST_BYTES} bytes.")
-        payload = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.") from error
+        return tomllib.loads(raw.decode())
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is no TOML: {error}.") from error
-    return payload
+        raise InputError(f"{path} is no TOML: {str(error)!r}.") from error
 
 
 def _check_finite(name: str, value: Any) -> None:

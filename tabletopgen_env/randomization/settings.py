@@ -158,7 +158,7 @@ class Randomization:
 
 def _number(value: Any) -> bool:
     real = isinstance(value, int | float | np.integer | np.floating)
-    return real and not isinstance(value, bool) and bool(np.isfinite(value))
+    return real and not isinstance(value, bool) and bool(abs(value) < np.inf)
 
 
 def _count(value: Any) -> bool:

@@ -218,4 +218,4 @@ def test_the_viewer_opens_what_was_checked(path: Path, monkeypatch) -> None:
 def test_a_shipped_document_is_what_is_written_today() -> None:
     """To the byte, so that the same scene makes the same bundle."""
     place = assets_cache.find("lab")[0]
-    assert document(bundle.check(place)).xml.encode() == (place / "scene.xml").read_bytes()
+    assert document(bundle.load_verified(place)).xml.encode() == (place / "scene.xml").read_bytes()
