@@ -81,16 +81,22 @@ def test_cloning_comes_nearer_to_the_advice_and_repeats_itself() -> None:
         )  # fmt: skip
         rounds = []
         with torch_threads(2):
-            seen = clone(model, env, config, 5, lambda r: rounds.append((r, threads())))
+            seen = clone(model, env, config, 5, rounds.append)
             assert threads() == 2, "a script's own setting is put back"
-        assert all(count == 1 for _, count in rounds)
-        rounds = [r for r, _ in rounds]
         losses.append([r.loss for r in rounds])
         assert [r.number for r in rounds] == [0, 1] and len(seen) == 4
         assert rounds[-1].states == sum(len(d.advice) for d in seen)
         assert policy_of(model)(seen[0].observations[0]).shape == (5,)
     assert losses[0] == losses[1]
     assert losses[0][0] < 0.6  # of a policy that does nothing: about 0.7
+
+
+def test_cloning_computes_on_one_thread() -> None:
+    model = SAC("MlpPolicy", lift(), buffer_size=10, policy_kwargs={"net_arch": [8]})
+    config, seen = CloningConfig(rounds=1, episodes=1, last_steps=1, batch=8), []
+    with torch_threads(2):
+        clone(model, lift(), config, 0, lambda _: seen.append(torch.get_num_threads()))
+    assert seen == [1]
 
 
 @pytest.mark.parametrize("settings", [{"rounds": 0}, {"expert_share": 2}, {"noise": -1.0}])
