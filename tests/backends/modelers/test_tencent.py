@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import httpx2
@@ -97,7 +98,7 @@ def ask(url: str, session: Session | None = None, **settings) -> Model:
     return made.model(instance("mug"), prior("mug"), USUAL_VIEW)
 
 
-def refused(cloud: Cloud, session: Session | None = None, **settings) -> str:
+def refused(cloud: Callable[[Call], Answer], session: Session | None = None, **settings) -> str:
     with serving(cloud) as served, pytest.raises(BackendError) as caught:
         ask(served.url, session, **settings)
     assert str(caught.value).startswith("tencent, model")
