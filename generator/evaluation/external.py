@@ -21,7 +21,6 @@ A table's top is its highest large level surface; for simulation it is a slab wi
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -35,6 +34,7 @@ from ..errors import BundleError, InputError, choices
 from ..geometry import convex_outline, hull_points, quaternion_yaw, to_unit_box
 from ..physics.inertia import body_mass
 from ..physics.parts import model_parts
+from ..reading import parse_object, printable
 from ..scene import (
     TABLE,
     ConvexPart,
@@ -83,8 +83,10 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     place = Path(folder)
     payload = _payload(place)
     up = payload.get("up", "y")
-    if up not in _Z_UP:
-        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r}.')
+    if not isinstance(up, str) or up not in _Z_UP:
+        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r:.80}.')
+    name = printable(payload.get("name", place.name), f"{place}: 'name'", InputError)
+    method = printable(payload.get("method", "unknown"), f"{place}: 'method'", InputError)
     entries = payload.get("objects")
     if not isinstance(entries, list) or len(entries) > MOST_OBJECTS:
         raise InputError(f"{place}: 'objects' must be a list of at most {MOST_OBJECTS} objects.")
@@ -94,30 +96,20 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     _check_supports(bodies)
     warning = "collision parts are convex hulls: not fit for simulation"
     provenance = Provenance(
-        "manual", 0, prompt=f"method: {payload.get('method', 'unknown')}",
+        "manual", 0, prompt=f"method: {method}",
         warnings=() if decompose else (warning,),
     )  # fmt: skip
-    return Scene(str(payload.get("name", place.name)), table, tuple(bodies), provenance)
+    return Scene(name, table, tuple(bodies), provenance)
 
 
 def _payload(place: Path) -> dict[str, Any]:
-    def refuse(constant: str) -> float:
-        raise InputError(f"{place}: {TRANSFORMS} holds {constant}; every number must be finite.")
-
-    try:
-        payload = json.loads(_read(place, TRANSFORMS), parse_constant=refuse)
-    except (ValueError, RecursionError) as error:
-        if isinstance(error, InputError):
-            raise
-        raise InputError(f"{place}: {TRANSFORMS} is not JSON ({error}).") from error
-    if not isinstance(payload, dict):
-        raise InputError(f"{place}: {TRANSFORMS} must be one JSON object.")
-    return payload
+    raw = _read(place, TRANSFORMS)
+    return parse_object(raw, f"{place}: {TRANSFORMS}", InputError)
 
 
 def _read(place: Path, name: Any) -> bytes:
     if not isinstance(name, str):
-        raise InputError(f"{place}: a file's name must be a text, got {name!r}.")
+        raise InputError(f"{place}: a file's name must be a text, got {name!r:.80}.")
     try:
         return read_inside(place, name, MOST_BYTES)
     except BundleError as error:
@@ -141,7 +133,7 @@ def _table_mesh(
         )
     if "size" in entry:
         size = _numbers(entry["size"], (3,), f"{place}: the table's size")
-        if size.min() <= 0:
+        if size.min() <= 0 or size.max() > _FARTHEST:
             raise InputError(f"{place}: the table's size must be positive metres, got {size}.")
         top = _numbers(entry.get("top", [0, 0, size[2]]), (3,), f"{place}: the table's top")
         return _block(size), np.array([0.0, 0.0, size[2]]) - top
@@ -199,13 +191,14 @@ def _object(
 ) -> Object:  # fmt: skip
     if not isinstance(entry, dict) or not isinstance(entry.get("name"), str):
         raise InputError(f"{place}: each object needs a 'name', a 'glb' and a 'matrix'.")
-    name = entry["name"]
+    name = printable(entry["name"], f"{place}: the name of an object", InputError)
     scale, rotation, translation = _pose(entry, f"{place}: {name}")
     unit, center, extent = to_unit_box(_mesh(place, entry, turn))
     extent = extent * scale
     if not 1e-4 <= extent.max() <= _FARTHEST:
         raise InputError(f"{place}: {name} is {extent.max():.3g} m long; lengths are in metres.")
-    label = str(entry.get("label", name.rstrip("0123456789").rstrip("_ ") or name))
+    label = entry.get("label", name.rstrip("0123456789").rstrip("_ ") or name)
+    label = printable(label, f"{place}: the label of {name}", InputError)
     position = rotation @ (center * scale) + translation + shift
     quaternion = Rotation.from_matrix(rotation).as_quat(scalar_first=True)
     placement = Placement(

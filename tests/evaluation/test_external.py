@@ -230,10 +230,10 @@ def test_what_is_wrong_is_said(folder: Path, changes: dict[str, Any], words: str
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("{", "not JSON"),
+        ("{", "not valid JSON"),
         ("[]", "one JSON object"),
         ('{"name": NaN}', "NaN"),
-        ("[" * 100_000, "not JSON"),
+        ("[" * 100_000, "deeper than"),
     ],
 )
 def test_a_damaged_list_of_transforms_is_refused(folder: Path, text: str, words: str) -> None:
