@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from generator.bundle import MOST_BYTES, read_inside
-from generator.errors import BundleError, InputError, choices, require
+from generator.errors import BundleError, InputError, choices, require, require_seed
 from generator.files import write_whole
 from generator.reading import parse_object, printable
 
@@ -107,7 +107,7 @@ class Terms:
                 raise InputError(f"Unknown task {task!r}." + choices(str(task), NAMES))
         require(self, "episodes", least=1, most=MOST_EPISODES, whole=True)
         require(self, "most", least=1, most=MOST_INSTANCES // (2 * len(NAMES)), whole=True)
-        require(self, "seed", least=0, whole=True)
+        require_seed(self.seed)
         if not self.tasks:
             raise InputError("A certificate needs at least one task." + choices("", NAMES))
         object.__setattr__(self, "tasks", tuple(name for name in NAMES if name in self.tasks))

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import gymnasium as gym
 import numpy as np
 
-from generator.errors import BundleError, InputError, SceneError, choices
+from generator.errors import BundleError, InputError, SceneError, choices, require_seed
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .composition import FRONT_CAMERA
@@ -187,11 +187,13 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         After a reset that fails there is no episode: ``step`` asks for another reset.
 
         Raises:
-            InputError: an unknown option, or one that names nothing in the scene; no dict.
+            InputError: an unknown option, or one that names nothing in the scene; no dict, no seed.
             SceneError: none of the scenes drawn offers anything to do.
             BundleError: a scene or its certificate is damaged.
         """
         options = as_options(options)
+        if seed is not None:
+            require_seed(seed)
         try:
             super().reset(seed=seed)
             return self._begin(options)

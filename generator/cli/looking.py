@@ -12,6 +12,7 @@ from tyro import conf
 from tyro.conf import Positional
 
 from ..errors import InputError, MissingError, TabletopError
+from ..files import check_target
 from .printing import emit, print_scene
 from .store import find, one, some
 
@@ -69,6 +70,8 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
     from ..mjcf import compiled, scene_spec
 
     path = one(bundle)
+    if picture is not None:
+        check_target(picture, "--picture")
     scene = load(path)
     screen = sys.platform in ("darwin", "win32") or any(
         os.environ.get(v) for v in ("DISPLAY", "WAYLAND_DISPLAY")
@@ -111,6 +114,8 @@ def compare(
     if not 1 <= len(sources) <= 2:
         raise InputError("Name one bundle, or a picture and the bundle made from it.")
     path = one(sources[-1])
+    target = out if out is not None else Path(f"{path.name}-compare.png")
+    check_target(target)
     scene, segments, kept = load(path), load_segments(path), load_picture(path, "reference")
     if segments is None or kept is None:
         raise InputError(
@@ -119,7 +124,6 @@ def compare(
         )
     picture = read_image(Path(sources[0])) if len(sources) == 2 else kept
     compared = comparison.compare(scene, segments, picture)
-    target = out if out is not None else Path(f"{path.name}-compare.png")
     write_picture(comparison.comparison_sheet(compared), target)
     facts = {"bundle": str(path), "sheet": str(target), **compared.facts()}
     emit(facts, json, lambda: _lines(facts))

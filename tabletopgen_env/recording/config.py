@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
-from generator.errors import InputError, choices, require
+from generator.errors import InputError, choices, require, require_seed
 
 from ..rendering import Kind
 from ..tasks import NAMES
@@ -69,7 +69,7 @@ class RecordConfig:
         if self.name not in NAMES:
             raise InputError(f"Unknown task {self.task!r}." + choices(self.name, NAMES))
         require(self, "episodes", least=1, whole=True)
-        require(self, "seed", least=0, most=LARGEST_SEED, whole=True)
+        require_seed(self.seed, LARGEST_SEED)
         require(self, "noise", least=0)
 
     def environment(self) -> gym.Env[Any, Any]:

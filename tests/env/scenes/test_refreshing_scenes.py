@@ -157,9 +157,9 @@ def test_what_is_due() -> None:
 @pytest.mark.parametrize(
     ("settings", "message"),
     [
-        ({"size": 0}, "size and workers of at least 1"),
-        ({"workers": 0}, "size and workers of at least 1"),
-        ({"seed": -1}, "seed of at least 0"),
+        ({"size": 0}, "needs size to be a whole number >= 1"),
+        ({"workers": 0}, "needs workers to be a whole number >= 1"),
+        ({"seed": -1}, "A seed has to be a whole number from 0"),
         ({"per_minute": 0.0}, "positive number"),
         ({"per_minute": float("nan")}, "positive number"),
         ({"every_resets": 0}, "from 1 up"),
