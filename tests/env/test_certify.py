@@ -102,6 +102,7 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
     ("spoil", "reason"),
     [
         (lambda p: p | {"scene": "0" * 64}, "another scene"),
+        (lambda p: p | {"schema": True}, "no sound certificate"),
         (lambda p: p | {"schema": 1}, "not of schema 2.*certify the bundle again"),
         (lambda p: p | {"versions": ["mujoco"]}, "type dict"),
         (lambda p: spoilt(p, successes=9), "9 of 2"),
