@@ -146,6 +146,7 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
     [
         (lambda p: p | {"scene": "0" * 64}, "another scene"),
         (lambda p: p | {"schema": 1}, "not of schema 3.*certify the bundle again"),
+        (lambda p: p | {"schema": True}, "no sound certificate"),
         (lambda p: p | {"versions": ["mujoco"]}, "type dict"),
         (lambda p: spoilt(p, successes=9), "9 of 2"),
         (lambda p: spoilt(p, successes=True), "type int"),
