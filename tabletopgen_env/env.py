@@ -141,9 +141,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
         if not isinstance(certified, bool | np.bool_):
             raise InputError(f"certified must be True or False, got {certified!r}.")
-        self.source = resolve(scenes)
-        self._closes_source = self.source is not scenes  # else others may draw from it, too
         self.task = task or PickPlace()
+        self.source = resolve(scenes, self.task.needs, self.task.scenes)
+        self._closes_source = self.source is not scenes  # else others may draw from it, too
         self._randomizer = Randomizer(randomization)
         self._wants_certified = certified
         self._views = ObservationConfig(cameras, kinds, image_size, points)
@@ -321,7 +321,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     def _draw(self, options: dict[str, Any]) -> tuple[World, Episode, bool]:
         """Draw scenes until one can be made and offers something; tell whether it is certified."""
-        source = resolve(options["scene"]) if "scene" in options else self.source
+        source = self.source
+        if "scene" in options:
+            source = resolve(options["scene"], self.task.needs, self.task.scenes)
         tried: set[str] = set()
         seen: set[str] = set()
         self._randomizer.restart(self.np_random)

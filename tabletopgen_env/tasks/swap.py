@@ -18,6 +18,7 @@ from generator.scene import Object
 
 from ..workspace import FREE_MARGIN
 from .goals import Goal, OnSpot, the
+from .needs import SMALL
 from .sampling import drawn, given_object, in_stead, liftable, on_spot, on_table, spot_of
 from .task import Episode, Task, episode
 
@@ -33,6 +34,7 @@ class Swap(Task):
     )
     most = 3
     aside = MappingProxyType({0: 1})
+    needs = (SMALL, SMALL)
 
     def sample(
         self,

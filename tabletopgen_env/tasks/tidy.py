@@ -17,6 +17,7 @@ from generator.scene import Object
 
 from ..affordance import Opening, grasp_width, resting_height
 from .goals import INSIDE, Goal, Into, the
+from .needs import TINY, TRAYS
 from .sampling import containers, given_object, into, liftable, nothing
 from .task import Episode, Task, episode
 
@@ -38,6 +39,7 @@ class Tidy(Task):
     )
     most = 4
     scenes = SCENES
+    needs = (TRAYS, TINY, TINY, TINY)
 
     def sample(
         self,
