@@ -18,6 +18,8 @@ from generator.bundle import save
 from generator.compose import compose
 from generator.errors import InputError
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
+from tabletopgen_env.certificate import Certificate, Terms
+from tabletopgen_env.certificate import Instance as Seen
 from tabletopgen_env.env import make_env
 
 
@@ -370,3 +372,28 @@ def test_the_share_of_a_pool_is_that_of_the_same_work() -> None:
 def test_calls_that_overlap_count_once() -> None:
     calls = [("model", 0.0, 2.0), ("model", 1.0, 3.0), ("model", 1.5, 1.7), ("model", 5.0, 6.0)]
     assert script("parallel").at_work([*calls, ("draw", 3.0, 5.0)], "model") == 4.0
+
+
+def test_certificates_are_held_against_starts_of_another_seed(tmp_path, monkeypatch) -> None:
+    bench = script("certificates")
+    seen = [Seen("Lift", "a_1", None, 20, 20), Seen("Lift", "b_1", None, 19, 20),
+            Seen("Push", "a_1", "spot", 18, 20)]  # fmt: skip
+    made = Certificate("0" * 64, Terms(("Lift", "Push")), {}, tuple(seen))
+    monkeypatch.setattr(bench, "certificate_of", lambda bundle: made)
+    again = [
+        dataclasses.replace(i, successes=k, episodes=10)
+        for i, k in zip(seen, (10, 8), strict=False)
+    ]
+    monkeypatch.setattr(bench, "played_again", lambda *_: iter(again))
+    with pytest.raises(InputError, match="certified with the seed 0"):
+        list(bench.jobs([tmp_path], seed=0, starts=10))
+    (job,) = bench.jobs([tmp_path], seed=7, starts=10)
+    assert job.task == "Lift", "what is not certified is not played"
+    rows = bench.work(job)
+    assert [(r["target"], r["solved"], bench.holds(r)) for r in rows] == [
+        ("a_1", 10, True), ("b_1", 8, False),
+    ]  # fmt: skip
+    assert bench.is_current(job, rows) and not bench.is_current(job, rows[:1])
+    text = bench.summary(rows, [tmp_path], "bench")
+    assert "1 of 2 certified instances hold" in text and "18 of 20 attempts" in text
+    assert "| Lift | b_1 |  | 19 of 20 | 8 of 10 (does not hold) |" in text

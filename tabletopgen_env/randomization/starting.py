@@ -4,7 +4,8 @@ Things are displaced once the goal is drawn, about the table, by a move along x 
 What a thing carries, touches or stands against goes with it, as one *bundle*. Each bundle takes the
 first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as sound as it was:
 
-- nothing comes nearer than ``ROOM`` to anything, than ``HAND_ROOM`` to what the goals are about,
+- nothing comes nearer than ``ROOM`` to anything, than ``HAND_ROOM`` to what the goals are about
+  (what rises beside it into the way of the palm: than ``PALM_ROOM``),
   than ``EDGE`` to the table's edge or than ``CLEARANCE`` to the robot's base, or than it was if
   that is less;
 - what the arm reaches it still does, and nothing tall comes between it and what the goals are
@@ -45,12 +46,13 @@ SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])
 LESS = 0.3
 """What share of its draws is taken where they leave no way to push what is to be pushed."""
 
-ROOM, HAND_ROOM, EDGE = 0.01, 0.04, 0.01
+ROOM, HAND_ROOM, PALM_ROOM, EDGE = 0.01, 0.04, 0.08, 0.01
 """Least room between things, about those of the goals, and to the table's edge, metres."""
 
 TOGETHER = 0.002
 """Things that stand nearer than this to each other are moved together, metres."""
 
+_PALM_Z = 0.045  # metres above the table at which the palm is when flat things are taken
 _BESIDE = 0.1  # metres about a point in the air, and behind what is pushed, kept for the hand
 _CIRCLE = np.column_stack([f(np.arange(12) * np.pi / 6) for f in (np.cos, np.sin)])
 _CIRCLE /= np.cos(np.pi / 12)  # around the circle, not in it
@@ -155,6 +157,7 @@ class _Tabletop:
         self._zones = _zones(world, goals, self._root)
         wanted = [self._root[name] for name in self._named]
         self._wanted = frozenset(wanted)
+        self._tops = _tops(world, self._root)
         listed = dict.fromkeys([*wanted, *self._outlines])
         self.order = [name for name in listed if self._free(name)]
 
@@ -181,6 +184,13 @@ class _Tabletop:
         """Return whether a bundle stands on the table alone, wholly."""
         on = self._before.object(first).placement.on == TABLE
         return on and bool(inside_margin(self._then[first], self._before.table.outline).min() >= 0)
+
+    def _room(self, first: str, other: str) -> float:
+        """Return how far from one bundle another stays, for a hand that takes the one, metres."""
+        if first not in self._wanted:
+            return ROOM
+        below = max(self._tops[first], _PALM_Z)
+        return PALM_ROOM if self._tops[other] > below else HAND_ROOM
 
     def _on_table(self, first: str, own: Float[np.ndarray, "c k 2"]) -> Bool[np.ndarray, "c"]:
         """Return which outlines keep off the table's edge and the robot's base."""
@@ -215,7 +225,7 @@ class _Tabletop:
         good = np.ones(len(own), bool)
         for other, outline in self._outlines.items():
             if other != first:
-                room = HAND_ROOM if {first, other} & self._wanted else ROOM
+                room = max(self._room(first, other), self._room(other, first))
                 good &= keeps(own, outline, self._then[first], self._then[other], room)
         for zone in self._zones:
             if zone.carrier == first:
@@ -238,6 +248,17 @@ class _Tabletop:
             obstacle(scene, mount, name) and not obstacle(before, mount, name)
             for name in self._named
         )
+
+
+def _tops(world: World, root: Mapping[str, str]) -> dict[str, float]:
+    """Return how high each bundle, by its first thing, rises above the table, metres."""
+    tops: dict[str, float] = {}
+    for name, first in root.items():
+        high = world.position(name)[2] + np.abs(world.rotation(name))[2] @ (
+            world.scene.object(name).scale / 2
+        )
+        tops[first] = max(float(high) - world.scene.table.height, tops.get(first, 0.0))
+    return tops
 
 
 def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:

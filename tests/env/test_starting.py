@@ -22,6 +22,7 @@ from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.strokes import plan_stroke
 from tabletopgen_env.randomization import PRESETS
 from tabletopgen_env.randomization.arranging import DRIFT, OVERLAP
+from tabletopgen_env.randomization.starting import PALM_ROOM
 from tabletopgen_env.tasks.goals import OnSpot
 from tabletopgen_env.vector import TabletopVectorEnv
 from tabletopgen_env.workspace import FREE_MARGIN
@@ -97,6 +98,19 @@ def test_where_nothing_can_move_only_the_arm_is_off() -> None:
     _, info = env.reset(seed=0)
     assert moved(info) == {} and np.any(info["randomization"]["start"]["joints"])
     assert np.allclose(env.world.position("plate_1")[:2], 0.0)
+
+
+def test_what_is_tall_stays_out_of_the_way_of_a_palm() -> None:
+    low = toy_object("cube_1", (0.04, 0.04, 0.04), (0.0, 0.0))
+    tall = toy_object("tower_1", (0.04, 0.04, 0.12), (0.15, 0.0), mass=2.0)
+    env = make_env(toy_scene((low, tall)), task="Lift", randomization="starts")
+    gaps = []
+    for seed in range(12):
+        env.reset(seed=seed, options={"target": "cube_1"})
+        outlines = (env.world.footprints[name] for name in ("cube_1", "tower_1"))
+        one, other = outlines
+        gaps.append(float(np.linalg.norm(one[:, None] - other[None], axis=-1).min()))
+    assert min(gaps) >= PALM_ROOM and np.ptp(gaps) > 0.01
 
 
 def test_what_touches_or_nearly_does_moves_as_one() -> None:
