@@ -14,7 +14,7 @@ from smokes import ROOT, SMOKES
 
 FOLDERS = ("benchmarks", "docs", "examples")
 LONG = 540.0
-"""Seconds after which a run is taken to hang; each takes a few, and 20 at most on an idle machine."""
+"""Seconds after which a run is taken to hang; on an idle machine each takes a few, 40 at most."""
 
 
 def scripts() -> list[str]:
