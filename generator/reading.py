@@ -153,8 +153,9 @@ def read_regular(
         # A pipe without a writer would block the opening of it.
         descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
         try:
-            regular = stat.S_ISREG(os.fstat(descriptor).st_mode)
-            content = _read(descriptor, max_bytes + 1) if regular else b""
+            status = os.fstat(descriptor)
+            regular, large = stat.S_ISREG(status.st_mode), status.st_size > max_bytes
+            content = _read(descriptor, max_bytes + 1) if regular and not large else b""
         finally:
             os.close(descriptor)
     except (OSError, ValueError) as failure:
@@ -162,7 +163,7 @@ def read_regular(
         raise error(f"{what} {str(path)!r} cannot be read: {reason}.") from failure
     if not regular:
         raise error(f"{what} {str(path)!r} is not a regular file. Name a file.")
-    if len(content) > max_bytes:
+    if large or len(content) > max_bytes:
         raise error(f"{what} {str(path)!r} is larger than {max_bytes} bytes, which is the limit.")
     return content
 
