@@ -139,12 +139,12 @@ def verify(cache: str | Path | None = None) -> dict[str, list[str]]:
 
     Bundles that are removed meanwhile are left out.
     """
-    from generator.bundle import inspected
+    from generator.bundle import check
 
     reasons: dict[str, list[str]] = {}
     for path in entries(cache):
         try:
-            reasons[path.name] = inspected(path)
+            reasons[path.name] = check(path)
         except MissingError:
             continue
         except (BundleError, OSError) as error:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from .backends.embedded.planner import plan_scene
-from .errors import InputError, SceneError
+from .errors import InputError, SceneError, require_seed
 from .layout import build_models, lay_out
 from .provenance import scene_name, versions
 from .scene import Provenance, Scene, ScenePlan
@@ -28,9 +28,10 @@ def compose(
     is replaced by another one.
 
     Raises:
-        InputError: the text cannot be planned.
+        InputError: the text cannot be planned, or the seed is none.
         SceneError: the objects fit on no plausible table, or no layout comes to rest.
     """
+    require_seed(seed)
     plan = text if isinstance(text, ScenePlan) else plan_scene(text, seed)
     if not plan.objects:
         raise InputError("The plan holds no object; a scene needs at least one.")

@@ -56,6 +56,9 @@ class SceneError(TabletopError, RuntimeError):
     """A scene cannot be built, fails its physical gate, or offers nothing to do."""
 
 
+MAX_SEED = 2**63 - 1
+"""The largest seed that all generators of random numbers take."""
+
 EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (InputError, 2),
     (BackendError, 3),
@@ -148,6 +151,21 @@ def require_number(
         raise InputError(
             f"{needs} to be a {'whole ' if whole else ''}number{low}{high}, got {value!r}."
         )
+
+
+def require_seed(seed: object, most: int = MAX_SEED) -> None:
+    """Check a seed: the one rule for all commands and functions.
+
+    Args:
+        seed: it.
+        most: the largest that what it seeds takes.
+
+    Raises:
+        InputError: it is no whole number from 0 to ``most``.
+    """
+    whole = isinstance(seed, numbers.Integral) and not isinstance(seed, bool)
+    if not (whole and 0 <= seed <= most):  # type: ignore[operator]
+        raise InputError(f"A seed has to be a whole number from 0 to {most}, got {seed!r:.40}.")
 
 
 def _as_float(value: object) -> float:

@@ -55,6 +55,39 @@ def write_file(content: bytes, path: Path) -> Path:
     return path
 
 
+def check_folder(folder: Path, option: str = "--out") -> None:
+    """Check, before any work is done for it, that files can be put into a folder.
+
+    Args:
+        folder: where they go; it and those above may be missing.
+        option: what names it, for the message of an error.
+
+    Raises:
+        StorageError: a file is in the way, or the folder may not be written.
+    """
+    there = folder
+    while not os.path.lexists(there) and there != there.parent:
+        there = there.parent
+    if not there.is_dir():
+        raise StorageError(
+            f"{option} {str(folder)!r} cannot be written: {str(there)!r} is not a folder. Choose "
+            "another folder."
+        )
+    if not os.access(there, os.W_OK | os.X_OK):
+        raise StorageError(f"{option} {str(folder)!r} cannot be written. Choose another folder.")
+
+
+def check_target(path: Path, option: str = "--out") -> None:
+    """Check, before any work is done for it, that a file can be written, or written anew.
+
+    Raises:
+        StorageError: a folder, a pipe or a device is there, or the file's folder cannot be one.
+    """
+    if os.path.lexists(path) and not path.is_file():
+        raise StorageError(f"{option} {str(path)!r} cannot be written: it is not a file.")
+    check_folder(path.parent, option)
+
+
 def make_private(folder: Path) -> None:
     """Make a folder and those above that are missing, for their owner alone."""
     if folder.is_dir():

@@ -237,7 +237,7 @@ class _Assets:
         self, element: ET.Element, visuals: bool, paths: Mapping[Mesh, tuple[str, str]]
     ) -> None:
         self.files: dict[str, bytes] = {}
-        self._paths = paths
+        self._paths = dict(paths)
         self._element = element
         self._visuals = visuals
         self._named: set[str] = set()
@@ -252,7 +252,9 @@ class _Assets:
         """Add the textured mesh as a geom that touches nothing."""
         if not self._visuals:
             return
-        shape, picture = self._paths.get(mesh) or self._written(mesh)
+        if mesh not in self._paths:
+            self._paths[mesh] = self._written(mesh)
+        shape, picture = self._paths[mesh]
         size = _text(scale)
         mesh_name = self._add(
             "mesh", f"mesh_{_digest((shape + size).encode())}", file=shape, scale=size,

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Literal, get_args
 
 from .backends import Backends
-from .errors import InputError, choices
+from .errors import InputError, choices, require_seed
 from .finishing import finished
 from .ledger import Seconds, Stopwatch
 from .provenance import plain, scene_name, versions
@@ -164,10 +164,11 @@ def generate(
         progress: called as each stage starts.
 
     Raises:
-        InputError: the source cannot be used.
+        InputError: the source cannot be used, or the seed is none.
         BackendError: a backend could not answer, or cannot stand in for a stage left out.
         SceneError: the scene cannot be built.
     """
+    require_seed(seed)
     b = backends or Backends.select("embedded")
     config = config or Config()
     guesser = pose_guesser(b.reasoner) if config.without else None  # refused before any work

@@ -27,7 +27,7 @@ from gymnasium.wrappers import TimeLimit
 from jaxtyping import Bool, Float
 
 from generator.cores import cores
-from generator.errors import InputError, choices, require_number
+from generator.errors import InputError, choices, require_number, require_seed
 
 from .actions import checked
 from .env import as_options, check_settings, make_env, played_at
@@ -109,7 +109,7 @@ class TabletopVectorEnv(SyncVectorEnv):
         arm = panda(robot)
         masters = Masters(arm, cache)
         scenes, task = played_at(scenes, task, preset)
-        source = resolve(scenes)
+        source = resolve(scenes, task.needs, task.scenes)
         self._source = SharedScenes(source)
         self._closes_source = source is not scenes
         slot = partial(
@@ -326,6 +326,7 @@ def _seeds(seed: int | Sequence[int | None] | None, count: int) -> list[int | No
     if seed is None:
         return [None] * count
     if isinstance(seed, int | np.integer):
+        require_seed(seed)
         return [int(seed) + k for k in range(count)]
     if (given := _length(seed)) != count:
         raise InputError(f"{count} slots need one seed or {count}, got {given}.")

@@ -18,6 +18,8 @@ from generator.bundle import save
 from generator.compose import compose
 from generator.errors import InputError
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
+from tabletopgen_env.certificate import Certificate, Terms
+from tabletopgen_env.certificate import Instance as Seen
 from tabletopgen_env.env import make_env
 
 
@@ -173,6 +175,7 @@ def test_renewing_costs_what_the_median_round_loses() -> None:
     assert ("fixed tables", "steps", 100.0, "steps per s") in found
 
 
+@pytest.mark.slow
 def test_renewed_tables_are_timed_beside_fixed_ones(monkeypatch: pytest.MonkeyPatch) -> None:
     parts = script("speed").parts
     for name, value in {"TABLES": 1, "ROUNDS": 1, "ROUND": 0.05, "PAUSE": 0.0}.items():
@@ -187,6 +190,7 @@ def test_renewed_tables_are_timed_beside_fixed_ones(monkeypatch: pytest.MonkeyPa
     assert alone["fixed tables"] >= rates["fixed tables"]
 
 
+@pytest.mark.slow
 def test_memory_is_watched_from_when_caches_are_full(monkeypatch: pytest.MonkeyPatch) -> None:
     parts = script("speed").parts
     sizes = iter(100.0 + k for k in range(99))
@@ -223,7 +227,7 @@ def test_other_packages_are_timed_without_this_one() -> None:
     code = (Path(__file__).parents[1] / "benchmarks" / "pace" / "episodes.py").read_text()
     assert not any(name in code for name in ("generator", "tabletopgen", "posing"))
     command = [sys.executable, "-c", code, "gymnasium", "CartPole-v1", "50"]
-    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    told = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300).stdout
     seen = json.loads(told)
     assert set(seen) == {"wall", "cpu", "reset"} and seen["wall"] > 0
 
@@ -244,6 +248,7 @@ def test_the_expert_is_never_developed_on_held_out_scenes() -> None:
     assert max(s for _, s in tidy[0]) < bench.HELD_OUT <= min(s for _, s in tidy[1])
 
 
+@pytest.mark.slow
 def test_a_baseline_is_trained_once_and_played_at_tables_of_its_own(tmp_path) -> None:
     bench = script("baselines")
     recipe = tmp_path / "tiny.toml"
@@ -367,3 +372,28 @@ def test_the_share_of_a_pool_is_that_of_the_same_work() -> None:
 def test_calls_that_overlap_count_once() -> None:
     calls = [("model", 0.0, 2.0), ("model", 1.0, 3.0), ("model", 1.5, 1.7), ("model", 5.0, 6.0)]
     assert script("parallel").at_work([*calls, ("draw", 3.0, 5.0)], "model") == 4.0
+
+
+def test_certificates_are_held_against_starts_of_another_seed(tmp_path, monkeypatch) -> None:
+    bench = script("certificates")
+    seen = [Seen("Lift", "a_1", None, 20, 20), Seen("Lift", "b_1", None, 19, 20),
+            Seen("Push", "a_1", "spot", 18, 20)]  # fmt: skip
+    made = Certificate("0" * 64, Terms(("Lift", "Push")), {}, tuple(seen))
+    monkeypatch.setattr(bench, "certificate_of", lambda bundle: made)
+    again = [
+        dataclasses.replace(i, successes=k, episodes=10)
+        for i, k in zip(seen, (10, 8), strict=False)
+    ]
+    monkeypatch.setattr(bench, "played_again", lambda *_: iter(again))
+    with pytest.raises(InputError, match="certified with the seed 0"):
+        list(bench.jobs([tmp_path], seed=0, starts=10))
+    (job,) = bench.jobs([tmp_path], seed=7, starts=10)
+    assert job.task == "Lift", "what is not certified is not played"
+    rows = bench.work(job)
+    assert [(r["target"], r["solved"], bench.holds(r)) for r in rows] == [
+        ("a_1", 10, True), ("b_1", 8, False),
+    ]  # fmt: skip
+    assert bench.is_current(job, rows) and not bench.is_current(job, rows[:1])
+    text = bench.summary(rows, [tmp_path], "bench")
+    assert "1 of 2 certified instances hold" in text and "18 of 20 attempts" in text
+    assert "| Lift | b_1 |  | 19 of 20 | 8 of 10 (does not hold) |" in text

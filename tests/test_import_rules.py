@@ -136,8 +136,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         "generator.evaluation",
         (
             *VALUES,
-            "generator.backends.modelers.flattening",
-            "generator.backends.modelers.inspection",
+            "generator.backends.modelers.surface",
             "generator.backends.protocols",
             "generator.bundle",
             "generator.catalogue",
@@ -283,6 +282,7 @@ def violations(name: str, used: set[str]) -> list[str]:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "path"), modules(), ids=lambda v: str(v))
 def test_module_keeps_the_import_rules(name: str, path: Path) -> None:
     assert violations(name, imports(name, path)) == []
@@ -331,6 +331,7 @@ def foreign(path: Path) -> set[str]:
     return {DISTRIBUTIONS.get(name, name) for name in found}
 
 
+@pytest.mark.slow
 def test_what_is_imported_is_what_is_installed() -> None:
     """Every package imported is a dependency, and the other way round."""
     used, learning, recording, cloud, many, hub = set(), set(), set(), set(), set(), set()

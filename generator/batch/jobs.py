@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..errors import InputError, require_number
+from ..errors import InputError, require_number, require_seed
 from ..reading import parse_json, read_regular
 
 MOST = 100_000
@@ -30,7 +30,7 @@ class Job:
             raise InputError(f"A prompt is a text, got {self.text!r:.80}.")
         if any(0xD800 <= ord(c) < 0xE000 for c in self.text):  # as of file names that are no text
             raise InputError(f"A prompt is a text in Unicode, got {self.text!r:.80}.")
-        require_number("A batch needs seeds", self.seed, least=0, whole=True)
+        require_seed(self.seed)
 
 
 def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:

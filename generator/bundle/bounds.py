@@ -32,17 +32,17 @@ class Bounds:
     files: int = 4096
     truth_bytes: int = 16 * 2**20
     file_bytes: int = 128 * 2**20
-    all_bytes: int = 512 * 2**20
+    all_bytes: int = 256 * 2**20
     models: int = 201
     objects: int = 200
     parts: int = 1024
     all_parts: int = 8192
     part_vertices: int = 4096
     all_part_vertices: int = 200_000
-    vertices: int = 500_000
-    all_vertices: int = 2_000_000
-    faces: int = 500_000
-    all_faces: int = 2_000_000
+    vertices: int = 300_000
+    all_vertices: int = 1_000_000
+    faces: int = 300_000
+    all_faces: int = 1_000_000
     texels: int = 4096 * 4096
     all_texels: int = 128 * 2**20
 

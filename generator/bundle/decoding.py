@@ -172,11 +172,13 @@ def _meshes(
             if path_of(raw) != name:
                 raise BundleError(f"{name[:200]!r} is not named by its content.")
     surfaces = {name: decode_obj(raw, name) for name, raw in shapes.items()}
-    textures = {name: decode_png(raw, name) for name, raw in pictures.items()}
-    return {
-        (shape, picture, opacity): Mesh(*surfaces[shape], textures[picture], opacity)
-        for shape, picture, opacity in sorted(different)
-    }
+    meshes = {}
+    for name, raw in pictures.items():
+        texture = decode_png(raw, name)
+        for shape, picture, opacity in sorted(different):
+            if picture == name:
+                meshes[shape, picture, opacity] = Mesh(*surfaces[shape], texture, opacity)
+    return meshes
 
 
 def _model(entry: _Model, mesh: Mesh) -> Model:

@@ -150,8 +150,10 @@ def load_pictures(path: str | Path) -> dict[str, bytes]:
 
 
 @steady
-def check(path: str | Path) -> Scene:
+def load_verified(path: str | Path) -> Scene:
     """Read all that a bundle holds, as ``verify`` does; return its scene.
+
+    More than ``load`` it has MuJoCo build what is drawn, and reads what was found in the picture.
 
     Raises:
         BundleError: there is no bundle, or something is wrong with it.
@@ -165,11 +167,11 @@ def check(path: str | Path) -> Scene:
 def verify(path: str | Path) -> list[str]:
     """Return what is wrong with a bundle on disk: nothing, or one reason.
 
-    More than ``load`` it has MuJoCo build what is drawn, and reads what was found in the picture.
-    Files that ``scene.json`` does not list are reported too; loading ignores them.
+    It checks what ``load_verified`` does. Files that ``scene.json`` does not list are reported too;
+    loading ignores them.
     """
     try:
-        return inspected(path)
+        return check(path)
     except BundleError as error:
         return [str(error)]
     except OSError as error:
@@ -177,7 +179,7 @@ def verify(path: str | Path) -> list[str]:
 
 
 @steady
-def inspected(path: str | Path) -> list[str]:
+def check(path: str | Path) -> list[str]:
     """Check everything in a bundle, and return what lies there that ``scene.json`` does not list.
 
     Raises:
@@ -185,7 +187,7 @@ def inspected(path: str | Path) -> list[str]:
         BundleError: it is damaged.
     """
     folder = Path(path)
-    check(folder)
+    load_verified(folder)
     listed = {*read_truth(folder)["files"], "scene.json"}
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
     return [

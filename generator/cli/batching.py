@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from tyro.conf import Positional
 
-from ..errors import InputError, require_number
+from ..errors import InputError, require_number, require_seed
+from ..files import check_folder
 from ..reading import escaped
 from .choosing import USUAL, Chosen, lines_of, roles_of
 from .printing import emit
@@ -69,6 +70,8 @@ def batch(
     """
     from .. import batch as batches
 
+    require_seed(seed)
+    check_folder(out)
     make: Maker = batches.Composing()
     asks: Backends | None = None
     if route == "generate":

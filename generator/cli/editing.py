@@ -9,7 +9,7 @@ import numpy as np
 from tyro import conf
 from tyro.conf import Positional
 
-from ..errors import DryRunError, InputError
+from ..errors import DryRunError, InputError, require_seed
 from .choosing import NOBODY, Chosen, roles_of
 from .paying import answering, open_session, paid, scene_key, told
 from .printing import print_scene, progress
@@ -79,7 +79,8 @@ def edit(
     """
     import assets_cache
 
-    path = one(bundle)
+    require_seed(seed)
+    path, folder = one(bundle), store(out)
     _check_form(action, words, to, turn)
     if replace:
         if out is not None:
@@ -98,7 +99,7 @@ def edit(
             edited = _edited(path, action, words, to, yaw, seed, chosen)
             if dry_run:  # it came to no call
                 raise DryRunError("")
-            made = edited.save(path.parent if replace else store(out))
+            made = edited.save(path.parent if replace else folder)
     except DryRunError as error:
         return told(error, roles, json)
     if paid(session, made):

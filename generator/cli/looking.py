@@ -12,6 +12,7 @@ from tyro import conf
 from tyro.conf import Positional
 
 from ..errors import InputError, MissingError, TabletopError
+from ..files import check_target
 from .printing import emit, print_scene
 from .store import find, one, some
 
@@ -44,13 +45,13 @@ def verify_all(paths: Iterable[Path], json: bool, *, may_vanish: bool = False) -
 
     ``may_vanish``: one that another process removes meanwhile is left out, not unsound.
     """
-    from ..bundle import check
+    from ..bundle import load_verified
     from ..physics.gate import judge
 
     results = {}
     for path in paths:
         try:
-            results[path.name] = list(judge(check(path)).failures)
+            results[path.name] = list(judge(load_verified(path)).failures)
         except TabletopError as error:
             if not (may_vanish and isinstance(error, MissingError)):
                 results[path.name] = [str(error)]
@@ -69,6 +70,8 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
     from ..mjcf import compiled, scene_spec
 
     path = one(bundle)
+    if picture is not None:
+        check_target(picture, "--picture")
     scene = load(path)
     screen = sys.platform in ("darwin", "win32") or any(
         os.environ.get(v) for v in ("DISPLAY", "WAYLAND_DISPLAY")
@@ -111,6 +114,8 @@ def compare(
     if not 1 <= len(sources) <= 2:
         raise InputError("Name one bundle, or a picture and the bundle made from it.")
     path = one(sources[-1])
+    target = out if out is not None else Path(f"{path.name}-compare.png")
+    check_target(target)
     scene, segments, kept = load(path), load_segments(path), load_picture(path, "reference")
     if segments is None or kept is None:
         raise InputError(
@@ -119,7 +124,6 @@ def compare(
         )
     picture = read_image(Path(sources[0])) if len(sources) == 2 else kept
     compared = comparison.compare(scene, segments, picture)
-    target = out if out is not None else Path(f"{path.name}-compare.png")
     write_picture(comparison.comparison_sheet(compared), target)
     facts = {"bundle": str(path), "sheet": str(target), **compared.facts()}
     emit(facts, json, lambda: _lines(facts))

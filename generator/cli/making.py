@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Literal
 
 from tyro.conf import Positional
 
-from ..errors import DryRunError, InputError
+from ..errors import DryRunError, InputError, require_seed
+from ..files import check_folder
 from ..scene import Intrinsics
 from .choosing import USUAL, Chosen, roles_of
 from .paying import answering, open_session, paid, scene_key, told
@@ -69,6 +70,10 @@ def generate(
     from ..pipeline import generate as run
     from ..stages.reference import is_picture_name
 
+    require_seed(seed)
+    folder = store(out)
+    if figures is not None:
+        check_folder(figures, "--figures")
     if name is not None:
         check_name(name)
     camera = None if intrinsics is None else _intrinsics(intrinsics)
@@ -89,7 +94,7 @@ def generate(
                 raise DryRunError("")
             if figures is not None:
                 generation.save_figures(figures)
-            path = generation.save(store(out), allow_failed=allow_failed)
+            path = generation.save(folder, allow_failed=allow_failed)
     except DryRunError as error:
         return told(error, roles, json)
     if paid(session, path):
@@ -120,10 +125,11 @@ def compose(
     from ..compose import compose as run
     from ..figures import preview
 
+    folder = store(out)
     if name is not None:
         check_name(name)
     scene = run(text, seed, name=name)
-    path = save(scene, store(out), images={"preview": preview(scene)})
+    path = save(scene, folder, images={"preview": preview(scene)})
     return print_scene(path, scene, json)
 
 

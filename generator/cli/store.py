@@ -8,10 +8,19 @@ from ..errors import InputError
 
 
 def store(out: Path | None) -> Path:
-    """Return the folder that new bundles go into: ``out``, else the user cache."""
+    """Return the folder that new bundles go into: ``out``, else the user cache.
+
+    Raises:
+        StorageError: there is a file, or it may not be written.
+    """
     import assets_cache
 
-    return out if out is not None else assets_cache.user_root()
+    from ..files import check_folder
+
+    if out is None:
+        return assets_cache.user_root()
+    check_folder(out)
+    return out
 
 
 def find(wanted: str) -> list[Path]:

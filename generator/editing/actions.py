@@ -10,7 +10,7 @@ import numpy as np
 
 from ..backends import Backends
 from ..backends.embedded.planner import plan_scene
-from ..errors import InputError, SceneError
+from ..errors import InputError, SceneError, require_seed
 from ..pipeline import Config
 from ..provenance import plain, versions
 from ..salvage import without
@@ -62,6 +62,7 @@ def swap(
         SceneError: no room, something is left without support, or the gate fails.
         BundleError: the bundle is damaged.
     """
+    require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
     scene, old = opened.scene, opened.thing(name)
     asked = understood(scene, text, _planner(backends), seed)
@@ -113,6 +114,7 @@ def add(
         InputError: nothing to put there, or a place beside what is not on the table.
         BackendError, SceneError, BundleError: as for ``swap``.
     """
+    require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
     scene = opened.scene
     asked = understood(scene, text, _planner(backends), seed)
@@ -188,6 +190,7 @@ def move(
         SceneError: the place is taken or off the table, or the gate fails.
         BundleError: the bundle is damaged.
     """
+    require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
     scene, thing = opened.scene, opened.thing(name)
     _check_move(where, turn)
@@ -239,6 +242,7 @@ def restyle(
         InputError: no such style or thing, or a thing that the catalogue does not know.
         BackendError, SceneError, BundleError: as for ``swap``.
     """
+    require_seed(seed)
     opened, config = Opened.read(bundle), config or Config()
     scene = opened.scene
     chosen = list(dict.fromkeys(opened.thing(n).name for n in names))

@@ -84,7 +84,9 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     payload = _payload(place)
     up = payload.get("up", "y")
     if not isinstance(up, str) or up not in _Z_UP:
-        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r}.')
+        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r:.80}.')
+    name = printable(payload.get("name", place.name), f"{place}: 'name'", InputError)
+    method = printable(payload.get("method", "unknown"), f"{place}: 'method'", InputError)
     entries = payload.get("objects")
     if not isinstance(entries, list) or len(entries) > MOST_OBJECTS:
         raise InputError(f"{place}: 'objects' must be a list of at most {MOST_OBJECTS} objects.")
@@ -92,14 +94,12 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     table = _table(mesh, f"{place}: the table")
     bodies = [_object(place, entry, _Z_UP[up], shift, decompose) for entry in entries]
     _check_supports(bodies)
-    method = printable(payload.get("method", "unknown"), f"{place}: 'method'", InputError)
-    title = printable(payload.get("name", place.name), f"{place}: 'name'", InputError)
     warning = "collision parts are convex hulls: not fit for simulation"
     provenance = Provenance(
         "manual", 0, prompt=f"method: {method}",
         warnings=() if decompose else (warning,),
     )  # fmt: skip
-    return Scene(title, table, tuple(bodies), provenance)
+    return Scene(name, table, tuple(bodies), provenance)
 
 
 def _payload(place: Path) -> dict[str, Any]:
@@ -108,7 +108,7 @@ def _payload(place: Path) -> dict[str, Any]:
 
 def _read(place: Path, name: Any) -> bytes:
     if not isinstance(name, str):
-        raise InputError(f"{place}: a file's name must be a text, got {name!r}.")
+        raise InputError(f"{place}: a file's name must be a text, got {name!r:.80}.")
     try:
         return read_inside(place, name, MOST_BYTES)
     except BundleError as error:
@@ -132,7 +132,7 @@ def _table_mesh(
         )
     if "size" in entry:
         size = _numbers(entry["size"], (3,), f"{place}: the table's size")
-        if size.min() <= 0:
+        if size.min() <= 0 or size.max() > _FARTHEST:
             raise InputError(f"{place}: the table's size must be positive metres, got {size}.")
         top = _numbers(entry.get("top", [0, 0, size[2]]), (3,), f"{place}: the table's top")
         return _block(size), np.array([0.0, 0.0, size[2]]) - top

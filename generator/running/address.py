@@ -30,6 +30,8 @@ def checked_address(url: str, what: str, hint: str = "") -> str:
     except BackendError:
         fine = named = False
     hint = f" {hint}" * bool(hint)
+    if not isinstance(url, str):
+        raise BackendError(f"{what} must be a text, not {type(url).__name__}.{hint}")
     shown = _USER.sub(r"\1[redacted]@", url[:MAX_URL_LENGTH])
     if named:
         raise BackendError(

@@ -69,6 +69,7 @@ class PaidTransport(httpx2.BaseTransport):
         self._warn_of_open_keys()
         origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
         self._breaker = session.breakers.of(server, origin, session.patience)
+        self._trust = session.trust  # read now: it takes longer than some calls may
         here = local(self._base.host)
         self._proxy = None if here else proxy_for(self._base.scheme, self._base.host)
 
@@ -108,7 +109,7 @@ class PaidTransport(httpx2.BaseTransport):
 
     def _dial(self, until: float, most_bytes: int) -> Wire:
         """Return the connections of one attempt."""
-        return Wire(until, most_bytes, self._session.trust, self._proxy)
+        return Wire(until, most_bytes, self._trust, self._proxy)
 
     def _sendable(self, request: httpx2.Request) -> httpx2.Request:
         """Return a request with no more headers than this server is to see, and its time bounded.

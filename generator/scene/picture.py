@@ -8,11 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from ..errors import InputError
+from ..errors import InputError, require_number
 from .arrays import freeze, frozen_array
 from .plan import ScenePlan
 
-_LEAST_FOV = 1e-3  # radians
+_LEAST_FOV = 0.01  # radians
+_FAR = 1e9  # pixels
 
 
 @dataclass(frozen=True)
@@ -29,9 +30,10 @@ class Intrinsics:
     cy: float
 
     def __post_init__(self) -> None:
-        numbers = (self.fx, self.fy, self.cx, self.cy)
-        if not np.isfinite(numbers).all() or min(self.fx, self.fy) <= 0:
-            raise InputError(f"Intrinsics need finite numbers, fx and fy positive: {numbers}.")
+        for name, above in (("fx", 0.0), ("fy", 0.0), ("cx", None), ("cy", None)):
+            value = getattr(self, name)
+            require_number(f"Intrinsics need {name}", value, above=above, most=_FAR)
+            object.__setattr__(self, name, float(value))
 
     def scaled(self, across: float, down: float) -> Intrinsics:
         """Return the intrinsics of the picture resized by these factors."""

@@ -89,7 +89,9 @@ def is_picture_name(text: str) -> bool:
     suffixes = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".gif"}
     path = Path(text)
     try:
-        return path.suffix.lower() in suffixes or (path.is_file() and " " not in text.strip())
+        if path.suffix.lower() in suffixes:
+            return True
+        return " " not in text.strip() and (path.is_file() or ("/" in text and path.is_dir()))
     except OSError:
         return False
 
@@ -305,6 +307,8 @@ def _read_bytes(
                 f"No {what} at {str(source)!r}."
                 + (" Pass a text, or a path to a file." if what == "picture" else "")
             )
+        if Path(source).is_dir():
+            raise InputError(f"{str(source)!r} is a directory. Name the file of a {what}.")
         data = read_regular(source, f"The {what}", InputError, max_bytes=config.max_bytes)
     if not data or len(data) > config.max_bytes:
         raise InputError(f"A {what} needs 1 to {config.max_bytes:,} bytes, got {len(data):,}.")

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import Positional, arg
 
-from generator.errors import InputError, TabletopError
+from generator.errors import InputError, TabletopError, require_number, require_seed
+from generator.files import check_folder, check_target
 
 from .extra import need_sb3
 
@@ -78,6 +79,7 @@ def train(
     given = {"scenes": _one(scenes), "held_out": _one(held_out), "steps": steps}
     chosen = dataclasses.replace(chosen, **{k: v for k, v in given.items() if v not in (None, ())})
     folder = out or Path("runs") / f"{Path(chosen.name).name}-{seed}"
+    check_folder(folder)
     plan = Plan(seed, evaluate_every, episodes, keep_replay, sys.stdout.isatty())
     done = trained(chosen, folder, plan, resume, _say)
     print(f"{done.steps:,} steps of {chosen.name} in {folder}")
@@ -111,17 +113,21 @@ def enjoy(
         trust: Load a zip. Loading one runs whatever it contains: only those of your own.
         recipe: What a zip was trained by, if it does not lie in its run's folder.
     """
-    if episodes < 1 or seed < 0:
-        raise InputError(f"episodes is at least 1 and seed at least 0, got {episodes} and {seed}.")
+    require_number("enjoy needs --episodes", episodes, least=1, whole=True)
+    require_seed(seed)
     if render and video_strip:
         raise InputError("Choose --render or --video-strip, not both.")
+    if video_strip:
+        check_target(video_strip, "--video-strip")
     need_sb3()
     from ..scenes.source import close
+    from ..tasks import task_named
     from .evaluating import play, seeds, summed
     from .making import single_env, source_of
 
     own = _loaded(policy, trust, recipe)
-    source = source_of(_one(scenes), "held_out")
+    task = task_named(own.task, own.env.get("preset"))
+    source = source_of(_one(scenes), "held_out", task=task)
     _warn(own.scenes, source)
     drawn = {"render_mode": "human"} if render else {}
     if video_strip:
@@ -160,6 +166,7 @@ def plot(
     """
     if not runs:
         raise InputError("Name at least one run's folder to plot.")
+    check_target(out)
     need_sb3()
     from generator.pictures import write_picture
 

@@ -28,6 +28,9 @@ Activation = Literal["relu", "tanh"]
 FILE = Path(__file__).with_name("recipes.toml")
 """The recipes that are shipped."""
 
+STARTS = "starts"
+"""The ``randomization`` of recipes whose ``env`` names none: without, a table starts alike."""
+
 MOST_BYTES = 2**16
 """A recipe's file is not larger."""
 
@@ -80,7 +83,8 @@ class Recipe:
         variants: how many tables "fresh" scenes are drawn from, both sides together (of a text, so
             many of it): few enough to be met again, and compiled once, or ever new ones. Of other
             scenes it means nothing.
-        env: further keywords of the environment.
+        env: further keywords of the environment. Those read by ``recipe`` have the randomization
+            ``STARTS`` unless they name another; "none" is none.
         network: what the policy is made of.
         options: keywords of Stable-Baselines3's class; "action_noise" is the standard deviation of
             TD3's.
@@ -195,6 +199,7 @@ def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
                 "path of a TOML file."
             )
         payload = shipped[name]
+    payload = _merged({"env": {"randomization": STARTS}}, payload)
     for change in changes:
         payload = _merged(payload, _change(change))
     _check_finite(name, payload)

@@ -13,7 +13,7 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.callbacks import BaseCallback
 from stable_baselines3.common.logger import Logger, configure
 
-from generator.errors import require
+from generator.errors import require, require_seed
 
 from .ending import StopAsked
 from .evaluating import Evaluation, evaluate
@@ -48,7 +48,7 @@ class Plan:
     bar: bool = False
 
     def __post_init__(self) -> None:
-        require(self, "seed", least=0, most=2**31 - 1, whole=True)
+        require_seed(self.seed, 2**31 - 1)
         require(self, "evaluate_every", "episodes", least=1, whole=True)
 
 

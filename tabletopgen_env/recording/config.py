@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
-from generator.errors import InputError, choices, require
+from generator.errors import InputError, choices, require, require_seed
 
 from ..rendering import Kind
 from ..tasks import NAMES
@@ -37,9 +37,9 @@ class RecordConfig:
         image_size: Height and width of the pictures, pixels.
         noise: Standard deviation of what is added to the expert's motion, as a share of its
             greatest speed, so that it shows how to come back.
-        randomization: "starts" puts arm and things a little off at the start, as certify does;
-            "light" and "strong" vary everything else. With None nothing is randomised, and
-            episodes of the same scene, target and goal are all the same.
+        randomization: "starts" puts the arm a little off and the things some centimetres, as
+            certify does; "light" and "strong" vary everything else. With None nothing is
+            randomised, and episodes of the same scene, target and goal are all the same.
         keep_failures: Keep episodes too that the expert does not solve.
     """
 
@@ -69,7 +69,7 @@ class RecordConfig:
         if self.name not in NAMES:
             raise InputError(f"Unknown task {self.task!r}." + choices(self.name, NAMES))
         require(self, "episodes", least=1, whole=True)
-        require(self, "seed", least=0, most=LARGEST_SEED, whole=True)
+        require_seed(self.seed, LARGEST_SEED)
         require(self, "noise", least=0)
 
     def environment(self) -> gym.Env[Any, Any]:

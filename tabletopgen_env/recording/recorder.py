@@ -17,6 +17,7 @@ from generator.errors import (
     choices,
     require_number,
 )
+from generator.files import check_folder
 
 from .config import FORMATS, Format, RecordConfig
 from .playing import Played, played
@@ -128,6 +129,7 @@ def _target(config: RecordConfig, out: str | Path | None, format: Format) -> Pat
             ) from error
     if os.path.lexists(target):
         raise InputError(f"{target} is there already. Remove it, or choose another place.")
+    check_folder(target.parent)
     return target
 
 

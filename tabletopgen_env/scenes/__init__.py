@@ -12,6 +12,10 @@ that a seeded environment sees the same tables again; only what is renewed by th
 ``SharedScenes``      those of another source, for several threads, as ``TabletopVectorEnv`` has it
 ``split``             the scenes of any source to train on, or those held out
 ====================  =============================================================================
+
+``"fresh"`` and ``"refreshing"`` draw tables for the task at hand: of every theme, with what
+``Task.needs`` lists on them besides. A source that is passed in draws what it says:
+``FreshScenes(SceneDistribution(needs=task.needs))`` has the needs, too.
 """
 
 from generator.distribution import SceneDistribution as SceneDistribution

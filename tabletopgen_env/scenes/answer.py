@@ -3,11 +3,17 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 from typing import Any
 
+from generator.errors import StorageError
+from generator.reading import parse_object, read_regular
+
 ANSWER = "answer.json"
 """Its name in the job's folder; it is published by one rename."""
+
+_MOST_BYTES = 2**20
 
 
 def give(folder: Path, said: dict[str, Any]) -> None:
@@ -18,11 +24,15 @@ def give(folder: Path, said: dict[str, Any]) -> None:
     part.replace(folder / ANSWER)
 
 
-def given(folder: Path) -> Any:
+def given(folder: Path) -> dict[str, Any]:
     """Return the answer to a job.
 
     Raises:
         FileNotFoundError: there is none yet.
-        OSError, ValueError: it cannot be read.
+        StorageError: it cannot be read.
     """
-    return json.loads((folder / ANSWER).read_bytes())
+    path = folder / ANSWER
+    if not os.path.lexists(path):
+        raise FileNotFoundError(path)
+    raw = read_regular(path, "The answer", StorageError, max_bytes=_MOST_BYTES)
+    return parse_object(raw, "The answer", StorageError)

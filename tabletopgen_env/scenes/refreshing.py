@@ -11,14 +11,14 @@ from typing import Any
 import numpy as np
 
 from generator.distribution import SceneDistribution
-from generator.errors import InputError
+from generator.errors import InputError, require, require_seed
 
 from .finding import FixedChoice, fixed_scenes
 from .fixed import FixedScenes
 from .fresh import FreshScenes
 from .pool import Pace, Pool
 from .source import SceneRef
-from .splitting import Rule
+from .splitting import Rule, admits
 
 PER_MINUTE = 6.0
 """How many scenes are renewed a minute, unless said otherwise."""
@@ -73,11 +73,9 @@ class RefreshingScenes:
             self.fresh = FreshScenes(self.fresh)
         if self.per_minute is None and self.every_resets is None and not self.synchronous:
             self.per_minute = PER_MINUTE
-        if self.size < 1 or self.workers < 1 or (self.seed is not None and self.seed < 0):
-            raise InputError(
-                "RefreshingScenes needs size and workers of at least 1 and a seed of at least 0, "
-                f"got {self.size}, {self.workers} and {self.seed}."
-            )
+        require(self, "size", "workers", least=1, whole=True)
+        if self.seed is not None:
+            require_seed(self.seed)
         if (self.per_minute is None) == (self.every_resets is None):
             raise InputError(
                 "RefreshingScenes is renewed either per_minute or every_resets, got "
@@ -132,8 +130,13 @@ class RefreshingScenes:
         return self._pool.crew.pids if self._pool and self._pool.crew else ()
 
     def admitting(self, rule: Rule) -> RefreshingScenes:
-        """Return the source of only those scenes that a rule admits, at first and later on."""
+        """Return the source of only those scenes that a rule admits, at first and later on.
+
+        Where that leaves none of the first ones, the first pool is made.
+        """
         fresh, initial = self._parts()
+        if initial is not None and not any(admits(rule, ref) for ref in initial.refs):
+            initial = None
         return dataclasses.replace(
             self,
             fresh=fresh.admitting(rule),

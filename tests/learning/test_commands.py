@@ -69,6 +69,7 @@ def test_resuming_by_the_command(trained: Path, table: str, other: str, capsys) 
     assert "32 steps of tiny" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, capsys) -> None:
     told = []
     for name in (trained, trained / LATEST, trained):
@@ -97,6 +98,7 @@ def test_enjoying_where_it_was_trained_is_said(
     assert "cannot be told: No bundle" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_film_strip_is_written(trained: Path, table: str, tmp_path: Path) -> None:
     strip = tmp_path / "new" / "strip.png"
     args = ("--scenes", table, "--episodes", "1", "--video-strip", str(strip))
@@ -126,7 +128,11 @@ def test_zips_are_loaded_only_if_trusted(trained: Path, table: str, capsys) -> N
     ("args", "code", "why"),
     [
         (("enjoy", "nothing"), 2, "no policy 'nothing'"),
-        (("enjoy", "{}", "--episodes", "0"), 2, "at least 1"),
+        (("enjoy", "{}", "--episodes", "0"), 2, "whole number >= 1"),
+        (("enjoy", "{}", "--seed", "-1"), 2, "A seed has to be a whole number from 0"),
+        (("train", "reach-sac", "--seed", "-1"), 2, "A seed has to be a whole number from 0"),
+        (("train", "reach-sac", "--out", "/dev/null"), 5, "cannot be written"),
+        (("plot", "{}", "--out", "/"), 5, "cannot be written"),
         (("enjoy", "{}", "--scenes", "/none"), 4, "No bundle"),
         (("enjoy", "{}", "--render", "--video-strip", "x.png"), 2, "not both"),
         (("enjoy", "{}/.."), 2, "no policy yet"),
@@ -185,6 +191,7 @@ def test_success_has_to_be_held(table: str) -> None:
     assert evaluate(env, Idle(), 2) == evaluate(env, Idle(), 2) != evaluate(env, Idle(), 2, seed=1)
 
 
+@pytest.mark.slow
 def test_the_newcomers_script_is_short_and_trains(
     table: str, tmp_path: Path, monkeypatch, capsys
 ) -> None:

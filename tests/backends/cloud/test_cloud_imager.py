@@ -275,6 +275,7 @@ def redrawn(
     return np.dstack([picture, alpha])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["openai", "seedream"])
 @pytest.mark.parametrize(("scale", "shift"), [(1.0, (0, 0)), (0.9, (60, -40)), (1.12, (-30, 20))])
 def test_a_thing_is_put_back_where_it_was(
@@ -315,6 +316,7 @@ def test_openai_s_form_is_told_what_to_keep(server: Running, make_imager: Make) 
     np.testing.assert_allclose(kept.mean(), book.mask.sum() / (1.4 * 80) ** 2, rtol=0.1)
 
 
+@pytest.mark.slow
 def test_a_server_without_masks_is_asked_without(server: Running, make_imager: Make) -> None:
     server.script.unknown = {"mask", "background"}
     server.script.paint = lambda r: redrawn(r.body["images"][0], clear=False)
@@ -376,6 +378,7 @@ def test_another_thing_is_drawn_again_with_what_was_wrong(
     assert "its shape is another" in second.text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("paint", "told"),
     [
@@ -492,6 +495,7 @@ def test_a_check_that_cannot_be_is_asked_again(
     assert len(server.script.asked("edits")) == 1
 
 
+@pytest.mark.slow
 def test_geometry_stands_in_with_a_warning(server: Running, make_imager: Make) -> None:
     server.script.paint = lambda request: plain()
     server.script.chat = lambda request: check([*GOOD[:2], sight(3)])

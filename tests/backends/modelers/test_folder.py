@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import os
 
 import numpy as np
 import pytest
@@ -85,6 +86,24 @@ def test_an_obj_names_no_file_outside_its_folder(tmp_path, name):
     (tmp_path / "in/mug.obj").write_text(f"mtllib {name}\nv 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n")
     with pytest.raises(BackendError, match="names a file outside its folder"):
         ask(tmp_path / "in")
+
+
+@pytest.mark.parametrize("kind", ["loop", "device", "pipe", "long", "nul"])
+@pytest.mark.parametrize("which", ["material", "picture"])
+def test_what_an_obj_names_has_to_be_a_regular_file(tmp_path, kind, which):
+    name = {"long": "a" * 5000, "nul": "a\0b"}.get(kind, "it")
+    if kind == "loop":
+        (tmp_path / "it").symlink_to("it")
+    elif kind == "device":
+        (tmp_path / "it").symlink_to("/dev/zero")
+    elif kind == "pipe":
+        os.mkfifo(tmp_path / "it")
+    library = name if which == "material" else "m.mtl"
+    (tmp_path / "m.mtl").write_text(f"newmtl a\nmap_Kd {name}\n")
+    text = f"#{'-' * 5000}\nmtllib {library}\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n"
+    (tmp_path / "mug.obj").write_text(text)
+    with pytest.raises(BackendError, match=r"mug.obj"):
+        ask(tmp_path)
 
 
 def test_what_is_missing_is_told_with_what_is_there(tmp_path):

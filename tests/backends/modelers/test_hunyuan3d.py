@@ -107,6 +107,7 @@ def test_an_answer_is_asked_for_once(tmp_path):
         assert len(served.calls) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "bad", [GOOD[: len(GOOD) // 2], b'{"status": "processing"}', b"", b"PK\x03\x04" + bytes(99)]
 )

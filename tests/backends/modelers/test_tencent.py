@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import io
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import httpx2
@@ -97,7 +98,7 @@ def ask(url: str, session: Session | None = None, **settings) -> Model:
     return made.model(instance("mug"), prior("mug"), USUAL_VIEW)
 
 
-def refused(cloud: Cloud, session: Session | None = None, **settings) -> str:
+def refused(cloud: Callable[[Call], Answer], session: Session | None = None, **settings) -> str:
     with serving(cloud) as served, pytest.raises(BackendError) as caught:
         ask(served.url, session, **settings)
     assert str(caught.value).startswith("tencent, model")
@@ -389,6 +390,7 @@ def test_settings_out_of_range_are_refused():
     assert not cloud.log
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("before", range(340, 400, 7))
 def test_a_key_that_a_quote_would_cut_in_two_is_found_all_the_same(before):
     def refuse(call: Call) -> Answer:

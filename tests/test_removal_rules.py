@@ -1,0 +1,56 @@
+"""Who may delete, by the source: a name that a file holds reaches only ``generator.files``."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+ROOT = Path(__file__).parent.parent
+PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
+REMOVING = {"rmtree", "unlink", "rmdir", "removedirs"}
+OF_OS = {"remove", "removedirs", "rmdir", "unlink"}
+
+ALLOWED = {
+    "generator/files.py": "the one place: plain names inside a folder of ours",
+    "generator/running/store.py": "its own partial file, as made",
+    "generator/training/shards.py": "its own partial file, as made",
+    "generator/backends/huggingface/pulling.py": "its own download that is not what was pinned",
+    "tabletopgen_env/scenes/pool.py": "jobs in a temporary folder of its own",
+    "tabletopgen_env/scenes/worker.py": "the temporary folder of the process that started it",
+    "tabletopgen_env/scenes/crew.py": "temporary folders of its own",
+    "tabletopgen_env/recording/recorder.py": "a part folder of its own",
+    "tabletopgen_env/learning/runs.py": "checkpoints of a run, by their pattern in its folder",
+    "assets_cache/make_starter.py": "remakes what the package ships, run by hand",
+}
+"""The modules that delete, and what: nothing whose name was read from a file."""
+
+
+def removals(source: str) -> list[str]:
+    """The calls of a module by which something is deleted."""
+    found = []
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Attribute) and (
+            node.attr in REMOVING
+            or (node.attr in OF_OS and isinstance(node.value, ast.Name) and node.value.id == "os")
+        ):
+            found.append(node.attr)
+        elif isinstance(node, ast.ImportFrom) and node.module in ("os", "shutil"):
+            found += [a.name for a in node.names if a.name in REMOVING | OF_OS]
+    return found
+
+
+def test_only_those_delete_that_have_a_reason() -> None:
+    deleting = set()
+    for package in PACKAGES:
+        for path in (ROOT / package).rglob("*.py"):
+            if removals(path.read_text()):
+                deleting.add(path.relative_to(ROOT).as_posix())
+    assert deleting == set(ALLOWED)
+
+
+def test_the_rule_can_fail() -> None:
+    assert removals("import shutil\nshutil.rmtree(path)") == ["rmtree"]
+    assert removals("from shutil import rmtree") == ["rmtree"]
+    assert removals("import os\nos.remove(path)") == ["remove"]
+    assert removals("Path(name).unlink()") == ["unlink"]
+    assert removals("names.remove('a')") == []
