@@ -28,8 +28,10 @@ from hostile.harness import MOST_MIB, SECONDS, Tally, Worker, report, run_cases 
 from hostile.targets import KINDS  # noqa: E402
 
 Row = dict[str, str]
-FIELDS = ("kind", "cases", "accepted", "refused", "foreign", "late", "heavy", "outside",
-          "slowest_s", "heaviest_mib", "seconds", "seed", "date")  # fmt: skip
+FIELDS: tuple[str, ...] = (
+    "kind", "cases", "accepted", "refused", "foreign", "late", "heavy", "outside", "slowest_s",
+    "heaviest_mib", "seconds", "seed", "date",
+)  # fmt: skip
 HEADS = ("kind", "cases", "accepted", "refused", "foreign exceptions", "time-outs", "over memory",
          "changes outside", "slowest (s)", "largest growth (MiB)", "in all (s)", "seed",
          "date")  # fmt: skip

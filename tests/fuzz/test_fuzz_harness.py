@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import random
 from collections.abc import Iterator
@@ -109,3 +110,22 @@ def test_pictures_are_spoiled_in_many_ways() -> None:
     rng, good = random.Random(0), png(8, 8)
     assert len({hostile_png(rng, good) for _ in range(200)}) > 100
     assert len({spoiled(good, rng) for _ in range(200)}) > 100
+
+
+def test_the_command_writes_a_table_and_runs_one_case_again(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = Path(__file__).parents[2] / "benchmarks" / "fuzz.py"
+    spec = importlib.util.spec_from_file_location("benchmark_fuzz", path)
+    assert spec is not None and spec.loader is not None
+    command = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(command)
+    rows = {}
+    for kind in ("glb", "paper-json"):
+        outcomes = [Outcome(kind, 0, 1, "refused"), Outcome(kind, 0, 2, "foreign")]
+        rows[kind] = command.row(Tally(kind, 0, outcomes), 3.0)
+        command.write(rows, tmp_path, "a machine", "python benchmarks/fuzz.py")
+    assert command.read(tmp_path / "fuzz.csv") == rows
+    assert "| **all** | 4 | 0 | 2 | 2 |" in (tmp_path / "fuzz.md").read_text()
+    assert command.main(["--kind", "planted:raises", "--case", "4", "--seed", "7"]) == 1
+    assert "planted:raises case 4 of seed 7: foreign" in capsys.readouterr().out
