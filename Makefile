@@ -1,11 +1,11 @@
-# Two commands do all the set-up on a fresh machine: `make demo` and `make test`.
+# `make demo`, `make check` and `make test` do all the set-up on a fresh machine.
 PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check
 WORKERS ?= 2
 
-.PHONY: demo test lint format types build bench clean
+.PHONY: demo check test test-fast lint format types build clean
 
 $(BIN)/python:
 	$(PYTHON) -m venv $(VENV)
@@ -22,8 +22,14 @@ $(VENV)/.installed-dev: $(VENV)/.installed
 demo: $(VENV)/.installed  ## a text and a picture to bundles, the Panda moves an object on each
 	$(BIN)/python examples/demo.py --out out
 
+check: $(VENV)/.installed-dev  ## lint, types and the fast tests, side by side
+	$(MAKE) --jobs=3 --output-sync=target lint types test-fast
+
 test: $(VENV)/.installed-dev  ## the whole test suite
 	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal
+
+test-fast: $(VENV)/.installed-dev
+	$(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -m "not slow"
 
 lint: $(VENV)/.installed-dev
 	$(BIN)/ruff check .
@@ -36,14 +42,8 @@ format: $(VENV)/.installed-dev
 types: $(VENV)/.installed-dev
 	$(BIN)/pyright
 
-build: $(VENV)/.installed-dev  ## wheel, then a smoke test of it in isolation
-	$(PIP) build
-	rm -rf build dist && $(BIN)/python -m build --wheel --outdir dist .
-	$(PIP) --no-deps --target dist/installed dist/*.whl
-	cd dist && PYTHONPATH=installed $(abspath $(BIN))/python -P -c "import assets_cache, generator.cli; \
-	  from generator.compose import compose; assert 'installed' in assets_cache.__file__; \
-	  assert not any(assets_cache.verify().values()); assert len(assets_cache.find('starter')) >= 12; \
-	  assert compose('a desk with a mug').report.passed"
+build: $(VENV)/.installed-dev  ## the wheel, installed apart from the checkout and tried there
+	$(BIN)/python tests/installing/built_wheel.py dist
 
 clean:
 	rm -rf $(VENV) build dist out *.egg-info .pytest_cache .ruff_cache

@@ -10,12 +10,14 @@ against the truth as placed; collisions are measured before and after separation
 Each split has catalogue variants and random numbers of its own: develop on "dev", report "test".
 Rows are written to ``ablation_<split>.csv`` as scenes end (a second run resumes), then the table to
 ``ablation_<split>.md`` and the scenes ``--sheet`` as placed, from the picture's camera, to
-``ablation_<split>.png``; the pictures of all scenes are left in ``out/ablation_<split>/``.
+``ablation_<split>.png``; the pictures of all scenes go to ``--pictures``/ablation_<split>/.
+With ``--text`` every scene is of that text, which ends the names of the files.
 """
 
 from __future__ import annotations
 
 import argparse
+import re
 from pathlib import Path
 
 from posing import ablations
@@ -33,16 +35,22 @@ def main() -> None:
     p.add_argument("--cases", type=int, default=12)
     p.add_argument("--split", choices=tuple(STREAMS), default="dev")
     p.add_argument("--seed", type=int, default=1)
+    p.add_argument("--text", default="", help="of every scene; themes otherwise")
     p.add_argument("--workers", type=int, default=1)
     p.add_argument("--sheet", type=int, nargs="*", default=(0, 1, 2), help="scenes to show")
     p.add_argument("--note", default="", help="what was seen, for below the table")
+    p.add_argument(
+        "--pictures", type=Path, default=HERE.parent / "out", help="folder of all scenes'"
+    )
     p.add_argument("--out", type=Path, default=HERE / "results")
     args = p.parse_args()
     if args.cases < 1 or args.workers < 1:
         raise SystemExit("--cases and --workers must be at least 1.")
     alone()
     name = f"ablation_{args.split}" + (f"_seed{args.seed}" if args.seed != 1 else "")
-    how = ablations.Run(args.split, args.seed, HERE.parent / "out" / name)
+    if args.text:
+        name += "_" + "_".join(re.findall(r"\w+", args.text.lower()))[:40]
+    how = ablations.Run(args.split, args.seed, args.pictures / name, args.text)
     try:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / f"{name}.csv"

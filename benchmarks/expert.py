@@ -4,14 +4,14 @@
     python benchmarks/expert.py --scenes composed --held-out --task Push --task Stack
     python benchmarks/expert.py --scenes starter --episodes 24
 
-An episode starts perturbed, as those of certificates do (``certify.perturb``), since what follows
-is settled by scene, target, goal and start. It is a success once ``info["success"]`` has held for
-``HOLD`` steps within the time limit of the task's id. ``--scenes composed`` composes scenes from
-the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to develop
-with, the others with seeds from ``HELD_OUT`` for ``--held-out``. Tidy and the presets of Sequence
-(``Sequence:kitchen``), which need certain things, have tables of their own texts, ``OWN``, in turn.
-Scenes that offer nothing to do have a row without a success. Rows go to ``expert_<which>.csv`` as
-they come (a second run resumes), the summary to the ``.md`` beside it.
+An episode starts perturbed, as those of certificates do (``randomization="starts"``), since what
+follows is settled by scene, target, goal and start. It is a success once ``info["success"]`` has
+held for ``HOLD`` steps within the time limit of the task's id. ``--scenes composed`` composes
+scenes from the texts of ``texts.json`` and ``table78.json``: every second text with seeds from 0 to
+develop with, the others with seeds from ``HELD_OUT`` for ``--held-out``, or from ``--seed``. Tidy
+and the presets of Sequence (``Sequence:kitchen``), which need certain things, have tables of their
+own texts, ``OWN``, in turn. Scenes that offer nothing to do have a row without a success. Rows go
+to ``expert_<which>.csv`` as they come (a second run resumes), the summary to the ``.md`` beside it.
 """
 
 from __future__ import annotations
@@ -25,7 +25,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import gymnasium as gym
-import numpy as np
 from posing import tables
 from posing.tables import Row
 
@@ -34,7 +33,6 @@ from generator.bundle import load
 from generator.compose import compose
 from generator.errors import SceneError, TabletopError
 from generator.scene import Scene
-from tabletopgen_env.certify import perturb
 from tabletopgen_env.env import TabletopEnv
 from tabletopgen_env.episodes import HOLD, Held
 from tabletopgen_env.expert.run import TaskExpert
@@ -109,6 +107,7 @@ def made(scene: Scene, task: str) -> gym.Env:
     """Return the environment of a task's id at one table."""
     name, _, preset = task.partition(":")
     more: dict[str, Any] = {"preset": preset} if preset else {}
+    more["randomization"] = "starts"
     return gym.make(f"tabletopgen_env:TabletopGen/{name}-v0", scenes=scene, **more)
 
 
@@ -117,7 +116,6 @@ def episode(env: gym.Env, seed: int, scene: Scene) -> Row:
     _, info = env.reset(seed=seed)
     table = env.unwrapped
     assert isinstance(table, TabletopEnv)
-    perturb(table, np.random.default_rng(seed))
     start = hashlib.sha256(table.world.data.qpos.tobytes()).hexdigest()[:12]
     expert = TaskExpert(env)
     held, steps = Held(), 0
@@ -171,13 +169,19 @@ def jobs(args: argparse.Namespace) -> Iterator[Job]:
                     yield Job(task, str(path.resolve()), 0, args.episodes)
         return
     for task in tasks:
-        for text, seed in composed_scenes(task, args.count, args.held_out):
+        for text, seed in composed_scenes(task, args.count, args.held_out, args.seed):
             yield Job(task, text, seed, args.episodes)
 
 
-def composed_scenes(task: str, count: int, held_out: bool) -> list[tuple[str, int]]:
-    """Return the texts and seeds of ``count`` scenes of a task, to develop with or held out."""
-    first = HELD_OUT if held_out else 0
+def composed_scenes(
+    task: str, count: int, held_out: bool, first: int | None = None
+) -> list[tuple[str, int]]:
+    """Return the texts and seeds of ``count`` scenes of a task, to develop with or held out.
+
+    ``first`` is the seed of the first round of texts; others follow it.
+    """
+    if first is None:
+        first = HELD_OUT if held_out else 0
     if own := OWN.get(task):
         return [(own[k % len(own)], first + k // len(own)) for k in range(count)]
     texts = [t for name in ("texts.json", "table78.json") for t in tables.texts_in(HERE / name)]
@@ -259,6 +263,7 @@ def main() -> None:
     parser.add_argument("--scenes", default="composed", help="'composed', or bundles as a glob")
     parser.add_argument("--count", type=int, default=30, help="how many scenes to compose")
     parser.add_argument("--held-out", action="store_true", help="scenes not developed on")
+    parser.add_argument("--seed", type=int, help="first seed of the tables, for fresh ones")
     parser.add_argument("--episodes", type=int, default=7, help="of each task at each table")
     parser.add_argument("--workers", type=int, default=1)
     parser.add_argument("--name", help="name of the table; made of the scenes otherwise")

@@ -20,7 +20,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
@@ -30,6 +30,8 @@ from posing import tables
 from generator.running import Session
 
 HERE = Path(__file__).parent
+LONG = 600.0
+"""Seconds after which the process of the servers is taken to hang."""
 TESTS = HERE.parent / "tests"
 sys.path[:0] = [str(TESTS), str(TESTS / "mixing")]
 
@@ -112,12 +114,29 @@ def served(delay: float, models: Path) -> Iterator[Connection]:
     here, there = spawn.Pipe()
     process = spawn.Process(target=serve, args=(delay, models, there), daemon=True)
     process.start()
+    there.close()  # so that its end is noticed here
     try:
-        os.environ.update(here.recv())
+        os.environ.update(heard(here))
         yield here
     finally:
-        here.send(False)
-        process.join()
+        with suppress(OSError):  # it has ended
+            here.send(False)
+        process.join(LONG)
+        process.kill()
+
+
+def heard(servers: Connection) -> Any:
+    """Return what the servers' process tells next.
+
+    Raises:
+        SystemExit: it has ended, or hangs.
+    """
+    try:
+        if servers.poll(LONG):
+            return servers.recv()
+    except EOFError:
+        raise SystemExit("The process of the servers has ended.") from None
+    raise SystemExit(f"The process of the servers told nothing in {LONG:g} s.")
 
 
 def made(workers: int, servers: Connection) -> Row:
@@ -130,7 +149,7 @@ def made(workers: int, servers: Connection) -> Row:
     whole = time.perf_counter() - begin
     assert len(scene.objects) == 6 and len(session.seconds) == len(STEPS)
     servers.send(True)
-    calls = servers.recv()
+    calls = heard(servers)
     return Row(tuple(session.seconds), tuple(at_work(calls, q) for q in STEPS.values()), whole)
 
 

@@ -149,11 +149,12 @@ def strip_picture(
         sheet.paste(cut, (k * (WIDTH + 4), 0))
     draw, font = ImageDraw.Draw(sheet), ImageFont.load_default(19)
     draw.text((sheet.width / 2, HEIGHT + 4), caption, (40, 44, 52), font, anchor="mt")
-    return sheet.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+    palette = sheet.quantize(256, Image.Quantize.MAXCOVERAGE)
+    return sheet.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG)  # the haze is smooth
 
 
-def make(name: str) -> Path:
-    """Write one strip; return where."""
+def make(name: str, out: Path) -> Path:
+    """Write one strip into a folder; return where."""
     strip = STRIPS[name]
     env = made(strip)
     done, _ = play(env, strip)
@@ -166,8 +167,8 @@ def make(name: str) -> Path:
     shown = [*np.linspace(0, done, FRAMES - 1).round().astype(int).tolist(), done + _HOLD]
     _, frames = play(env, strip, shown)
     env.close()
-    FOLDER.mkdir(parents=True, exist_ok=True)
-    path = FOLDER / f"{name}.png"
+    out.mkdir(parents=True, exist_ok=True)
+    path = out / f"{name}.png"
     strip_picture(frames, part, caption).save(path, optimize=True)
     print(f"{path}: {done} steps, {path.stat().st_size / 1000:.0f} kB: {caption}", flush=True)
     if path.stat().st_size > MOST_BYTES:
@@ -179,11 +180,13 @@ def main() -> None:
     """Write the strips named, or all."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(STRIPS)}")
-    names = parser.parse_args().names
+    parser.add_argument("--out", type=Path, default=FOLDER, help="folder of the strips")
+    args = parser.parse_args()
+    names: list[str] = args.names
     if unknown := sorted({*names} - {*STRIPS}):
         parser.error(f"There is no strip {unknown[0]!r}; there are {', '.join(STRIPS)}.")
     for name in names or STRIPS:
-        make(name)
+        make(name, args.out)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ limits and tables to play at are those of the tasks themselves.
 
 from __future__ import annotations
 
+import argparse
 import importlib
 import re
 from collections.abc import Iterator
@@ -186,6 +187,15 @@ def page() -> str:
     return "\n\n".join(parts) + "\n"
 
 
+def main() -> None:
+    """Write the page."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--out", type=Path, default=PAGE.parent, help="folder of the page")
+    out: Path = parser.parse_args().out
+    out.mkdir(parents=True, exist_ok=True)
+    (out / PAGE.name).write_text(page(), encoding="utf-8")
+    print(out / PAGE.name)
+
+
 if __name__ == "__main__":
-    PAGE.write_text(page(), encoding="utf-8")
-    print(PAGE)
+    main()

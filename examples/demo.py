@@ -49,11 +49,15 @@ def move_something(bundle: Path, strip: Path) -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=Path("out"))
+    parser.add_argument("--only", choices=("text", "picture"), help="one of the two")
+    parser.add_argument("--text", default=TEXT)
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
 
     lines = ["# Demo", ""]
-    for name, source in (("text", TEXT), ("picture", PICTURE)):
+    sources = {"text": args.text, "picture": PICTURE}
+    for name in (args.only,) if args.only else sources:
+        source = sources[name]
         print(f"{name}: {source}")
         try:
             generation, bundle, seconds = build(name, source, args.out)

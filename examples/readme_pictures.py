@@ -1,12 +1,14 @@
-"""Make the README's pictures anew.
+"""Make the README's pictures: all of them, or those named.
 
-python examples/readme_pictures.py --out docs/images
+python examples/readme_pictures.py [NAME ...] --out docs/images
 """
 
 from __future__ import annotations
 
 import argparse
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 import cv2
 import numpy as np
@@ -15,12 +17,24 @@ from expert import film_strip, play_until_solved
 from PIL import Image
 
 from assets_cache import store
+from generator import editing
+from generator.backends import Backends
+from generator.bundle import load
 from generator.figures import preview
 from generator.pipeline import generate
 from generator.render.sheet import grid
 
 WIDTH = 1260
 TRIES = 8
+
+SWAPS = (
+    ("office-desk", "mug_1", "a potted plant"),
+    ("dining-fruit", "vase_1", "a teapot"),
+    ("workbench", "hammer_1", "a cordless drill"),
+    ("coffee-square", "candle_1", "a cake"),
+    ("vanity", "hand_mirror_1", "a hairbrush"),
+)
+"""Of the picture of edits: starter, what goes, what comes."""
 
 
 def across(images: list[np.ndarray], width: int = WIDTH) -> np.ndarray:
@@ -43,32 +57,71 @@ def at_work(scenes: str, size: tuple[int, int]) -> list[np.ndarray]:
     return frames
 
 
-def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=Path("out/readme"))
-    args = parser.parse_args()
-    args.out.mkdir(parents=True, exist_ok=True)
+def read(path: Path) -> np.ndarray:
+    """Return a picture as RGB pixels."""
+    return np.asarray(Image.open(path).convert("RGB"))
 
-    made = generate(TEXT, seed=0, name="hero")
-    bundle = made.save(args.out / "scenes")
+
+def generated(text: str, out: Path) -> dict[str, np.ndarray]:
+    """Return a text's drawing, its scene and the expert at work there; and the method's stages."""
+    made = generate(text, seed=0, name="hero")
+    bundle = made.save(out / "scenes")
     frames = at_work(str(bundle), (720, 960))
     drawn = np.asarray(made.reference.image)
-    pictures = {"hero": across([drawn, preview(made.scene), frames[len(frames) // 3]])}
-
-    figures = {path.stem: path for path in made.save_figures(args.out / "stages")}
+    figures = {path.stem: path for path in made.save_figures(out / "stages")}
     stages = ("fig09_completion", "fig10_canonical_models", "fig11_rotation", "fig13_top_view")
-    parts = [np.asarray(Image.open(figures[stem]).convert("RGB")) for stem in stages]
-    pictures["stages"] = np.concatenate([across(parts[:2]), across(parts[2:])])
+    parts = [read(figures[stem]) for stem in stages]
+    return {
+        "hero": across([drawn, preview(made.scene), frames[len(frames) // 3]]),
+        "stages": np.concatenate([across(parts[:2]), across(parts[2:])]),
+    }
 
-    starters = store.find("starter")
-    shown = [np.asarray(Image.open(path / "preview.png").convert("RGB")) for path in starters]
-    names = [path.name.rpartition("-")[0] for path in starters]
-    pictures["starters"] = grid(shown, names, columns=5, cell=240)
-    pictures["expert"] = film_strip(at_work("starter", (240, 320)))
 
-    for name, picture in pictures.items():
-        Image.fromarray(picture).save(args.out / f"{name}.png", optimize=True)
-        print(args.out / f"{name}.png")
+def starters(text: str, out: Path) -> dict[str, np.ndarray]:
+    """Return the previews of the starters, each with its name."""
+    bundles = store.find("starter")
+    names = [path.name.rpartition("-")[0] for path in bundles]
+    shown = [read(path / "preview.png") for path in bundles]
+    return {"starters": grid(shown, names, columns=5, cell=240)}
+
+
+def expert(text: str, out: Path) -> dict[str, np.ndarray]:
+    """Return a film strip of the expert at a starter."""
+    return {"expert": film_strip(at_work("starter", (240, 320)))}
+
+
+def edits(text: str, out: Path) -> dict[str, np.ndarray]:
+    """Return starters above, and below them what the embedded backend makes of their edits."""
+    before, after, captions = [], [], []
+    for name, old, new in SWAPS:
+        (bundle,) = store.find(name)
+        before.append(preview(load(bundle)))
+        edited = editing.swap(bundle, old, new, backends=Backends.select("embedded"))
+        after.append(preview(edited.scene))
+        captions.append(f"{old} -> {new}")
+    titles = [*(name for name, _, _ in SWAPS), *captions]
+    return {"edits": grid([*before, *after], titles, len(SWAPS), 330)}
+
+
+PICTURES: Mapping[str, Callable[[str, Path], Mapping[str, np.ndarray]]] = MappingProxyType(
+    {"generated": generated, "starters": starters, "expert": expert, "edits": edits}
+)
+"""What can be made, by name; "generated" makes two pictures, hero and stages."""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(PICTURES)}")
+    parser.add_argument("--text", default=TEXT, help="what is generated")
+    parser.add_argument("--out", type=Path, default=Path("out/readme"))
+    args = parser.parse_args()
+    if unknown := sorted({*args.names} - {*PICTURES}):
+        parser.error(f"There is no picture {unknown[0]!r}; there are {', '.join(PICTURES)}.")
+    args.out.mkdir(parents=True, exist_ok=True)
+    for kind in args.names or PICTURES:
+        for name, picture in PICTURES[kind](args.text, args.out).items():
+            Image.fromarray(picture).save(args.out / f"{name}.png", optimize=True)
+            print(args.out / f"{name}.png")
 
 
 if __name__ == "__main__":

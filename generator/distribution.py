@@ -11,6 +11,9 @@ import numpy as np
 from .errors import InputError, choices
 from .scene import OutlineKind, ScenePlan
 
+Needs = tuple[tuple[str, ...], ...]
+"""What a table has to hold: for each entry one of the things that it lists."""
+
 PLAIN = "plain"
 """The style in which things are drawn as they are."""
 
@@ -29,6 +32,10 @@ class SceneDistribution:
         tables: shapes of the top ("rectangle", "square", "round", "oval", "triangle", "slatted");
             () for those usual for the theme.
         styles: "plain", "cartoon" and "low-poly".
+        needs: what each table holds besides, its theme's own things aside: for each entry one
+            thing of those it lists, all equally likely, those of the table's theme before others.
+            A thing is a name of the catalogue, perhaps after its size: "tray", "small cucumber".
+            They count among the ``objects``; at least one other thing is there.
 
     Raises:
         InputError: an unknown name, or no range of objects.
@@ -38,6 +45,7 @@ class SceneDistribution:
     objects: tuple[int, int] = (4, 8)
     tables: tuple[OutlineKind, ...] = ()
     styles: tuple[str, ...] = (PLAIN,)
+    needs: Needs = ()
 
     def __post_init__(self) -> None:
         from .backends.embedded.drafts import MAX_OBJECTS
@@ -60,6 +68,26 @@ class SceneDistribution:
                 f"({low}, {high})."
             )
         object.__setattr__(self, "objects", (low, high))
+        self._check_needs()
+
+    def _check_needs(self) -> None:
+        """Make tuples of the needs, all of things that there are."""
+        from .backends.embedded.filling import needed
+
+        given = self.needs
+        whole = isinstance(given, tuple | list) and all(isinstance(n, tuple | list) for n in given)
+        if not whole or not all(given):
+            raise InputError(
+                "SceneDistribution.needs lists for each need the things that fill it, for example "
+                f"(('tray', 'basket'), ('egg', 'die')), got {given!r}."
+            )
+        for phrase in (phrase for phrases in given for phrase in phrases):
+            if not isinstance(phrase, str) or needed(phrase) is None:
+                raise InputError(
+                    f"SceneDistribution.needs: there is no {phrase!r}."
+                    + choices(str(phrase), categories_known())
+                )
+        object.__setattr__(self, "needs", tuple(tuple(phrases) for phrases in given))
 
     def _check(self, name: str, known: Iterable[str]) -> None:
         """Make a tuple of a field of names, all of them known."""
@@ -83,7 +111,7 @@ class SceneDistribution:
         count = int(rng.integers(self.objects[0], self.objects[1] + 1))
         outline = self.tables[int(rng.integers(len(self.tables)))] if self.tables else None
         style = self.styles[int(rng.integers(len(self.styles)))]
-        table, objects = furnish(theme, count, rng, outline)
+        table, objects = furnish(theme, count, rng, outline, self.needs)
         article = "an" if table.outline == "oval" else "a"
         drawn = "" if style == PLAIN else f", {style} style"
         words = f"{article} {table.outline} {theme} table with {len(objects)} objects{drawn}"

@@ -12,6 +12,8 @@ import hashlib
 import xml.etree.ElementTree as ET
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -50,6 +52,9 @@ leaning table an orange turns by 1 degree in 5 s with these, by 5 with the usual
 SLENDER, THIN = 0.35, 0.04
 """A thing is slender if it is thinner than this share of its length, and than this, metres."""
 
+_TINY = 1e-200
+"""MuJoCo refuses numbers that are too small for it; these are zero."""
+
 _TOP_VIEW = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(30.0))
 _AXIS_QUATERNION = {
     0: (np.sqrt(0.5), 0.0, np.sqrt(0.5), 0.0),
@@ -65,11 +70,19 @@ class Document:
     files: Mapping[str, bytes]
 
 
-def document(scene: Scene, *, visuals: bool = True) -> Document:
-    """Return the MJCF of a scene; without ``visuals`` only what the physics needs."""
+def document(
+    scene: Scene,
+    *,
+    visuals: bool = True,
+    paths: Mapping[Mesh, tuple[str, str]] = MappingProxyType({}),
+) -> Document:
+    """Return the MJCF of a scene; without ``visuals`` only what the physics needs.
+
+    ``paths`` are those of meshes and textures that are there already: they are named, not written.
+    """
     root = ET.Element("mujoco", model=scene.name)
     _settings(root)
-    assets = _Assets(ET.SubElement(root, "asset"), visuals)
+    assets = _Assets(ET.SubElement(root, "asset"), visuals, paths)
     world = ET.SubElement(root, "worldbody")
     _floor(world)
     if visuals:
@@ -89,11 +102,26 @@ def document(scene: Scene, *, visuals: bool = True) -> Document:
 
 
 def scene_spec(scene: Scene, *, visuals: bool = True) -> mujoco.MjSpec:
-    """Return the scene as an ``MjSpec``, ready to compile or to attach a robot to."""
+    """Return the scene as an ``MjSpec``, ready to compile or to attach a robot to.
+
+    Raises:
+        SceneError: MuJoCo cannot read it.
+    """
+    return spec_of(document(scene, visuals=visuals), scene.name)
+
+
+def spec_of(made: Document, name: str) -> mujoco.MjSpec:
+    """Return the document of the scene called ``name`` as an ``MjSpec``.
+
+    Raises:
+        SceneError: MuJoCo cannot read it.
+    """
     import mujoco
 
-    made = document(scene, visuals=visuals)
-    return mujoco.MjSpec.from_string(made.xml, assets=dict(made.files))
+    try:
+        return mujoco.MjSpec.from_string(made.xml, assets=dict(made.files))
+    except ValueError as error:
+        raise _unbuildable(name, error) from error
 
 
 def compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
@@ -105,11 +133,15 @@ def compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
     try:
         return spec.compile()
     except ValueError as error:
-        said = " ".join(str(error).split())
-        raise SceneError(
-            f"MuJoCo cannot build the scene {name!r}: {said}. Make the scene again, or give that "
-            "body a sound shape and inertia."
-        ) from error
+        raise _unbuildable(name, error) from error
+
+
+def _unbuildable(name: str, error: ValueError) -> SceneError:
+    said = " ".join(str(error).split())
+    return SceneError(
+        f"MuJoCo cannot build the scene {name!r}: {said!r}. Make the scene again, or give that "
+        "body a sound shape and inertia."
+    )
 
 
 # ------------------------------------------------------------------------------------- encoding
@@ -201,8 +233,11 @@ def _body(world: ET.Element, thing: Object, assets: _Assets) -> None:
 class _Assets:
     """Adds geoms to bodies, and to the document each mesh, texture and hull once."""
 
-    def __init__(self, element: ET.Element, visuals: bool) -> None:
+    def __init__(
+        self, element: ET.Element, visuals: bool, paths: Mapping[Mesh, tuple[str, str]]
+    ) -> None:
         self.files: dict[str, bytes] = {}
+        self._paths = dict(paths)
         self._element = element
         self._visuals = visuals
         self._named: set[str] = set()
@@ -217,21 +252,27 @@ class _Assets:
         """Add the textured mesh as a geom that touches nothing."""
         if not self._visuals:
             return
-        obj, png = encode_obj(mesh), encode_png(mesh.texture)
-        shape, picture = mesh_path(obj), texture_path(png)
-        self.files[shape], self.files[picture] = obj, png
+        if mesh not in self._paths:
+            self._paths[mesh] = self._written(mesh)
+        shape, picture = self._paths[mesh]
         size = _text(scale)
         mesh_name = self._add(
             "mesh", f"mesh_{_digest((shape + size).encode())}", file=shape, scale=size,
             inertia="shell",
         )  # fmt: skip
-        texture = self._add("texture", f"texture_{_digest(png)}", type="2d", file=picture)
+        texture = self._add("texture", f"texture_{Path(picture).stem}", type="2d", file=picture)
         alpha = _text([mesh.opacity])
         material = self._add(
             "material", f"material_{_digest((texture + alpha).encode())}", texture=texture,
             rgba=f"1 1 1 {alpha}", specular="0.2", shininess="0.3",
         )  # fmt: skip
         ET.SubElement(body, "geom", {"class": "visual"}, mesh=mesh_name, material=material)
+
+    def _written(self, mesh: Mesh) -> tuple[str, str]:
+        obj, png = encode_obj(mesh), encode_png(mesh.texture)
+        shape, picture = mesh_path(obj), texture_path(png)
+        self.files[shape], self.files[picture] = obj, png
+        return shape, picture
 
     def collide(
         self, body: ET.Element, part: ConvexPart, friction: float, slender: bool = False
@@ -296,4 +337,6 @@ def _digest(content: bytes) -> str:
 
 
 def _text(numbers: Iterable[Any]) -> str:
-    return " ".join(f"{float(x) + 0.0:.7g}" for x in numbers)
+    values = np.array(numbers if isinstance(numbers, np.ndarray) else [*numbers], np.float64) + 0.0
+    values[np.abs(values) < _TINY] = 0.0
+    return " ".join([f"{value:.7g}" for value in values.tolist()])

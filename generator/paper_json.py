@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from .errors import InputError
+from .errors import InputError, require_number
 from .scene import Placement
 
 _FRAME = np.array([-1.0, -1.0, 1.0]) / 100.0
@@ -34,22 +34,34 @@ def from_paper(
     Raises:
         InputError: an object without a rotation, or fields missing or malformed.
     """
-    yaws = {name.replace(" ", "_"): degrees for name, degrees in rotations.items()}
-    placements = []
-    for raw, entry in alignment.get("objects", {}).items():
-        name = raw.replace(" ", "_")
-        if name not in yaws:
-            raise InputError(f"No rotation for {name!r}; rotations exist for {sorted(yaws)}.")
-        try:
-            translation = np.asarray(entry["translation"], float) * _FRAME
-            scale = np.asarray(entry["scale"], float) / 100.0
-        except (KeyError, TypeError, ValueError) as error:
-            raise InputError(
-                f"{name!r} needs 'scale' and 'translation', three numbers each, in cm."
-            ) from error
-        placements.append(Placement(name, float(np.deg2rad(yaws[name])), translation, scale))
+    objects = alignment.get("objects", {}) if isinstance(alignment, Mapping) else None
+    if not isinstance(rotations, Mapping) or not isinstance(objects, Mapping):
+        raise InputError(
+            'Rotations are {name: degrees}, alignments {"objects": {name: {"scale", '
+            '"translation"}}}.'
+        )
+    yaws = {_plain(name): degrees for name, degrees in rotations.items()}
+    placements = tuple(_placement(_plain(raw), entry, yaws) for raw, entry in objects.items())
     anchor = alignment.get("anchor_object")
-    return tuple(placements), None if anchor is None else str(anchor).replace(" ", "_")
+    return placements, None if anchor is None else _plain(anchor)
+
+
+def _plain(name: object) -> str:
+    return str(name).replace(" ", "_")
+
+
+def _placement(name: str, entry: Any, yaws: Mapping[str, Any]) -> Placement:
+    if name not in yaws:
+        raise InputError(f"No rotation for {name!r}; rotations exist for {sorted(yaws)}.")
+    require_number(f"{name!r} needs a rotation", yaws[name])
+    try:
+        translation = np.asarray(entry["translation"], float) * _FRAME
+        scale = np.asarray(entry["scale"], float) / 100.0
+    except (KeyError, TypeError, ValueError, OverflowError, IndexError) as error:
+        raise InputError(
+            f"{name!r} needs 'scale' and 'translation', three numbers each, in cm."
+        ) from error
+    return Placement(name, float(np.deg2rad(float(yaws[name]))), translation, scale)
 
 
 def to_paper(

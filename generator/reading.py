@@ -25,12 +25,16 @@ MAX_DEPTH = 64
 MAX_JSON_BYTES = 64 * 2**20
 """A JSON text may be this long unless the caller says otherwise."""
 
+MAX_VALUES = 4_000_000
+"""A JSON text may hold this many lists, objects and commas; read, each takes up to 72 bytes."""
+
 MAX_URL_LENGTH = 8192
 
 MAX_NAME_LENGTH = 200
 """Characters of a name or a label."""
 
 _STRING = re.compile(rb'"[^"\\]*+(?:\\.[^"\\]*+)*+"?', re.DOTALL)  # possessive: linear in time
+_HOST = re.compile(r"[\w.:%-]+", re.ASCII)  # of an IPv6 address the colons, too
 _NOT_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 _STEP = {ord("["): 1, ord("{"): 1, ord("]"): -1, ord("}"): -1}
 
@@ -59,10 +63,16 @@ def parse_json(
     """
     try:
         data = raw.encode() if isinstance(raw, str) else bytes(raw)
-        if len(data) > max_bytes:
-            raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
-        if _depth(data) > max_depth:
-            raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
+    except ValueError as failure:
+        raise _not_json(what, error, failure) from failure
+    if len(data) > max_bytes:
+        raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
+    bare = _STRING.sub(b"", data)
+    if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > MAX_VALUES:
+        raise error(f"{what} holds more than the {MAX_VALUES} values that are read.")
+    if _depth(bare) > max_depth:
+        raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
+    try:
         payload = json.loads(
             data.decode("utf-8-sig"),
             parse_constant=_not_finite,
@@ -72,8 +82,7 @@ def parse_json(
         if rb"\u" in data:  # an escape may spell half a surrogate pair, which is no text
             json.dumps(payload, ensure_ascii=False).encode()
     except (ValueError, RecursionError) as failure:
-        reason = str(failure)[:200] or type(failure).__name__
-        raise error(f"{what} is not valid JSON ({reason}).") from failure
+        raise _not_json(what, error, failure) from failure
     return payload
 
 
@@ -116,7 +125,8 @@ def split_url(url: object, what: str, error: type[TabletopError]) -> SplitResult
     try:
         parts = urlsplit(url)
         host, port = parts.hostname, parts.port
-        fine = parts.scheme in ("http", "https") and bool(host) and port != 0
+        fine = parts.scheme in ("http", "https") and bool(_HOST.fullmatch(host or ""))
+        fine = fine and port != 0
         fine = fine and url.isascii() and url.isprintable() and " " not in url
     except ValueError:
         fine = False
@@ -194,8 +204,14 @@ def _read(descriptor: int, count: int) -> bytes:
         return file.read(count)
 
 
-def _depth(data: bytes) -> int:
-    brackets = _STRING.sub(b"", data).translate(None, _NOT_BRACKETS)
+def _not_json(what: str, error: type[TabletopError], failure: Exception) -> TabletopError:
+    reason = str(failure)[:200] or type(failure).__name__
+    return error(f"{what} is not valid JSON ({reason}).")
+
+
+def _depth(bare: bytes) -> int:
+    """Return how deep the brackets of a JSON text without its strings are nested."""
+    brackets = bare.translate(None, _NOT_BRACKETS)
     return max(itertools.accumulate(map(_STEP.__getitem__, brackets)), default=0)
 
 

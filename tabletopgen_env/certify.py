@@ -1,8 +1,9 @@
 """Certificates: what the scripted expert has been seen to do at a table.
 
 For each *instance* (a task, its preset, target and goal) that a bundle's scene offers, up to a
-bound, the expert plays some episodes from perturbed starts (``randomization``'s "starts"): the
-arm's joints are off by up to 0.06 rad, things that stand free by up to 3 mm and 3 degrees.
+bound, the expert plays some episodes from the perturbed starts that ``randomization="starts"``
+makes, each from one of its own: arm and things are off as ``randomization.starting`` says. What it
+solves from a share of ``LEAST`` of at least ``STARTS`` starts is certified.
 ``certificate.json``, beside the bundle's own files, keeps how many it solved, with the digest of
 the scene, the terms and the versions it was made with. Bundles do not list it, so that they stay
 what they were. An instance that can no longer come to a share of ``LEAST`` is played no further:
@@ -39,8 +40,6 @@ from .certificate import (
 )
 from .certificate import certified_instances as certified_instances
 from .episodes import Held
-from .randomization import PRESETS
-from .randomization.starting import draw_start, shift_things, standing_free
 from .robot.panda import Panda
 from .scenes.fixed import bundle_ref
 from .tasks import NAMES, TaskName, task_named
@@ -55,7 +54,7 @@ if TYPE_CHECKING:
 DEFAULT = Terms()
 """The terms of the certificates that are shipped."""
 
-_STARTS = PRESETS["starts"]
+_STARTS = "starts"
 _DRAWS = 40
 _FAILURES = 8  # draws in a row that find nothing, after which nothing is looked for
 _VERSIONS = ("tabletopgen", "mujoco", "numpy")
@@ -232,6 +231,25 @@ def _instances(folder: Path, task: str, terms: Terms) -> tuple[Instance, ...]:
     return tuple(found)
 
 
+def played_again(
+    folder: Path, instances: Sequence[Instance], episodes: int, seed: int
+) -> Iterator[Instance]:
+    """Yield instances of a bundle with how many of ``episodes`` the expert solves from new starts.
+
+    All episodes are played. ``seed`` draws the starts: one other than the certificate's draws
+    others.
+
+    Raises:
+        BundleError: the bundle cannot be read.
+    """
+    masters = Masters(Panda(), 1)
+    for number, instance in enumerate(instances):
+        rng = np.random.default_rng((seed, len(NAMES), number))
+        with closing(_env(folder, instance.name, masters)) as env:
+            solved = sum(_solved(env, instance, rng) for _ in range(episodes))
+        yield replace(instance, successes=solved, episodes=episodes)
+
+
 def _tried(
     env: TabletopEnv, instance: Instance, episodes: int, rng: np.random.Generator
 ) -> Instance:
@@ -249,7 +267,6 @@ def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> b
 
     try:
         env.reset(seed=int(rng.integers(2**31)), options=instance.options)
-        perturb(env, rng)
         expert = TaskExpert(env)
         expert.reset()
     except SceneError:
@@ -258,25 +275,13 @@ def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> b
     return any(held.after(env.step(expert.act())[4]) for _ in range(_limit(instance.task)))
 
 
-def perturb(env: TabletopEnv, rng: np.random.Generator) -> None:
-    """Put the arm and the things that stand free a little off, after ``reset``.
-
-    The preset "starts" of ``randomization`` does the same within ``reset``; but here the servos
-    come to keep the arm there only during the first action, as for the certificates shipped.
-    """
-    world = env.world
-    drawn = draw_start(_STARTS, standing_free(world, _STARTS), rng)
-    world.data.qpos[world.arm_qpos] += drawn["joints"]
-    world.data.ctrl[world.actuators[:7]] = world.data.qpos[world.arm_qpos]
-    shift_things(world, drawn["moved"])
-    env.controller.reset(world)
-
-
 def _env(folder: Path, name: TaskName, masters: Masters) -> TabletopEnv:
     from .env import make_env
 
     task, preset = name
-    return make_env(folder, task=task, preset=preset, certified=False, masters=masters)
+    return make_env(
+        folder, task=task, preset=preset, certified=False, masters=masters, randomization=_STARTS
+    )
 
 
 def _limit(task: str) -> int:

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from generator.geometry import Camera, rotation_z, view_rotation, yaw_quaternion
+from generator.geometry import Camera, framing_camera, rotation_z, yaw_quaternion
 from generator.scene import Scene, View
 
 from .robot.mount import Mount, add_pedestal
+from .robot.outline import arm_points
 from .robot.panda import Panda
+from .room import furnish
 
 if TYPE_CHECKING:
     import mujoco
@@ -30,6 +33,8 @@ TOP_CAMERA = "overhead"
 MARKER = "marker/goal"
 """Name of the body and the geom that mark a free goal spot; no object's name has a slash."""
 
+_FRONT_ELEVATION, _FRONT_FOV = np.deg2rad(30.0), np.deg2rad(45.0)
+_FRONT_MARGIN = 0.04  # free share of the front camera's picture on each side
 _TOP_HEIGHT = 2.0  # of the top camera over the table: well above the arm, metres
 _TOP_MARGIN = 1.08  # what it shows, in tables
 
@@ -57,8 +62,9 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     arm.assets = {**spec.assets, **arm.assets}  # MuJoCo warns of a child without assets
     spec.attach(arm, prefix=PREFIX, frame=frame)
     add_pedestal(spec, mount)
-    _add_sky(spec)
-    _add_front_camera(spec, scene, mount)
+    front = front_camera(scene, mount, 4, 3)
+    furnish(spec, scene, mount, front)
+    _add_front_camera(spec, front)
     _add_top_camera(spec, scene, mount)
     marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
     marker.add_geom(
@@ -73,35 +79,22 @@ def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
     return spec
 
 
-def _add_sky(spec: mujoco.MjSpec) -> None:
-    """Add a plain light sky unless the scene brings one."""
-    import mujoco
-
-    sky = mujoco.mjtTexture.mjTEXTURE_SKYBOX
-    if not any(texture.type == sky for texture in spec.textures):
-        spec.add_texture(
-            name="sky",
-            type=sky,
-            builtin=mujoco.mjtBuiltin.mjBUILTIN_GRADIENT,
-            rgb1=[0.62, 0.70, 0.80],
-            rgb2=[0.86, 0.88, 0.90],
-            width=32,
-            height=192,
-        )
-
-
 def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
-    """Return the camera across the table from the robot, 35 degrees above the horizon."""
-    base = np.asarray(mount.position, float)
-    target = np.array([0.25 * base[0], 0.25 * base[1], scene.table.height + 0.12])
-    view = View(mount.yaw + np.pi / 2, np.deg2rad(35.0), np.deg2rad(45.0))
-    span = float(np.linalg.norm(scene.table.scale[:2]))
-    return Camera.looking_at(target, view, 0.9 + 0.75 * span, width, height)
+    """Return the camera across the table from the robot that shows the top and the arm at home.
+
+    In pictures at least as wide as high it shows both whole.
+    """
+    turn = rotation_z(mount.yaw)
+    outline = np.asarray(scene.table.outline, float)
+    top = np.column_stack([outline, np.full(len(outline), scene.table.height)])
+    shown = np.concatenate([top, arm_points() @ turn.T + mount.position])
+    view = View(mount.yaw + np.pi / 2, _FRONT_ELEVATION, _FRONT_FOV)
+    camera = framing_camera(shown, view, 1, 1, _FRONT_MARGIN)
+    return replace(camera, width=width, height=height)
 
 
-def _add_front_camera(spec: mujoco.MjSpec, scene: Scene, mount: Mount) -> None:
-    camera = front_camera(scene, mount, 4, 3)
-    right, down, _ = view_rotation(View(mount.yaw + np.pi / 2, np.deg2rad(35.0), camera.fov))
+def _add_front_camera(spec: mujoco.MjSpec, camera: Camera) -> None:
+    right, down, _ = camera.rotation
     spec.worldbody.add_camera(
         name=FRONT_CAMERA,
         pos=camera.position,

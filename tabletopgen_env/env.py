@@ -25,7 +25,7 @@ from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .scenes.fixed import is_there
 from .scenes.source import close, record
 from .tasks import task_named
-from .tasks.goals import SPOT, Goal, named_by
+from .tasks.goals import SPOT, Goal
 from .tasks.pick_place import PickPlace
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
 from .views import CameraName, ObservationConfig, picture_size, pictures
@@ -76,8 +76,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         render_size: (height, width) of what ``render`` returns, or one number for both.
         renderer: "auto", "gl" or "software"; see ``rendering``.
         randomization: what differs between episodes of the same scene, target and goal, which
-            without it all start alike: a ``Randomization``, "starts" for a start a little off,
-            "light" or "strong" for everything else, or None for nothing; see ``randomization``.
+            without it all start alike: a ``Randomization``, "starts" for the arm a little off and
+            the things some centimetres, within free space, "light" or "strong" for everything
+            else, or None for nothing; see ``randomization``.
         certified: at a bundle with a certificate (see ``certify``), draw targets and goals only
             among the instances of the task that the expert solved; False ignores certificates.
         robot: the robot; None for ``Panda()``.
@@ -140,9 +141,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
             raise InputError(f"Unknown renderer {renderer!r}." + choices(str(renderer), RENDERERS))
         if not isinstance(certified, bool | np.bool_):
             raise InputError(f"certified must be True or False, got {certified!r}.")
-        self.source = resolve(scenes)
-        self._closes_source = self.source is not scenes  # else others may draw from it, too
         self.task = task or PickPlace()
+        self.source = resolve(scenes, self.task.needs, self.task.scenes)
+        self._closes_source = self.source is not scenes  # else others may draw from it, too
         self._randomizer = Randomizer(randomization)
         self._wants_certified = certified
         self._views = ObservationConfig(cameras, kinds, image_size, points)
@@ -322,7 +323,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
 
     def _draw(self, options: dict[str, Any]) -> tuple[World, Episode, bool]:
         """Draw scenes until one can be made and offers something; tell whether it is certified."""
-        source = resolve(options["scene"]) if "scene" in options else self.source
+        source = self.source
+        if "scene" in options:
+            source = resolve(options["scene"], self.task.needs, self.task.scenes)
         tried: set[str] = set()
         seen: set[str] = set()
         self._randomizer.restart(self.np_random)
@@ -334,8 +337,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 self._randomizer.begin(world)
                 certified = self._wants_certified and not self._randomizer.rearranged
                 episode, known = sampled(self.task, world, self.np_random, options, certified)
-                self._randomizer.finish(world, named_by(episode.goals))
-                return world, episode, known
+                return world, self._randomizer.finish(world, episode), known
             except SceneError as error:
                 tried.add(str(error))
             except BundleError as error:

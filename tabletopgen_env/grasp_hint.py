@@ -56,7 +56,7 @@ from .expert.choosing import Chooser, Plan, choose
 from .expert.driver import NEAR
 from .expert.dropping import Drop, breadth, hanging, let_go_at, lift_of, lost
 from .expert.grasps import TIP, Grasp
-from .expert.path import clear_height
+from .expert.path import ROOM, clear_height
 from .expert.placing import Placer, middle_place, plan_place
 from .tasks.goals import Pushed, Raised
 
@@ -258,6 +258,6 @@ def _entries(
     left = way.end - tool
     rise = 0.0
     if math.hypot(left[0], left[1]) > NEAR:
-        high = clear_height(world, name, tool, way.end, way.broad) + way.depth
+        high = clear_height(world, name, tool, way.end, max(ROOM, way.broad)) + way.depth
         rise = min(max(high - float(tool[2]), 0.0), _HIGHER)
     return np.array([*(world.base_rotation.T @ left), way.turn, opening, width, rise, kind])

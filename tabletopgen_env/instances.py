@@ -9,7 +9,7 @@ import numpy as np
 
 from generator.errors import BundleError, InputError, SceneError
 
-from .certificate import FILE, LEAST
+from .certificate import FILE, LEAST, STARTS
 
 if TYPE_CHECKING:
     from .tasks import TaskName
@@ -32,8 +32,8 @@ def sampled(
     sampled freely.
 
     Raises:
-        SceneError: the scene offers nothing to do, for reasons that are told, or nothing of which
-            the expert solved a share of at least ``LEAST``.
+        SceneError: the scene offers nothing to do, for reasons that are told, or nothing that is
+            certified.
         InputError: what the options ask for does not exist.
         BundleError: the certificate is damaged.
     """
@@ -46,7 +46,7 @@ def sampled(
     listed = [instance for instance in certificate.instances if instance.name == name]
     if not listed:
         task.sample(world, np.random.default_rng(0))  # says why, without a draw of the episode's
-    solved = [instance for instance in listed if instance.share >= LEAST]
+    solved = [instance for instance in listed if instance.certified]
     if not solved:
         raise _nothing_certified(world, name, len(listed))
     instance = solved[int(rng.integers(len(solved)))]
@@ -63,7 +63,8 @@ def _nothing_certified(world: World, name: TaskName, listed: int) -> SceneError:
     """Return the error of a scene with something to do, but not for the expert."""
     asked = name.task + (f" with the preset {name.preset!r}" if name.preset else "")
     why = (
-        f"of {listed} instances of {asked} the expert solved none in {LEAST:.0%} of its tries"
+        f"of {listed} instances of {asked} the expert solved none from {LEAST:.0%} of at least "
+        f"{STARTS} starts"
         if listed
         else f"its certificate lists nothing of {asked}"
     )

@@ -64,6 +64,7 @@ class _GlUse:
 
 _GL_USE = _GlUse()
 _KEPT = 4  # worlds whose meshes and textures stay on the graphics side
+_STACKS = 2  # rings of faces of what is round; MuJoCo's 16 take a sixth of a small picture's time
 _NO_GL = (
     "No OpenGL could be had for rendering ({reason}). On Debian or Ubuntu install "
     "'libegl1 libgl1 libgl1-mesa-dri' (EGL) or 'libosmesa6' (MUJOCO_GL=osmesa), "
@@ -235,12 +236,14 @@ class GlDrawer:
             model, fast = world.model, self._profile == "fast"
             model.vis.global_.offheight, model.vis.global_.offwidth = self._size
             model.vis.quality.offsamples = 0 if fast else 4
+            model.vis.quality.numstacks = _STACKS  # cylinders are all that is drawn by stacks
             context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
             context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR.value
             scene = mujoco.MjvScene(model, maxgeom=2000)
             for flag in ("SHADOW", "REFLECTION", "HAZE"):
                 if fast:
                     scene.flags[getattr(mujoco.mjtRndFlag, f"mjRND_{flag}")] = 0
+            scene.flags[int(mujoco.mjtRndFlag.mjRND_FOG)] = 1  # the floor's way into the haze
             self._held[id(world)] = (world, context, scene)
         self._held.move_to_end(id(world))
         return self._held[id(world)][1:]

@@ -13,6 +13,7 @@ from jaxtyping import Float, Int, Shaped, UInt8
 from generator.geometry import Camera
 
 from .composition import MARKER
+from .room import backdrop
 
 if TYPE_CHECKING:
     import mujoco
@@ -24,9 +25,7 @@ if TYPE_CHECKING:
     from .world import World
 
 _ROUND = 24  # sides of a drawn cylinder
-_TILES = 24  # tiles along each side of a drawn floor
-_FLOOR = 3.0  # half size of a drawn infinite plane, metres
-_USUAL_SUN, _USUAL_ROOM = 0.5, 0.75  # diffuse light of a scene's sun; ambient and head light
+_FACING = 0.7  # how much of the headlight what is seen gets on average
 _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
 
@@ -85,16 +84,14 @@ class SoftwareDrawer:
             self._shapes[world] = visible_shapes(world.model)
         shapes = self._shapes[world] = [_painted(world.model, s) for s in self._shapes[world]]
         items = [item for shape in shapes if (item := _item(world, shape))]
-        light = _light(world.model)
         view = model_camera(world, camera, *self._size)
-        background = (205, 212, 220)
         return render(
             items,
             view,
-            light=light,
-            background=background,
+            light=_light(world.model),
             supersample=samples,
             shadows=self._full,
+            backdrop=backdrop(world.model),
         )
 
 
@@ -107,17 +104,14 @@ def _painted(model: mujoco.MjModel, shape: Shape) -> Shape:
 
 
 def _light(model: mujoco.MjModel) -> Light:
-    """Return the first sun and the headlight of a model, as bright as the renderer's own light."""
+    """Return the first sun, and the room's light and the headlight as one light from the sky."""
     from generator.render.shading import Light
 
-    usual, head = Light(), model.vis.headlight
-    sky = usual.sky / _USUAL_ROOM * (head.ambient + head.diffuse)
-    sun, direction = np.zeros(3), usual.direction
-    if model.nlight:
-        sun, direction = usual.sun / _USUAL_SUN * model.light_diffuse[0], -model.light_dir[0]
+    head, sun = model.vis.headlight, model.light_diffuse[0]
+    sky = head.ambient + _FACING * head.diffuse
     tint = (sun + sky) / max(float((sun + sky).mean()), 1e-9)
     return Light(
-        direction, float(sun.mean()), float(sky.mean()), usual.gloss, tint=tuple(tint.tolist())
+        -model.light_dir[0], float(sun.mean()), float(sky.mean()), tint=tuple(tint.tolist())
     )
 
 
@@ -149,7 +143,7 @@ def model_camera(world: World, name: str, height: int, width: int) -> Camera:
 
 
 def visible_shapes(model: mujoco.MjModel) -> list[Shape]:
-    """Return every geom of the visible groups as triangles."""
+    """Return every geom of the visible groups but the floor as triangles."""
     shapes = []
     for k in range(model.ngeom):
         if model.geom_group[k] < _VISIBLE_GROUPS:
@@ -168,9 +162,7 @@ def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, n
     kind, size = mujoco.mjtGeom(model.geom_type[k]), model.geom_size[k]
     if kind == mujoco.mjtGeom.mjGEOM_MESH:
         return _mesh(model, int(model.geom_dataid[k]))
-    if kind == mujoco.mjtGeom.mjGEOM_PLANE:
-        vertices, faces = _tiles(np.where(size[:2] > 0, np.minimum(size[:2], _FLOOR), _FLOOR))
-    elif kind == mujoco.mjtGeom.mjGEOM_BOX:
+    if kind == mujoco.mjtGeom.mjGEOM_BOX:
         vertices, faces = _hull(np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T * size)
     elif kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
         half = size[1] + (size[0] if kind == mujoco.mjtGeom.mjGEOM_CAPSULE else 0.0)
@@ -188,16 +180,6 @@ def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, n
     else:
         return None
     return vertices, faces, np.zeros((len(vertices), 2))
-
-
-def _tiles(half: Float[np.ndarray, "2"]) -> tuple[np.ndarray, np.ndarray]:
-    """Return a floor as tiles, since triangles that reach behind the camera are not drawn."""
-    edge = np.linspace(-1, 1, _TILES + 1)
-    grid = np.stack(np.meshgrid(edge * half[0], edge * half[1], indexing="ij"), -1).reshape(-1, 2)
-    first = (np.arange(_TILES)[:, None] * (_TILES + 1) + np.arange(_TILES)).ravel()
-    a, b, c, d = first, first + _TILES + 1, first + _TILES + 2, first + 1
-    faces = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
-    return np.column_stack([grid, np.zeros(len(grid))]), faces
 
 
 def _hull(points: Float[np.ndarray, "n 3"]) -> tuple[np.ndarray, np.ndarray]:

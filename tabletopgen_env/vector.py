@@ -109,7 +109,7 @@ class TabletopVectorEnv(SyncVectorEnv):
         arm = panda(robot)
         masters = Masters(arm, cache)
         scenes, task = played_at(scenes, task, preset)
-        source = resolve(scenes)
+        source = resolve(scenes, task.needs, task.scenes)
         self._source = SharedScenes(source)
         self._closes_source = source is not scenes
         slot = partial(

@@ -12,6 +12,7 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -58,6 +59,14 @@ _CONTACT = 1e-4
 
 _FIXED_REACH = 0.4
 """How far the fixed part of the robot reaches from its base, at most, metres."""
+
+
+@dataclass(eq=False)
+class _Known:
+    """What has been found out about an arrangement of the objects."""
+
+    plans: dict[tuple[Chooser, str], Plan | None] = field(default_factory=dict)
+    footprints: Mapping[str, Float[np.ndarray, "k 2"]] | None = None
 
 
 class World:
@@ -122,7 +131,7 @@ class World:
         self._base_reach = _FIXED_REACH + np.linalg.norm(self.half_extent, axis=1)
         self._start = self._start_qpos()
         self._commanded = np.array(HOME_CTRL[:7])
-        self._plans: dict[tuple[Chooser, str], Plan | None] = {}
+        self._known = self._known_of_given = _Known()
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
 
     def twin(self) -> World:
@@ -155,11 +164,13 @@ class World:
         self.base_position = np.asarray(mount.position, float)
 
     def rearrange(self, scene: Scene) -> None:
-        """Take over the poses of the same objects in ``scene``; ``reset`` puts them there."""
+        """Take over the poses of the same objects in ``scene``; ``reset`` puts them there.
+
+        What is known of the scene as it was given is kept for when it comes back.
+        """
         self.scene = scene
         self._start = self._start_qpos()
-        self._plans = {}
-        self.__dict__.pop("footprints", None)
+        self._known = self._known_of_given if scene is self._given else _Known()
 
     def reset(self) -> None:
         """Put every object at its settled pose and the robot at home, everything at rest."""
@@ -276,15 +287,17 @@ class World:
         off = not np.array_equal(self.data.qpos, self._start)
         if off or self.absent or self.mount is not self._own_mount:
             return choose(self, name)
-        key = choose, name
-        if key not in self._plans:
-            self._plans[key] = choose(self, name)
-        return self._plans[key]
+        key, plans = (choose, name), self._known.plans
+        if key not in plans:
+            plans[key] = choose(self, name)
+        return plans[key]
 
-    @cached_property
+    @property
     def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:
         """The convex outline of each object seen from above where it rests, world frame."""
-        return {o.name: footprint(o) for o in self.scene.objects}
+        if self._known.footprints is None:
+            self._known.footprints = {o.name: footprint(o) for o in self.scene.objects}
+        return self._known.footprints
 
     def index(self, name: str) -> int:
         """Return the row of object ``name`` in per-object arrays.

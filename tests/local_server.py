@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import socket
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any
 
@@ -44,4 +45,41 @@ def local_server(handler: type[BaseHTTPRequestHandler]) -> Iterator[str]:
     finally:
         server.shutdown()
         server.server_close()
-        thread.join()
+        thread.join(60)
+
+
+@contextlib.contextmanager
+def raw_server(talk: Callable[[socket.socket], None]) -> Iterator[str]:
+    """Let ``talk`` answer each connection, byte by byte; yield the address.
+
+    Connections are cut at the end of the test: who still talks then gets an ``OSError``.
+    """
+    open_: list[socket.socket] = []
+    threads: list[threading.Thread] = []
+
+    def serve(line: socket.socket) -> None:
+        with line, contextlib.suppress(OSError):
+            talk(line)
+
+    def accept() -> None:
+        with contextlib.suppress(OSError):
+            while True:
+                line, _ = listening.accept()
+                line.settimeout(10)
+                open_.append(line)
+                threads.append(threading.Thread(target=serve, args=(line,), daemon=True))
+                threads[-1].start()
+
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        thread = threading.Thread(target=accept, daemon=True)
+        thread.start()
+        try:
+            yield f"http://127.0.0.1:{listening.getsockname()[1]}"
+        finally:
+            with contextlib.suppress(OSError):
+                listening.shutdown(socket.SHUT_RDWR)
+            for line in open_:
+                with contextlib.suppress(OSError):
+                    line.shutdown(socket.SHUT_RDWR)
+            for one in (thread, *threads):
+                one.join(10)

@@ -37,6 +37,7 @@ def test_an_unknown_stage_lists_those_that_can_be_left_out() -> None:
     assert Config().without == ()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("without", [("dro",), ("tsa",), ("dro", "tsa")])
 def test_a_stage_left_out_is_guessed_and_the_bundle_says_so(
     without: tuple[Ablation, ...], backends: Backends, tmp_path: Path

@@ -173,6 +173,7 @@ def test_renewing_costs_what_the_median_round_loses() -> None:
     assert ("fixed tables", "steps", 100.0, "steps per s") in found
 
 
+@pytest.mark.slow
 def test_renewed_tables_are_timed_beside_fixed_ones(monkeypatch: pytest.MonkeyPatch) -> None:
     parts = script("speed").parts
     for name, value in {"TABLES": 1, "ROUNDS": 1, "ROUND": 0.05, "PAUSE": 0.0}.items():
@@ -187,6 +188,7 @@ def test_renewed_tables_are_timed_beside_fixed_ones(monkeypatch: pytest.MonkeyPa
     assert alone["fixed tables"] >= rates["fixed tables"]
 
 
+@pytest.mark.slow
 def test_memory_is_watched_from_when_caches_are_full(monkeypatch: pytest.MonkeyPatch) -> None:
     parts = script("speed").parts
     sizes = iter(100.0 + k for k in range(99))
@@ -223,7 +225,7 @@ def test_other_packages_are_timed_without_this_one() -> None:
     code = (Path(__file__).parents[1] / "benchmarks" / "pace" / "episodes.py").read_text()
     assert not any(name in code for name in ("generator", "tabletopgen", "posing"))
     command = [sys.executable, "-c", code, "gymnasium", "CartPole-v1", "50"]
-    told = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    told = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300).stdout
     seen = json.loads(told)
     assert set(seen) == {"wall", "cpu", "reset"} and seen["wall"] > 0
 
@@ -244,6 +246,7 @@ def test_the_expert_is_never_developed_on_held_out_scenes() -> None:
     assert max(s for _, s in tidy[0]) < bench.HELD_OUT <= min(s for _, s in tidy[1])
 
 
+@pytest.mark.slow
 def test_a_baseline_is_trained_once_and_played_at_tables_of_its_own(tmp_path) -> None:
     bench = script("baselines")
     recipe = tmp_path / "tiny.toml"

@@ -5,13 +5,12 @@ import errno
 import hashlib
 import json
 import os
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import mujoco
 import numpy as np
 import pytest
+from forging import rewrite
 from toy import toy_scene
 
 from generator import bundle
@@ -60,14 +59,6 @@ def tree(folder: Path) -> dict[str, bytes]:
     return {
         p.relative_to(folder).as_posix(): p.read_bytes() for p in folder.rglob("*") if p.is_file()
     }
-
-
-def rewrite(path: Path, change: Callable[[dict[str, Any]], None]) -> Path:
-    """Change scene.json as a forger would: well written, in a folder without a digest."""
-    payload = json.loads((path / "scene.json").read_text())
-    change(payload)
-    (path / "scene.json").write_bytes(dumps(payload))
-    return path.rename(path.parent / "forged")
 
 
 # ------------------------------------------------------------------------------------ round trips
@@ -320,7 +311,7 @@ def test_numbers_that_are_not_finite(path: Path, number: str) -> None:
     text = (path / "scene.json").read_text()
     forged = path.rename(path.parent / "forged")
     (forged / "scene.json").write_text(text.replace('"friction":0.6', f'"friction":{number}', 1))
-    refused(forged, "must be finite")
+    refused(forged, "not a finite number")
 
 
 def test_a_future_schema(path: Path) -> None:
@@ -369,11 +360,6 @@ def test_an_unlisted_file_is_never_read_but_reported(path: Path) -> None:
     (path / "scene.pkl").write_bytes(b"cos\nsystem\n(S'false'\ntR.")
     assert bundle.load(path).name == "toy"
     assert "scene.pkl" in bundle.verify(path)[0]
-
-
-def test_a_picture_that_is_a_bomb_is_refused(path: Path, monkeypatch) -> None:
-    monkeypatch.setattr("generator.bundle.encoding.MOST_PIXELS", 3)
-    refused(path, "pixels")
 
 
 def test_losing_a_race_is_fine(scene: Scene, tmp_path: Path, monkeypatch) -> None:

@@ -23,6 +23,7 @@ pytestmark = pytest.mark.usefixtures("store")
 TEXT = "a desk with a mug and a book"
 
 
+@pytest.mark.slow
 def test_compose_inspect_verify_view_and_remove(
     store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -49,6 +50,7 @@ def test_compose_inspect_verify_view_and_remove(
     assert not bundle.exists()
 
 
+@pytest.mark.slow
 def test_a_damaged_bundle_fails_verification(
     store: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -88,6 +90,7 @@ def test_errors_are_one_line_and_an_exit_code(
     assert all(line.startswith("[") for line in progress)
 
 
+@pytest.mark.slow
 def test_an_interrupt_leaves_nothing(
     store: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -100,6 +103,7 @@ def test_an_interrupt_leaves_nothing(
     assert not store.exists() or list(store.iterdir()) == []
 
 
+@pytest.mark.slow
 def test_an_unwritable_folder_is_a_storage_error(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -117,6 +121,7 @@ def test_a_scene_error_has_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None
     assert command("compose", TEXT) == 6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "left_out"),
     [((), ()), (("--without", "tsa"), ("tsa",)), (("--without", "both"), ("dro", "tsa"))],
@@ -187,6 +192,7 @@ def test_a_name_that_is_no_folders_is_refused_before_any_work(
     assert command(name, TEXT, "--name", "../reading") == 6
 
 
+@pytest.mark.slow
 def test_a_picture_that_cannot_be_written_is_a_storage_error(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -197,6 +203,7 @@ def test_a_picture_that_cannot_be_written_is_a_storage_error(
     assert "cannot be written" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_compare_writes_a_sheet_and_figures(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -225,6 +232,7 @@ def test_compare_writes_a_sheet_and_figures(
     assert command("compare", str(path), "--out", str(other / "sheet.png")) == 5
 
 
+@pytest.mark.slow
 def test_compare_needs_a_bundle_with_a_picture(capsys: pytest.CaptureFixture[str]) -> None:
     assert command("compose", TEXT, "--name", "reading") == 0
     assert command("compare", "reading") == 2

@@ -27,6 +27,7 @@ def test_the_benchmark_covers_its_themes() -> None:
     }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", TEXTS[::3])
 def test_composed_scenes_are_sound_and_complete(text: str) -> None:
     scene = compose(text, 11)
@@ -42,6 +43,7 @@ def test_composed_scenes_are_sound_and_complete(text: str) -> None:
         assert np.all(np.abs(thing.pose.position[:2]) <= np.abs(outline).max(0))
 
 
+@pytest.mark.slow
 def test_a_scene_starts_at_rest() -> None:
     """What the keyframe holds is where things lie: the first steps show no jump."""
     scene = compose("a bowl with two apples in it, a mug with a pencil in it, two books", 3)
@@ -54,6 +56,7 @@ def test_a_scene_starts_at_rest() -> None:
         assert shifted(start, simulation.poses).max() < 3e-4
 
 
+@pytest.mark.slow
 def test_asked_relations_hold_after_settling() -> None:
     text = "a plate with an apple on it, a mug to the left of the plate and a book behind the plate"
     for seed in range(3):

@@ -8,6 +8,7 @@ import time
 
 import pytest
 import torch
+from bounded import LONG, at_once
 
 from generator import cores
 
@@ -17,24 +18,18 @@ def test_blocks_of_several_threads_do_not_mix() -> None:
     torch.set_num_threads(3)
 
     def work() -> None:
-        lasts.wait()
+        lasts.wait(LONG)
         for _ in range(20):
             with cores.single_thread(), cores.single_thread():
                 time.sleep(0.001)
                 seen.append(torch.get_num_threads())
 
-    threads = [threading.Thread(target=work) for _ in range(3)]
     try:
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
+        at_once(*[work] * 3)
         assert seen == [1] * 60
         assert torch.get_num_threads() == 3
         fresh: list[int] = []
-        later = threading.Thread(target=lambda: fresh.append(torch.get_num_threads()))
-        later.start()
-        later.join()
+        at_once(lambda: fresh.append(torch.get_num_threads()))
         assert fresh == [3], "what new threads begin with"
     finally:
         torch.set_num_threads(before)

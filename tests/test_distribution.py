@@ -68,11 +68,47 @@ def test_what_is_listed_twice_comes_twice_as_often() -> None:
         ({"objects": (0, 3)}, "from 1 to 24"),
         ({"objects": 5}, "the least and the most"),
         ({"objects": (2.5, 3)}, "the least and the most"),
+        ({"needs": ("tray",)}, "for each need the things that fill it"),
+        ({"needs": ((),)}, "for each need the things that fill it"),
+        ({"needs": (("tray", "trsy"),)}, "no 'trsy'"),
+        ({"needs": (("small",),)}, "no 'small'"),
     ],
 )
 def test_wrong_settings_are_explained(settings, message) -> None:
     with pytest.raises(InputError, match=message):
         SceneDistribution(**settings)
+
+
+def test_needs_are_on_each_table_whatever_its_theme() -> None:
+    trays, things = ("tray", "large basket"), ("egg", "die", "apple", "pear")
+    drawn = plans(SceneDistribution(needs=(trays, things, things)), 60)
+    plain = plans(SceneDistribution(), 60)
+    for plan in drawn:
+        kinds = [o.category for o in plan.objects]
+        assert set(kinds) & {"tray", "basket"} and len(set(kinds) & {*things}) >= 2
+        assert 4 <= len(kinds) <= 8
+        sizes = [dict(o.attributes) for o in plan.objects if o.category in ("tray", "basket")]
+        assert {} in sizes or {"size": "large"} in sizes
+    last = [p.objects[-1].category for p in drawn]
+    assert len(set(last)) == len(things)
+    assert len({o.category for p in drawn for o in p.objects}) > 60
+    assert [p.table for p in drawn] != [p.table for p in plain]
+
+
+def test_of_a_need_the_themes_own_things_come_first() -> None:
+    needs = (("beaker", "rubber duck"),)
+    labs = plans(SceneDistribution(themes=("lab",), objects=(2, 2), needs=needs), 10)
+    assert all("rubber duck" not in {o.noun for o in p.objects} for p in labs)
+    tables = plans(SceneDistribution(themes=("dining",), objects=(2, 2), needs=needs), 20)
+    assert {p.objects[-1].noun for p in tables} == {"beaker", "rubber duck"}
+
+
+def test_a_need_that_is_there_already_is_met_by_another_of_its_things() -> None:
+    drawn = plans(SceneDistribution(("lab",), (6, 6), needs=(("microscope",), ("beaker",) * 2)), 5)
+    for plan in drawn:
+        names = [o.name for o in plan.objects]
+        assert len(set(names)) == len(names)
+        assert sum(o.category == "microscope" for o in plan.objects) == 1
 
 
 def test_a_drawn_plan_composes_to_what_it_says() -> None:

@@ -25,7 +25,9 @@ print(" ".join(m for m in heavy if m in sys.modules))
 
 def loaded_by(statement: str) -> list[str]:
     code = textwrap.dedent(PROBE).format(statement=statement)
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300
+    )
     return done.stdout.split()
 
 
@@ -42,10 +44,12 @@ def test_registration_needs_no_simulator() -> None:
     assert "mujoco" not in loaded
 
 
+@pytest.mark.slow
 def test_composing_needs_no_torch() -> None:
     assert "torch" not in loaded_by("import generator.compose")
 
 
+@pytest.mark.slow
 def test_evaluating_geometry_needs_no_torch() -> None:
     assert "torch" not in loaded_by("import generator.evaluation.report")
 
@@ -56,6 +60,7 @@ def test_a_session_loads_no_client_until_one_is_asked_for() -> None:
     assert "httpx2" in loaded_by(f"{asked}; session.client('here', 'http://127.0.0.1:9')")
 
 
+@pytest.mark.slow
 def test_choosing_open_models_loads_none_until_one_is_asked() -> None:
     chosen = "from generator.backends import Backends; Backends.select("
     loaded = loaded_by(f"{chosen}segmenter='huggingface', encoder='huggingface')")
@@ -63,6 +68,7 @@ def test_choosing_open_models_loads_none_until_one_is_asked() -> None:
     assert "transformers" in loaded_by("import transformers")
 
 
+@pytest.mark.slow
 def test_the_probe_can_fail() -> None:
     assert "torch" in loaded_by("import torch")
     with pytest.raises(subprocess.CalledProcessError):

@@ -49,6 +49,7 @@ def polygon(model: Model, placement: Placement) -> BaseGeometry:
     return MultiPoint((points + placement.translation)[:, :2]).convex_hull
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("text", TEXTS)
 @pytest.mark.parametrize("seed", range(5))
 def test_everything_stands_free_and_inside(text: str, seed: int) -> None:

@@ -65,8 +65,20 @@ def test_the_box_stands_left_and_behind_in_the_picture() -> None:
         {"objects": {"box_9": {"scale": [1, 1, 1]}}},
         {"objects": {"box_9": {"scale": [1, "x", 1], "translation": [0, 0, 0]}}},
         {"objects": {"box_9": {"scale": [1, 1, np.nan], "translation": [0, 0, 0]}}},
+        {"objects": {"box_9": {"scale": [1, 1, 10**400], "translation": [0, 0, 0]}}},
+        {"objects": {"box_9": 5}},
+        {"objects": [1]},
+        [1],
     ],
 )
 def test_malformed_json_is_refused(broken: dict) -> None:
     with pytest.raises(InputError):
         from_paper(FIG_12, broken)
+
+
+@pytest.mark.parametrize("degrees", ["x", None, True, float("nan"), 10**400, [1]])
+def test_rotations_are_numbers(degrees: object) -> None:
+    with pytest.raises(InputError, match="needs a rotation"):
+        from_paper({**FIG_12, "box_9": degrees}, FIG_14)  # type: ignore[dict-item]
+    with pytest.raises(InputError, match="Rotations are"):
+        from_paper([degrees], FIG_14)  # type: ignore[arg-type]

@@ -30,6 +30,7 @@ def from_text() -> Generation:
     return generate(TEXT, seed=3)
 
 
+@pytest.mark.slow
 def test_a_text_becomes_a_sound_scene(from_text: Generation) -> None:
     scene = from_text.scene
     assert scene.report is not None
@@ -63,6 +64,7 @@ def test_the_reconstruction_keeps_the_arrangement(from_text: Generation) -> None
     assert by_picture == by_scene
 
 
+@pytest.mark.slow
 def test_figures_and_bundle(from_text: Generation, tmp_path: Path) -> None:
     written = from_text.save_figures(tmp_path / "figures")
     assert {p.name for p in written} >= {"fig08_reference.png", "fig12_rotation.json"}
@@ -72,6 +74,7 @@ def test_figures_and_bundle(from_text: Generation, tmp_path: Path) -> None:
     assert {p.name for p in bundle.glob("*.png")} == {f"{k}.png" for k in bundle_images(from_text)}
 
 
+@pytest.mark.slow
 def test_seconds_are_in_no_bundle(from_text: Generation, tmp_path: Path) -> None:
     slow = {stage: Seconds(60.0, 90.0) for stage in STAGES}
     later = dataclasses.replace(from_text, seconds=slow)
@@ -89,17 +92,19 @@ print(generate(sys.argv[1], seed=3).save(sys.argv[2]).name)
 """
 
 
+@pytest.mark.slow
 def test_no_byte_depends_on_how_many_threads_compute(from_text: Generation, tmp_path: Path) -> None:
     """So a scene is the same on any number of cores, and in a batch, whose workers have one."""
     other = "3" if torch.get_num_threads() == 1 else "1"
     variables = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), other)
     made = subprocess.run(
         [sys.executable, "-c", MAKES, TEXT, str(tmp_path / "other")],
-        env=os.environ | variables, capture_output=True, text=True, check=True,
+        env=os.environ | variables, capture_output=True, text=True, check=True, timeout=300,
     )  # fmt: skip
     assert made.stdout.split()[-1] == from_text.save(tmp_path / "here").name
 
 
+@pytest.mark.slow
 def test_a_picture_alone_is_enough(from_text: Generation) -> None:
     """The drawn picture goes in again without its plan: nothing but pixels to go by."""
     stages = []

@@ -55,9 +55,15 @@ def test_any_text_is_read_or_refused(raw):
     ],
     ids=["open", "objects", "one too deep", "brackets in a string"],
 )
-def test_deep_texts_are_refused(raw):
-    with pytest.raises(BundleError, match="It nests lists or objects deeper than 64 levels"):
-        parse_json(raw, "It", BundleError)
+@pytest.mark.parametrize("error", [BundleError, InputError])
+def test_deep_texts_are_refused(raw, error):
+    with pytest.raises(error, match=r"^It nests lists or objects deeper than 64 levels"):
+        parse_json(raw, "It", error)
+
+
+def test_texts_of_too_many_values_are_refused():
+    with pytest.raises(InputError, match=r"^It holds more than the 4000000 values"):
+        parse_json(b"[" + b"[]," * 3_000_000 + b"1]", "It", InputError)
 
 
 def test_depth_counts_no_brackets_in_strings():

@@ -151,6 +151,7 @@ def test_never_all_and_none_if_so_told(share, count, most):
     assert allowance(share, count) == most
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("overlap", [False, True])
 def test_the_pipeline_leaves_out_what_fails_in_earnest(monkeypatch, overlap, tmp_path):
     """A thing that is stuck in the table, and cannot be freed, costs itself and not the scene."""

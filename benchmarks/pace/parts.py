@@ -17,6 +17,7 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.compose import compose
+from generator.cores import cores
 from generator.scene import Scene
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.scenes import (
@@ -153,9 +154,7 @@ def pixels(scene: Scene, count: int) -> Found:
 
 def vector(scene: Scene, count: int) -> Found:
     """Time many slots on one thread and on two, four ... as far as there are cores."""
-    from tabletopgen_env.vector import _cores
-
-    threads = [n for n in (1, 2, 4, 8, 16, 32) if n <= max(2, _cores())]
+    threads = [n for n in (1, 2, 4, 8, 16, 32) if n <= max(2, cores())]
     found: Found = []
     for slots, many in product((1, 8, 32), threads):
         if many > slots:

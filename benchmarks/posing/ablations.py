@@ -60,11 +60,15 @@ _FAR = 10.0  # millimetres
 
 @dataclass(frozen=True)
 class Run:
-    """What the rows depend on besides the scene; ``strips`` is where pictures of it go."""
+    """What the rows depend on besides the scene; ``strips`` is where pictures of it go.
+
+    ``text`` is what every scene is of; without it, each is of a theme.
+    """
 
     split: str
     seed: int
     strips: Path
+    text: str = ""
 
 
 def as_placed(scene: Scene) -> Scene:
@@ -116,7 +120,7 @@ def work(number: int, run: Run) -> list[Row]:
     rows: list[Row] = []
     tiles: dict[str, UInt8[np.ndarray, "h w 3"]] = {}
     try:
-        truth = draw_truth(run.split, run.seed, number)
+        truth = draw_truth(run.split, run.seed, number, run.text)
         tiles["picture"] = np.asarray(truth.picture)
         backends = remembering(Backends.select("embedded"))
     except TabletopError as error:

@@ -50,13 +50,18 @@ def resume(
     for row in whole:
         counts[_key(row, key)] = counts.get(_key(row, key), 0) + 1
     kept = [r for r in whole if of is None or counts[_key(r, key)] == int(r[of])]
+    write(path, fields, kept)
+    return kept
+
+
+def write(path: Path, fields: Sequence[str], rows: Sequence[Row]) -> None:
+    """Write a table, whole or not at all."""
     part = path.with_name(path.name + ".part")
     with part.open("w", newline="", encoding="utf-8") as file:
         writer: csv.DictWriter[str] = csv.DictWriter(file, fields)
         writer.writeheader()
-        writer.writerows(kept)
+        writer.writerows(rows)
     part.replace(path)
-    return kept
 
 
 def run(

@@ -52,8 +52,8 @@ class Truth:
     ids: Int[np.ndarray, "h w"]
 
 
-def draw_truth(split: str, seed: int, number: int) -> Truth:
-    """Compose, turn and draw scene ``number`` of a split.
+def draw_truth(split: str, seed: int, number: int, text: str = "") -> Truth:
+    """Compose, turn and draw scene ``number`` of a split: a theme's, or of one ``text``.
 
     Raises:
         SceneError: no scene can be composed, after many tries.
@@ -61,13 +61,13 @@ def draw_truth(split: str, seed: int, number: int) -> Truth:
     rng = np.random.default_rng([STREAMS[split], seed, number, 7])
     words = [theme.words[0] for theme in THEMES.values()]
     for _ in range(_TRIES):
-        text = f"a {words[int(rng.integers(len(words)))]}"
+        asked = text or f"a {words[int(rng.integers(len(words)))]}"
         variant = int(rng.integers(*VARIANTS[split]))
         try:
-            scene = compose(plan_scene(text, variant), variant)
+            scene = compose(plan_scene(asked, variant), variant)
         except SceneError:
             continue
-        return photograph(text, turned_about(scene, rng), rng)
+        return photograph(asked, turned_about(scene, rng), rng)
     raise SceneError(f"No scene could be composed in {_TRIES} tries.")
 
 

@@ -1,5 +1,6 @@
 """Bundles: a scene as a folder that anyone can load, and back."""
 
+from .bounds import BOUNDS as BOUNDS
 from .folder import MOST_BYTES as MOST_BYTES
 from .folder import SCHEMA as SCHEMA
 from .folder import check as check
@@ -8,6 +9,7 @@ from .folder import load as load
 from .folder import load_picture as load_picture
 from .folder import load_pictures as load_pictures
 from .folder import load_segments as load_segments
+from .folder import load_verified as load_verified
 from .folder import read_inside as read_inside
 from .folder import save as save
 from .folder import verify as verify

@@ -19,11 +19,15 @@ from typing import Any
 import numpy as np
 from jaxtyping import UInt8
 
-from ..errors import BundleError, SceneError, StorageError
-from ..mjcf import document
+from ..errors import BundleError, InputError, SceneError, StorageError
+from ..mjcf import Document, compiled, document, spec_of
 from ..png import encode_png
 from ..scene import Scene
-from .encoding import decode_png, decode_scene, dumps, encode_scene, loads
+from .bounds import BOUNDS, check_listed
+from .contents import decode_png, picture_size
+from .decoding import decode_scene, loads
+from .derived import check_xml
+from .encoding import dumps, encode_scene
 from .publishing import publish, steady
 from .segments import PATH as SEGMENTS_PATH
 from .segments import Segments, decode_segments, encode_segments
@@ -31,10 +35,8 @@ from .segments import Segments, decode_segments, encode_segments
 SCHEMA = 1
 """Version of ``scene.json``; other versions are refused."""
 
-MOST_BYTES = 256 * 2**20
+MOST_BYTES = BOUNDS.file_bytes
 """No file of a bundle may be larger."""
-
-MOST_FILES = 4096
 
 BESIDE = frozenset({"certificate.json", "ledger.json"})
 """Files that may lie in a bundle's folder without being listed."""
@@ -75,7 +77,7 @@ def save(
     if segments is not None:
         payload["instances"], files[SEGMENTS_PATH] = encode_segments(segments)
     rounded = decode_scene(payload, files.__getitem__)
-    files["scene.xml"] = document(rounded).xml.encode()
+    files["scene.xml"] = document(rounded.scene, paths=rounded.paths).xml.encode()
     listed = {name: _fingerprint(content) for name, content in sorted(files.items())}
     truth = dumps({"schema": SCHEMA, **payload, "files": listed})
     digest = hashlib.sha256(truth).hexdigest()[:12]
@@ -93,30 +95,13 @@ def save(
 def load(path: str | Path) -> Scene:
     """Read a bundle back, every file checked against its recorded size and hash.
 
+    What is returned simulates: MuJoCo has built its bodies, and ``scene.xml`` says the same.
+
     Raises:
-        BundleError: there is no bundle, it is damaged or unsafe, or from another schema.
+        BundleError: there is no bundle, it is damaged, unsafe, out of bounds, or from another
+            schema.
     """
-    folder = Path(path)
-    payload = read_truth(folder)
-    listed = payload["files"]
-    contents = {name: _read_listed(folder, name, entry) for name, entry in listed.items()}
-    if "scene.xml" not in contents:
-        raise BundleError(f"{folder} lists no scene.xml; make the bundle again.")
-
-    def file(name: Any) -> bytes:
-        if name not in contents:
-            raise BundleError(f"scene.json uses {name!r}, which it does not list.")
-        return contents[name]
-
-    try:
-        return decode_scene(payload, file)
-    except BundleError as error:
-        raise BundleError(f"{folder}: {error}") from error
-    except (ValueError, TypeError, KeyError, IndexError, AttributeError, OverflowError) as error:
-        raise BundleError(
-            f"{folder}: scene.json holds no sound scene ({type(error).__name__}: {error}). "
-            "Make the bundle again."
-        ) from error
+    return _read(Path(path))
 
 
 @steady
@@ -164,10 +149,26 @@ def load_pictures(path: str | Path) -> dict[str, bytes]:
     return {n.removesuffix(".png"): _read_listed(folder, n, listed[n]) for n in names}
 
 
+@steady
+def load_verified(path: str | Path) -> Scene:
+    """Read all that a bundle holds, as ``verify`` does; return its scene.
+
+    More than ``load`` it has MuJoCo build what is drawn, and reads what was found in the picture.
+
+    Raises:
+        BundleError: there is no bundle, or something is wrong with it.
+    """
+    folder = Path(path)
+    scene = _read(folder, visuals=True)
+    load_segments(folder)
+    return scene
+
+
 def verify(path: str | Path) -> list[str]:
     """Return what is wrong with a bundle on disk: nothing, or one reason.
 
-    Files that ``scene.json`` does not list are reported too; loading ignores them.
+    It checks what ``load_verified`` does. Files that ``scene.json`` does not list are reported too;
+    loading ignores them.
     """
     try:
         return check(path)
@@ -179,15 +180,14 @@ def verify(path: str | Path) -> list[str]:
 
 @steady
 def check(path: str | Path) -> list[str]:
-    """Load everything in a bundle, and return what lies there that ``scene.json`` does not list.
+    """Check everything in a bundle, and return what lies there that ``scene.json`` does not list.
 
     Raises:
         MissingError: there is no bundle.
         BundleError: it is damaged.
     """
     folder = Path(path)
-    load(folder)
-    load_segments(folder)
+    load_verified(folder)
     listed = {*read_truth(folder)["files"], "scene.json"}
     found = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if not p.is_dir()}
     return [
@@ -248,10 +248,10 @@ def read_truth(folder: Path) -> dict[str, Any]:
         raise BundleError(f"{folder} cannot be looked into: {error.strerror}.") from error
     if not there:
         raise BundleError(f"There is no bundle at {folder}.")
-    raw = read_inside(folder, "scene.json", MOST_BYTES)
+    raw = read_inside(folder, "scene.json", BOUNDS.truth_bytes)
     payload = loads(raw, str(folder))
     schema = payload.get("schema")
-    if schema != SCHEMA:
+    if schema != SCHEMA or type(schema) is not int:
         raise BundleError(
             f"{folder} has schema {schema!r}; this version reads schema {SCHEMA}. "
             "Install a matching tabletopgen, or make the bundle again."
@@ -262,19 +262,50 @@ def read_truth(folder: Path) -> dict[str, Any]:
     if named and named[1] != hashlib.sha256(raw).hexdigest()[:12]:
         raise BundleError(f"{folder}: scene.json does not have the digest in the folder's name.")
     files = payload.get("files")
-    if not isinstance(files, dict) or len(files) > MOST_FILES:
-        raise BundleError(f"{folder}: scene.json must list at most {MOST_FILES} files.")
+    try:
+        check_listed(files)
+    except BundleError as error:
+        raise BundleError(f"{folder}: {error}") from error
     return payload
+
+
+def _read(folder: Path, visuals: bool = False) -> Scene:
+    """Read and check all of a bundle's files; with ``visuals`` MuJoCo builds what is drawn, too."""
+    payload = read_truth(folder)
+    contents = _contents(folder, payload["files"])
+
+    def file(name: str) -> bytes:
+        if name not in contents:
+            raise BundleError(f"scene.json uses {name[:200]!r}, which it does not list.")
+        return contents[name]
+
+    try:
+        decoded = decode_scene(payload, file)
+        scene = decoded.scene
+        check_name(scene.name)
+        xml = check_xml(decoded, file("scene.xml"))
+        made = Document(xml, contents) if visuals else document(scene, visuals=False)
+        compiled(spec_of(made, scene.name), scene.name)
+    except (BundleError, InputError, SceneError) as error:
+        raise BundleError(f"{folder}: {error}") from error
+    return scene
+
+
+def _contents(folder: Path, listed: Mapping[str, Any]) -> dict[str, bytes]:
+    """Check every listed file; return those that the scene is made of."""
+    contents = {}
+    for name, entry in listed.items():
+        content = _read_listed(folder, name, entry)
+        if name.startswith(("meshes/", "textures/")) or name == "scene.xml":
+            contents[name] = content
+        elif name.endswith(".png"):
+            picture_size(content, f"{folder}: {name}")
+    return contents
 
 
 def _read_listed(folder: Path, name: str, entry: Any) -> bytes:
     """Read one listed file and compare it with its entry."""
-    if not isinstance(entry, dict) or not isinstance(entry.get("bytes"), int):
-        raise BundleError(f"{folder}: scene.json lists {name!r} without size and sha256.")
-    size = entry["bytes"]
-    if not 0 <= size <= MOST_BYTES:
-        raise BundleError(f"{folder}: {name} has {size} bytes; at most {MOST_BYTES} are read.")
-    content = read_inside(folder, name, size)
+    content = read_inside(folder, name, entry["bytes"])
     if _fingerprint(content) != entry:
         raise BundleError(f"{folder}: {name} was changed after it was written.")
     return content

@@ -11,15 +11,15 @@ import numpy as np
 from jaxtyping import Bool, UInt8
 
 from ..errors import BundleError, InputError
+from ..reading import printable
 from ..scene import TABLE, Instance, frozen_array
+from .contents import opened_png
 
 PATH = "stages/instances.png"
 """Where a bundle keeps it."""
 
 MOST = 255
 """Instances that one byte a pixel can tell apart."""
-
-_MOST_PIXELS = 4096 * 4096
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,25 +84,19 @@ def decode_segments(entries: Any, raw: bytes) -> Segments:
     Raises:
         BundleError: the picture or the names are not as written.
     """
-    from PIL import Image, UnidentifiedImageError
-
+    with opened_png(raw, PATH) as picture:
+        if picture.mode != "P":
+            raise BundleError(f"{PATH} is no indexed picture.")
+        index = np.asarray(picture, np.uint8)
     try:
-        with Image.open(io.BytesIO(raw), formats=("PNG",)) as picture:
-            if picture.mode != "P" or picture.width * picture.height > _MOST_PIXELS:
-                raise BundleError(f"{PATH} is no indexed picture of at most {_MOST_PIXELS} pixels.")
-            index = np.asarray(picture, np.uint8)
         names = tuple(_word(entry, "name") for entry in entries)
         return Segments(names, tuple(_word(entry, "label") for entry in entries), index)
-    except (UnidentifiedImageError, OSError, SyntaxError) as error:
-        raise BundleError(f"{PATH} is not a PNG picture ({error}).") from error
     except (InputError, TypeError, KeyError) as error:
         raise BundleError(f"{PATH} and its names do not fit together ({error}).") from error
 
 
 def _word(entry: Mapping[str, Any], key: str) -> str:
-    if not isinstance(entry[key], str):
-        raise TypeError(f"{key} must be a text")
-    return entry[key]
+    return printable(entry[key], f"The {key} of an instance", BundleError)
 
 
 def _palette(index: int) -> tuple[int, int, int]:

@@ -11,7 +11,7 @@ from typing import Annotated, Any
 from tyro import conf
 from tyro.conf import Positional
 
-from ..errors import BundleError, InputError, MissingError, SceneError
+from ..errors import InputError, MissingError, TabletopError
 from ..files import check_target
 from .printing import emit, print_scene
 from .store import find, one, some
@@ -45,16 +45,14 @@ def verify_all(paths: Iterable[Path], json: bool, *, may_vanish: bool = False) -
 
     ``may_vanish``: one that another process removes meanwhile is left out, not unsound.
     """
-    from ..bundle import load, load_segments
+    from ..bundle import load_verified
     from ..physics.gate import judge
 
     results = {}
     for path in paths:
         try:
-            load_segments(path)
-            report = judge(load(path))
-            results[path.name] = list(report.failures)
-        except (BundleError, SceneError) as error:
+            results[path.name] = list(judge(load_verified(path)).failures)
+        except TabletopError as error:
             if not (may_vanish and isinstance(error, MissingError)):
                 results[path.name] = [str(error)]
     emit(results, json, lambda: [f"{n}: {'; '.join(f) or 'sound'}" for n, f in results.items()])
@@ -68,23 +66,27 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
         bundle: A bundle's name, digest, glob or path.
         picture: Write a PNG here instead of opening a window.
     """
+    from ..bundle import load
+    from ..mjcf import compiled, scene_spec
+
     path = one(bundle)
     if picture is not None:
         check_target(picture, "--picture")
+    scene = load(path)
     screen = sys.platform in ("darwin", "win32") or any(
         os.environ.get(v) for v in ("DISPLAY", "WAYLAND_DISPLAY")
     )
     if picture is None and screen:
         import mujoco.viewer
 
-        mujoco.viewer.launch_from_path(str(path / "scene.xml"))
+        # What was checked, not the file, which may be another by now.
+        mujoco.viewer.launch(compiled(scene_spec(scene), scene.name))
         return 0
-    from ..bundle import load
     from ..figures import preview
     from ..pictures import write_picture
 
     target = picture or Path(f"{path.name}.png")
-    write_picture(preview(load(path)), target)
+    write_picture(preview(scene), target)
     print(target if picture else f"No screen here; wrote {target}.")
     return 0
 

@@ -84,9 +84,7 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     payload = _payload(place)
     up = payload.get("up", "y")
     if not isinstance(up, str) or up not in _Z_UP:
-        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r:.80}.')
-    name = printable(payload.get("name", place.name), f"{place}: 'name'", InputError)
-    method = printable(payload.get("method", "unknown"), f"{place}: 'method'", InputError)
+        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r}.')
     entries = payload.get("objects")
     if not isinstance(entries, list) or len(entries) > MOST_OBJECTS:
         raise InputError(f"{place}: 'objects' must be a list of at most {MOST_OBJECTS} objects.")
@@ -94,22 +92,23 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     table = _table(mesh, f"{place}: the table")
     bodies = [_object(place, entry, _Z_UP[up], shift, decompose) for entry in entries]
     _check_supports(bodies)
+    method = printable(payload.get("method", "unknown"), f"{place}: 'method'", InputError)
+    title = printable(payload.get("name", place.name), f"{place}: 'name'", InputError)
     warning = "collision parts are convex hulls: not fit for simulation"
     provenance = Provenance(
         "manual", 0, prompt=f"method: {method}",
         warnings=() if decompose else (warning,),
     )  # fmt: skip
-    return Scene(name, table, tuple(bodies), provenance)
+    return Scene(title, table, tuple(bodies), provenance)
 
 
 def _payload(place: Path) -> dict[str, Any]:
-    raw = _read(place, TRANSFORMS)
-    return parse_object(raw, f"{place}: {TRANSFORMS}", InputError)
+    return parse_object(_read(place, TRANSFORMS), f"{place}: {TRANSFORMS}", InputError)
 
 
 def _read(place: Path, name: Any) -> bytes:
     if not isinstance(name, str):
-        raise InputError(f"{place}: a file's name must be a text, got {name!r:.80}.")
+        raise InputError(f"{place}: a file's name must be a text, got {name!r}.")
     try:
         return read_inside(place, name, MOST_BYTES)
     except BundleError as error:
@@ -133,7 +132,7 @@ def _table_mesh(
         )
     if "size" in entry:
         size = _numbers(entry["size"], (3,), f"{place}: the table's size")
-        if size.min() <= 0 or size.max() > _FARTHEST:
+        if size.min() <= 0:
             raise InputError(f"{place}: the table's size must be positive metres, got {size}.")
         top = _numbers(entry.get("top", [0, 0, size[2]]), (3,), f"{place}: the table's top")
         return _block(size), np.array([0.0, 0.0, size[2]]) - top
@@ -199,11 +198,13 @@ def _object(
         raise InputError(f"{place}: {name} is {extent.max():.3g} m long; lengths are in metres.")
     label = entry.get("label", name.rstrip("0123456789").rstrip("_ ") or name)
     label = printable(label, f"{place}: the label of {name}", InputError)
+    on, inside = entry.get("on", TABLE), entry.get("inside", False)
+    if not isinstance(on, str) or not isinstance(inside, bool):
+        raise InputError(f"{place}: {name} is 'on' a thing by name, and 'inside' is true or false.")
     position = rotation @ (center * scale) + translation + shift
     quaternion = Rotation.from_matrix(rotation).as_quat(scalar_first=True)
     placement = Placement(
-        name, quaternion_yaw(quaternion), position, extent, str(entry.get("on", TABLE)),
-        bool(entry.get("inside", False)),
+        name, quaternion_yaw(quaternion), position, extent, on, inside,
     )  # fmt: skip
     hull = () if decompose else (ConvexPart(hull_points(unit.vertices.astype(float))),)
     model = Model(name, label, unit, extent, parts=hull)

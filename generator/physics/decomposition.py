@@ -12,8 +12,6 @@ import hashlib
 import subprocess
 import sys
 import tempfile
-import zipfile
-import zlib
 from pathlib import Path
 
 import numpy as np
@@ -21,11 +19,14 @@ import platformdirs
 from jaxtyping import Float, Int
 
 from ..errors import SceneError
+from ..npz import read_arrays
 from ..scene import ConvexPart, Mesh
 from .inertia import closed, welded
 
 MOST_FACES = 1200
 """Meshes are reduced to this many faces: CoACD's time grows with them."""
+
+_MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
 
 _CHILD = """
 import sys, numpy as np, coacd
@@ -111,9 +112,9 @@ def _reduced(
 def _read(path: Path) -> list[Float[np.ndarray, "k 3"]] | None:
     """Return the hulls kept at ``path``; None if what is there is no such file."""
     try:
-        with np.load(path, allow_pickle=False) as arrays:
-            hulls = [np.asarray(arrays[key], np.float64) for key in arrays.files]
-    except (OSError, ValueError, EOFError, zipfile.BadZipFile, zlib.error):
+        arrays = read_arrays(path, "The kept hulls", SceneError, max_bytes=_MAX_KEPT)
+        hulls = [np.asarray(array, np.float64) for array in arrays.values()]
+    except (SceneError, ValueError, TypeError):
         return None
     sound = all(h.ndim == 2 and h.shape[1] == 3 and np.isfinite(h).all() for h in hulls)
     return hulls if sound else None

@@ -16,6 +16,7 @@ from jaxtyping import Float, Int, UInt8
 from ..cores import threads
 from ..geometry import Camera, quaternion_matrix
 from ..scene import Mesh
+from .backdrop import Backdrop
 from .scanlines import nearest, rasterise
 from .shading import Light, corner_normals, sample_texture, shade
 
@@ -180,14 +181,18 @@ def _colors(
     return color
 
 
+def _centers(samples: Int[np.ndarray, "k"], camera: Camera, width: int) -> np.ndarray:
+    """Return where the samples of a picture that is ``width`` samples wide lie, in pixels."""
+    return (np.stack([samples % width, samples // width], 1) + 0.5) * (camera.width / width)
+
+
 def _ground_shade(
     hits: _Hits, camera: Camera, width: int, shadow: _Shadow, strength: float
 ) -> Float[np.ndarray, "p"]:
     """Return the factor by which the shadow on the floor z = 0 darkens the background."""
     factor = np.ones(len(hits.item))
     empty = np.flatnonzero(hits.item < 0)
-    pixels = np.stack([empty % width, empty // width], 1) + 0.5
-    points = camera.on_plane(pixels * (camera.width / width), 0.0)
+    points = camera.on_plane(_centers(empty, camera, width), 0.0)
     seen = np.isfinite(points).all(1)
     up = np.broadcast_to([0.0, 0.0, 1.0], points[seen].shape)
     factor[empty[seen]] = 1 - strength * (1 - shadow.lit(points[seen], up))
@@ -203,6 +208,7 @@ def render(
     supersample: int = 2,
     shadows: bool = True,
     ground_shadow: float = 0.0,
+    backdrop: Backdrop | None = None,
 ) -> Rendered:
     """Draw ``items`` as ``camera`` sees them.
 
@@ -214,6 +220,7 @@ def render(
         supersample: samples per pixel and axis (1 is fast, 2 or 3 smooth).
         shadows: whether the sun casts shadows.
         ground_shadow: how strongly shadows darken the background as if a floor lay at z = 0.
+        backdrop: floor and haze in place of the background.
     """
     light = light or Light()
     width, height = camera.width * supersample, camera.height * supersample
@@ -228,6 +235,12 @@ def render(
         color *= _ground_shade(hits, camera, width, shadow, ground_shadow)[:, None]
     ids = np.where(empty, BACKGROUND, np.array([i.id for i in solid] + [0])[hits.item])
     depth = hits.depth
+    if backdrop is not None:
+        behind = np.flatnonzero(empty)
+        pixels = _centers(behind, camera, width)
+        lit = None if shadow is None else shadow.lit
+        color[behind], depth[behind] = backdrop.seen(camera, pixels, light, lit)
+        ids[behind] = np.where(np.isfinite(depth[behind]), backdrop.id, BACKGROUND)
     if glass:
         layer = _trace(glass, camera, width, height)
         front = np.flatnonzero((layer.item >= 0) & (layer.depth < depth))

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-import json
-import ssl
 import time
+import zlib
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
 import httpx2
 
-from .redaction import redacted
+from ..errors import UnusableError
+from ..reading import parse_json
+from .redaction import excerpt
 
 MOST_REDIRECTS = 3
 
@@ -18,6 +20,13 @@ _AGAIN = frozenset({408, 425, 429, 500, 502, 503, 504, 520, 521, 522, 523, 524, 
 _LATE = frozenset({504, 524})  # a gateway waited in vain; behind it the call may be worked on
 _CHARGED = _LATE | {502, 520}  # the same of one whose answer broke off there
 _EXCERPT = 300  # characters of an answer that a message quotes
+_PIECE = 2**18  # bytes that are unpacked at once
+
+UNPACKED = "gzip, deflate"
+"""How an answer's body may be packed, as a request says it; it is packed once, or not at all."""
+
+Dial = Callable[[float, int], httpx2.BaseTransport]
+"""Gives the connections of one call, by when it must be over and what its answer may have."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +64,7 @@ class Trouble:
 
 
 def exchange(
-    client: httpx2.Client,
+    dial: Dial,
     request: httpx2.Request,
     timeout: float,
     most_bytes: int,
@@ -63,26 +72,28 @@ def exchange(
 ) -> Reply | Trouble:
     """Send a request once and read its answer; what is quoted of it holds none of ``secrets``.
 
-    Nothing is raised for what servers and networks do: errors of the library hold the request, and
-    with it the key.
+    All of it ends within ``timeout``: connecting, hints, headers, redirects, and the body. Nothing
+    is raised for what servers and networks do: errors of the library hold the request, and with it
+    the key.
     """
-    began = time.monotonic()
+    until = time.monotonic() + timeout
     paid = request.method not in ("GET", "HEAD")
     try:
-        reply = _read(client, request, began + timeout, most_bytes)
+        with dial(until, most_bytes) as wire:
+            reply = _read(wire, request, until, most_bytes)
     except (httpx2.ConnectTimeout, httpx2.PoolTimeout):
         connect = request.extensions["timeout"]["connect"]
         return Trouble(f"It did not take the call within {connect:g} s.", again=True)
     except (httpx2.TimeoutException, _TooSlow):
         told = f"It did not answer within {timeout:g} s."
         return Trouble(told, again=True, charged=paid, late=True)
-    except (httpx2.ConnectError, httpx2.ProxyError, ssl.SSLError) as error:
+    except (httpx2.ConnectError, httpx2.ProxyError) as error:
         again = "certificate" not in str(error).lower()
         return Trouble(f"It cannot be reached ({error}).", again=again)
-    except (httpx2.TransportError, httpx2.DecodingError) as error:
+    except (httpx2.TransportError, zlib.error) as error:
         if isinstance(error, httpx2.UnsupportedProtocol | httpx2.LocalProtocolError):
             return Trouble(f"The request cannot be sent ({error}).", again=False)
-        told = f"Its answer broke off ({str(error) or type(error).__name__})."
+        told = f"Its answer broke off ({str(error)[:_EXCERPT] or type(error).__name__})."
         return Trouble(told, again=True, charged=paid)
     if isinstance(reply, Trouble):
         return reply
@@ -94,22 +105,18 @@ class _TooSlow(Exception):
 
 
 def _read(
-    client: httpx2.Client, request: httpx2.Request, deadline: float, most_bytes: int
+    wire: httpx2.BaseTransport, request: httpx2.Request, until: float, most_bytes: int
 ) -> Reply | Trouble:
     for _ in range(MOST_REDIRECTS + 1):
-        response = client.send(request, stream=True)
+        response = wire.handle_request(request)
         try:
             if not response.has_redirect_location:
-                return _body(response, deadline, most_bytes)
-            target = request.url.join(response.headers["location"])
+                return _body(response, until, most_bytes)
+            target = _target(request.url, response.headers["location"])
         finally:
             response.close()
-        if _origin(target) != _origin(request.url):
-            return Trouble(
-                f"It sends on to another server, {target.scheme}://{target.netloc.decode()}, which "
-                "was not followed: the key would go there. If that is right, name that address.",
-                again=False,
-            )
+        if isinstance(target, Trouble):
+            return target
         if request.method not in ("GET", "HEAD") and response.status_code not in (307, 308):
             return Trouble(
                 f"It sends a {request.method} on with status {response.status_code}, which would "
@@ -123,17 +130,40 @@ def _read(
     return Trouble(f"It sent on more than {MOST_REDIRECTS} times.", again=False)
 
 
-def _body(response: httpx2.Response, deadline: float, most_bytes: int) -> Reply | Trouble:
+def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
+    """Return where a redirect leads, or why it is not followed."""
+    try:
+        target = url.join(location)
+        origin, where = _origin(target), f"{target.scheme}://{target.netloc.decode()}"
+        bare = not target.userinfo
+    except (httpx2.InvalidURL, ValueError):
+        return Trouble("It sends on to what is no address.", again=False)
+    if origin != _origin(url):
+        return Trouble(
+            f"It sends on to another server, {where[:_EXCERPT]}, which was not followed: the key "
+            "would go there. If that is right, name that address.",
+            again=False,
+        )
+    if not bare:
+        return Trouble("It sends on to an address with a user name in it.", again=False)
+    return target
+
+
+def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | Trouble:
     """Read an answer piece by piece, so that no more is held than may be."""
+    packed = response.headers.get("content-encoding", "").strip().lower()
+    if packed not in ("", "identity", "gzip", "x-gzip", "deflate"):
+        told = f"Its answer is packed by {packed[:40]!r}, which was not asked for."
+        return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
     pieces, size = [], 0
     length = response.headers.get("content-length", "")
-    if not (length.isdigit() and int(length) > most_bytes):
-        for piece in response.iter_bytes():
+    if not (length.isdecimal() and (len(length) > 18 or int(length) > most_bytes)):
+        for piece in _unpacked(response.iter_raw(_PIECE), packed):
             size += len(piece)
             pieces.append(piece)
             if size > most_bytes:
                 break
-            if time.monotonic() > deadline:
+            if time.monotonic() > until:
                 raise _TooSlow
         else:
             kind = response.headers.get("content-type", "")
@@ -141,6 +171,25 @@ def _body(response: httpx2.Response, deadline: float, most_bytes: int) -> Reply 
             return Reply(response.status_code, kind, b"".join(pieces), wait=wait)
     told = f"Its answer has more than the {most_bytes} bytes that are read."
     return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
+
+
+def _unpacked(raw: Iterator[bytes], packed: str) -> Iterator[bytes]:
+    """Yield a body's pieces, none of more than ``_PIECE`` bytes, as they were before packing."""
+    if packed in ("", "identity"):
+        yield from raw
+        return
+    unpacker = None
+    for piece in raw:
+        if unpacker is None:  # "deflate" is sent with and without a header
+            bare = packed == "deflate" and piece[:1] and piece[0] & 15 != 8
+            unpacker = zlib.decompressobj(-zlib.MAX_WBITS if bare else zlib.MAX_WBITS | 32)
+        while piece and not unpacker.eof:
+            yield unpacker.decompress(piece, _PIECE)
+            piece = unpacker.unconsumed_tail
+    if unpacker is not None:
+        yield unpacker.flush()
+        if not unpacker.eof:
+            raise zlib.error("the packed body ends too early")
 
 
 def _judged(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Trouble:
@@ -159,8 +208,8 @@ def _judged(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Troub
     payload = None
     if "json" in reply.content_type and reply.body:
         try:
-            payload = json.loads(reply.body)
-        except (ValueError, RecursionError):
+            payload = parse_json(reply.body, "It", UnusableError)
+        except UnusableError:
             if reply.good:
                 told = f"Its answer is not whole JSON: {_excerpt(reply.body, secrets)}."
                 return Trouble(told, again=True, charged=paid)
@@ -192,8 +241,8 @@ def _code(payload: Any) -> int | None:
 
 
 def _excerpt(body: bytes, secrets: tuple[str, ...]) -> str:
-    """Return how an answer begins; a key that is cut in two could not be found any more."""
-    text = " ".join(redacted(body.decode("utf-8", "replace"), secrets)[:_EXCERPT].split())
+    """Return how an answer begins, in quotes."""
+    text = " ".join(excerpt(body, _EXCERPT, secrets).split())
     return repr(text) if text else "nothing"
 
 

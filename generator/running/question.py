@@ -13,6 +13,7 @@ from typing import Any, Literal
 import httpx2
 
 from ..errors import BackendError, choices
+from ..reading import parse_object
 from .address import local
 from .prices import Price, Prices
 from .redaction import plain_url
@@ -24,6 +25,7 @@ Memo = Literal["yes", "no", "renew"]
 
 _MEANT = ("x-tc-action", "x-tc-version", "x-tc-region")  # headers that are part of a question
 _MEMOS: Mapping[str, Memo] = {"yes": "yes", "no": "no", "renew": "renew"}
+_DIGITS = 12  # of the largest number of tokens or pictures
 _BYTES = 3  # of a text, to a token: few, so that the estimate is not too low
 _LONGEST_WORD = 4096  # characters: a longer one is a file in base64
 _ANSWER = 16_384  # tokens of a drawing, which no request sets a bound to
@@ -140,10 +142,9 @@ def _payload(request: httpx2.Request, body: bytes) -> Mapping[str, Any]:
     kind = request.headers.get("content-type", "")
     if "json" in kind:
         try:
-            payload = json.loads(body)
-        except ValueError:
+            return parse_object(body, "The question", BackendError)
+        except BackendError:
             return {}
-        return payload if isinstance(payload, dict) else {}
     if "multipart" in kind:
         field = re.compile(rb'name="([\w\[\]]+)"\r\n(?:[^\r\n]+\r\n)*\r\n([^\r\n]{0,200})\r\n')
         return {k.decode(): v.decode("utf-8", "replace") for k, v in field.findall(body)}
@@ -191,7 +192,9 @@ def _texts(value: Any) -> Iterator[str]:
 
 def _count(value: Any) -> int:
     """Return a number of things as servers and forms write it; 0 for anything else."""
+    if isinstance(value, str) and len(value) > _DIGITS:
+        return 0
     try:
-        return max(0, int(value))
+        return min(max(0, int(value)), 10**_DIGITS)
     except (TypeError, ValueError, OverflowError):
         return 0

@@ -6,6 +6,7 @@ import contextlib
 import dataclasses
 import functools
 import logging
+import re
 import time
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING
@@ -14,11 +15,12 @@ import httpx2
 
 from ..errors import BackendError, DryRunError, StorageError, TabletopError, UnusableError
 from .address import local, near
+from .dialing import Wire, proxy_for
 from .entries import Entry, Outcome
-from .exchange import Reply, Trouble, exchange
+from .exchange import UNPACKED, Reply, Trouble, exchange
 from .flight import Flight
 from .question import NOTHING, Question, Usage, failed, question, usage
-from .redaction import holds, redacted
+from .redaction import excerpt, holds, redacted
 from .store import Answer
 from .used import KEY
 from .waiting import retry_after
@@ -28,12 +30,14 @@ if TYPE_CHECKING:
 
 _KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
 _SENT = frozenset({
-    "accept", "accept-encoding", "authorization", "connection", "content-length", "content-type",
+    "accept", "authorization", "connection", "content-length", "content-type",
     "host", "transfer-encoding", "user-agent",
 })  # fmt: skip
 _SIGNED_BY = "x-tc-"  # headers of a call that a signature covers
 _LATE = 1  # how often a call is sent again that was waited for in vain: each may have been paid for
 _CONNECT = 30.0  # seconds in which a server takes a call, however long it may work on it
+_SAID = 2**14  # characters of a refusal that whoever asked gets to see
+_KIND = re.compile(r"[\w.+-]{1,99}/[\w.+-]{1,99}", re.ASCII)
 _LEAST = 6  # characters: shorter ones are no keys, and would redact words
 
 Sign = Callable[[httpx2.Request], Mapping[str, str]]
@@ -65,9 +69,8 @@ class PaidTransport(httpx2.BaseTransport):
         self._warn_of_open_keys()
         origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
         self._breaker = session.breakers.of(server, origin, session.patience)
-        self._client = httpx2.Client(
-            timeout=timeout, trust_env=not local(self._base.host), verify=session.trust
-        )
+        here = local(self._base.host)
+        self._proxy = None if here else proxy_for(self._base.scheme, self._base.host)
 
     def _warn_of_open_keys(self) -> None:
         if self._secrets and self._base.scheme == "http" and not near(self._base.host):
@@ -78,10 +81,6 @@ class PaidTransport(httpx2.BaseTransport):
             if told not in self._session.account.notes:
                 self._session.account.note(told)
                 logging.getLogger(__name__).warning("%s", told)
-
-    def close(self) -> None:
-        """Close the connections."""
-        self._client.close()
 
     def handle_request(self, request: httpx2.Request) -> httpx2.Response:
         """Answer a request from the store, else from the server.
@@ -107,6 +106,10 @@ class PaidTransport(httpx2.BaseTransport):
         body = reply.body if reply.good else _clean(reply.body, secrets)
         return _response(reply.status, reply.content_type, body, request, asked.key)
 
+    def _dial(self, until: float, most_bytes: int) -> Wire:
+        """Return the connections of one attempt."""
+        return Wire(until, most_bytes, self._session.trust, self._proxy)
+
     def _sendable(self, request: httpx2.Request) -> httpx2.Request:
         """Return a request with no more headers than this server is to see, and its time bounded.
 
@@ -117,7 +120,7 @@ class PaidTransport(httpx2.BaseTransport):
             for name, value in request.headers.multi_items()
             if (name in self._headers or name.startswith(_SIGNED_BY))
             and (name != "authorization" or not self._secrets or holds(value, self._secrets))
-        ]
+        ] + [("accept-encoding", UNPACKED)]
         times = _bounded(request.extensions.get("timeout", {}), self._timeout)
         return httpx2.Request(
             request.method, request.url, headers=headers, content=request.content,
@@ -208,7 +211,7 @@ class PaidTransport(httpx2.BaseTransport):
                 record(entry)
                 enter(entry)
 
-            sending = (self._client, request, self._timeout, self._most_bytes, secrets)
+            sending = (self._dial, request, self._timeout, self._most_bytes, secrets)
             flight = Flight(functools.partial(exchange, *sending))
             try:
                 interrupt = session.landing(flight)
@@ -277,8 +280,12 @@ def _entry(
 def _response(
     status: int, content_type: str, body: bytes, request: httpx2.Request, key: str
 ) -> httpx2.Response:
-    """Return a response as a client gets it, the same from the store as from the server."""
-    headers = {KEY: key, **({"content-type": content_type} if content_type else {})}
+    """Return a response as a client gets it, the same from the store as from the server.
+
+    Text is UTF-8, as JSON's is: what else a server may call it would choose how it is decoded.
+    """
+    kind = content_type.partition(";")[0].strip()
+    headers = {KEY: key, **({"content-type": kind} if _KIND.fullmatch(kind) else {})}
     return httpx2.Response(status, headers=headers, content=body, request=request)
 
 
@@ -291,7 +298,7 @@ def _keys(request: httpx2.Request) -> tuple[str, ...]:
 
 def _clean(body: bytes, secrets: tuple[str, ...]) -> bytes:
     """Return the body of a refusal without the key that it may repeat."""
-    return redacted(body.decode("utf-8", "replace"), secrets).encode()
+    return excerpt(body, _SAID, secrets).encode()
 
 
 def _would(asked: Question, currency: str) -> str:

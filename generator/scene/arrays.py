@@ -8,16 +8,27 @@ import numpy as np
 
 from ..errors import InputError
 
+FARTHEST = 1000.0
+"""No place, size or distance of a scene is larger, metres."""
+
+SMALLEST = 1e-6
+"""No extent of a thing is smaller, metres."""
+
 
 def frozen_array(
-    value: Any, dtype: type[np.generic], shape: tuple[int | None, ...], what: str
+    value: Any,
+    dtype: type[np.generic],
+    shape: tuple[int | None, ...],
+    what: str,
+    *,
+    most: float | None = None,
 ) -> np.ndarray:
     """Return a read-only copy of ``value`` with ``dtype``, checked for shape and finiteness.
 
-    ``None`` in ``shape`` accepts any length along that axis.
+    ``None`` in ``shape`` accepts any length along that axis; ``most`` bounds the numbers' size.
 
     Raises:
-        InputError: wrong number of axes or length, or a NaN or infinity.
+        InputError: wrong number of axes or length, a NaN or infinity, or a number out of bounds.
     """
     array = np.array(value, dtype=dtype)
     fits = array.ndim == len(shape) and all(
@@ -28,6 +39,8 @@ def frozen_array(
         raise InputError(f"{what} must have shape {wanted}, got {array.shape}.")
     if np.issubdtype(array.dtype, np.floating) and not np.isfinite(array).all():
         raise InputError(f"{what} holds NaN or infinity; every number must be finite.")
+    if most is not None and array.size and np.abs(array).max() > most:
+        raise InputError(f"{what} holds numbers beyond {most:g}: at most that is simulated.")
     array.setflags(write=False)
     return array
 

@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..errors import InputError
-from .arrays import freeze, frozen_array
+from .arrays import FARTHEST, SMALLEST, freeze, frozen_array
 
 PartKind = Literal["hull", "box", "cylinder", "ellipsoid"]
 
@@ -33,6 +33,10 @@ class Mesh:
         faces = frozen_array(self.faces, np.int32, (None, 3), "Mesh.faces")
         uv = frozen_array(self.uv, np.float32, (len(vertices), 2), "Mesh.uv")
         texture = frozen_array(self.texture, np.uint8, (None, None, 3), "Mesh.texture")
+        if not 0 <= self.opacity <= 1:
+            raise InputError(f"Mesh.opacity must be in [0, 1], got {self.opacity}.")
+        if not texture.size:
+            raise InputError("Mesh.texture needs at least one texel.")
         if not len(vertices) or not len(faces):
             raise InputError("A mesh needs at least one vertex and one face.")
         if faces.min() < 0 or faces.max() >= len(vertices):
@@ -64,7 +68,9 @@ class ConvexPart:
     axis: Literal[0, 1, 2] = 2
 
     def __post_init__(self) -> None:
-        vertices = frozen_array(self.vertices, np.float64, (None, 3), "ConvexPart.vertices")
+        vertices = frozen_array(
+            self.vertices, np.float64, (None, 3), "ConvexPart.vertices", most=FARTHEST
+        )
         if len(vertices) < 4:
             raise InputError(f"A convex part needs at least 4 points, got {len(vertices)}.")
         freeze(self, vertices=vertices)
@@ -117,9 +123,9 @@ class Model:
     orientation: Float[np.ndarray, "3 3"] | None = None
 
     def __post_init__(self) -> None:
-        size = frozen_array(self.size, np.float64, (3,), "Model.size")
-        if (size <= 0).any():
-            raise InputError(f"Model.size must be positive metres, got {size}.")
+        size = frozen_array(self.size, np.float64, (3,), "Model.size", most=FARTHEST)
+        if (size < SMALLEST).any():
+            raise InputError(f"Model.size must be metres, {SMALLEST:g} or more, got {size}.")
         if not np.allclose(self.mesh.bounds, [[-0.5] * 3, [0.5] * 3], atol=1e-3):
             raise InputError(
                 f"Model {self.name!r}: mesh must fill the unit box [-0.5, 0.5]^3, "

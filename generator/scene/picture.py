@@ -13,6 +13,7 @@ from .arrays import freeze, frozen_array
 from .plan import ScenePlan
 
 _FAR = 1e9  # pixels
+_LEAST_FOV = 0.01  # radians
 
 
 @dataclass(frozen=True)
@@ -131,11 +132,13 @@ class View:
     roll: float = 0.0
 
     def __post_init__(self) -> None:
-        if not np.isfinite([self.azimuth, self.elevation, self.fov, self.roll]).all():
-            raise InputError("View holds NaN or infinity; angles are finite radians.")
-        if not 0 < self.elevation <= np.pi / 2 + 1e-9 or not 0 < self.fov < np.pi:
+        if not np.abs([self.azimuth, self.elevation, self.fov, self.roll]).max() < 1e4:
+            raise InputError(f"View holds NaN, infinity or many turns, not radians: {self}.")
+        sides = 0 < self.elevation <= np.pi / 2 + 1e-9, _LEAST_FOV <= self.fov <= np.pi - _LEAST_FOV
+        if not all(sides):
             raise InputError(
-                f"View needs elevation in (0, pi/2] and fov in (0, pi) radians, got {self}."
+                f"View needs elevation in (0, pi/2] and fov in (0, pi) radians, {_LEAST_FOV} "
+                f"from both ends, got {self}."
             )
 
 

@@ -11,10 +11,20 @@ import numpy as np
 from jaxtyping import Float
 
 from ..errors import InputError, choices
-from .arrays import freeze, frozen_array
+from ..reading import printable
+from .arrays import FARTHEST, SMALLEST, freeze, frozen_array
 from .model import ConvexPart, Model
 from .picture import USUAL_VIEW, View
 from .plan import TABLE, ScenePlan
+
+LEAST_MASS = 1e-9
+"""No object is lighter, kg; MuJoCo's own limit is a millionth of it."""
+
+LEAST_TOP = 1e-6
+"""No tabletop is smaller, square metres."""
+
+MOST_TURN = 1e4
+"""No angle of a scene is larger, radians."""
 
 
 @dataclass(frozen=True)
@@ -84,14 +94,16 @@ class Placement:
     inside: bool = False
 
     def __post_init__(self) -> None:
-        scale = frozen_array(self.scale, np.float64, (3,), "Placement.scale")
-        if (scale <= 0).any() or not np.isfinite(self.yaw):
-            raise InputError(f"Placement {self.name!r}: scale must be positive and yaw finite.")
-        freeze(
-            self,
-            translation=frozen_array(self.translation, np.float64, (3,), "Placement.translation"),
-            scale=scale,
+        scale = frozen_array(self.scale, np.float64, (3,), "Placement.scale", most=FARTHEST)
+        if (scale < SMALLEST).any() or not abs(self.yaw) < MOST_TURN:
+            raise InputError(
+                f"Placement {self.name!r}: scale must be {SMALLEST:g} m or more, and yaw finite, "
+                f"got {scale} and {self.yaw}."
+            )
+        translation = frozen_array(
+            self.translation, np.float64, (3,), "Placement.translation", most=FARTHEST
         )
+        freeze(self, translation=translation, scale=scale)
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,11 +137,8 @@ class Pose:
         quaternion = frozen_array(self.quaternion, np.float64, (4,), "Pose.quaternion")
         if abs(np.linalg.norm(quaternion) - 1) > 1e-4:
             raise InputError(f"Pose.quaternion must have length 1, got {quaternion}.")
-        freeze(
-            self,
-            position=frozen_array(self.position, np.float64, (3,), "Pose.position"),
-            quaternion=quaternion,
-        )
+        position = frozen_array(self.position, np.float64, (3,), "Pose.position", most=FARTHEST)
+        freeze(self, position=position, quaternion=quaternion)
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,16 +161,18 @@ class Object:
     pose: Pose
 
     def __post_init__(self) -> None:
-        if not 0 < self.mass < 1e3:
-            raise InputError(f"Object {self.name!r}: mass must be in (0, 1000) kg: {self.mass}.")
+        if not LEAST_MASS <= self.mass < 1e3:
+            raise InputError(
+                f"Object {self.name!r}: mass must be in [{LEAST_MASS:g}, 1000) kg: {self.mass}."
+            )
         if not 0 < self.friction < 5:
             raise InputError(f"Object {self.name!r}: friction must be in (0, 5): {self.friction}.")
         if not self.parts:
             raise InputError(f"Object {self.name!r}: a body needs at least one convex part.")
         freeze(
             self,
-            com=frozen_array(self.com, np.float64, (3,), "Object.com"),
-            inertia=frozen_array(self.inertia, np.float64, (3, 3), "Object.inertia"),
+            com=frozen_array(self.com, np.float64, (3,), "Object.com", most=FARTHEST),
+            inertia=frozen_array(self.inertia, np.float64, (3, 3), "Object.inertia", most=1e9),
         )
 
     @property
@@ -194,14 +205,23 @@ class Table:
     def __post_init__(self) -> None:
         freeze(
             self,
-            scale=frozen_array(self.scale, np.float64, (3,), "Table.scale"),
-            outline=frozen_array(self.outline, np.float64, (None, 2), "Table.outline"),
+            scale=frozen_array(self.scale, np.float64, (3,), "Table.scale", most=FARTHEST),
+            outline=frozen_array(
+                self.outline, np.float64, (None, 2), "Table.outline", most=FARTHEST
+            ),
         )
-        if (self.scale <= 0).any() or len(self.outline) < 3 or not self.parts:
+        if (self.scale < SMALLEST).any() or len(self.outline) < 3 or not self.parts:
             raise InputError(
                 f"Table needs a positive scale, an outline of 3 points and one convex part, got "
                 f"{self.scale}, {len(self.outline)} and {len(self.parts)}."
             )
+        x, y = self.outline.T
+        if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 2 * LEAST_TOP:
+            raise InputError(
+                f"Table.outline must turn counter-clockwise around {LEAST_TOP:g} m^2 or more."
+            )
+        if not 0 < self.friction < 5:
+            raise InputError(f"Table: friction must be in (0, 5): {self.friction}.")
 
     @property
     def height(self) -> float:
@@ -315,7 +335,8 @@ class Scene:
         if doubles or TABLE in names:
             raise InputError(f"Object names must be unique and not {TABLE!r}; repeated: {doubles}.")
         for name in names:  # they name MuJoCo's bodies; a slash marks what an environment adds
-            if not name or name == "world" or "/" in name or not name.isprintable():
+            printable(name, "What an object is called", InputError)
+            if not name or name == "world" or "/" in name:
                 raise InputError(
                     f"An object cannot be called {name!r}; use printable characters without '/', "
                     "and not 'world', which MuJoCo keeps for itself."

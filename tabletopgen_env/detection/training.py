@@ -11,13 +11,11 @@ from __future__ import annotations
 
 import argparse
 import json
-import zlib
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from io import BytesIO
 from pathlib import Path
 from typing import NamedTuple
-from zipfile import BadZipFile
 
 import numpy as np
 import torch
@@ -29,6 +27,7 @@ from torch.nn import functional
 from generator.errors import BundleError, InputError
 from generator.files import write_file
 from generator.geometry import rotation_z
+from generator.npz import read_arrays
 from generator.pictures import write_picture
 
 from ..expert.grasps import Grasp
@@ -47,6 +46,7 @@ CHUNK = 100
 _SHARPNESS = 0.12  # of the planner's score, by which a grasp is e times as good
 _RARE = 50.0  # weight of telling whether there is a grasp: almost nowhere there is
 _DRAWN = 96  # objects on the sheet
+_MAX_LESSONS = 512 * 2**20  # bytes of one file of lessons
 _NEAR = (0.004, 0.008, 0.008)  # metres along, across and up within which grasps are the same
 
 
@@ -191,8 +191,8 @@ def read(path: Path) -> list[Lesson]:
         BundleError: it is damaged.
     """
     try:
-        with np.load(path, allow_pickle=False) as kept:
-            arrays = [kept[key] for key in ("heights", "facing", "grasps", "counts")]
+        kept = read_arrays(path, "The file of lessons", InputError, max_bytes=_MAX_LESSONS)
+        arrays = [kept[key] for key in ("heights", "facing", "grasps", "counts")]
         heights, facing, grasps, counts = arrays
         count, total = len(heights), len(grasps)
         kinds = [f"{array.dtype.kind}{array.shape}" for array in arrays]
@@ -205,7 +205,7 @@ def read(path: Path) -> list[Lesson]:
             raise ValueError("objects without grasps, or grasps without objects")
         if not (np.isfinite(facing).all() and np.isfinite(grasps).all()):
             raise ValueError("numbers that are not finite")
-    except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile, zlib.error) as error:
+    except (ValueError, KeyError, TypeError) as error:
         raise BundleError(f"{path} holds no lessons ({error}). Remove it.") from error
     ends = np.cumsum(counts)
     parts = np.split(grasps, ends[:-1])

@@ -19,7 +19,7 @@ from ..actions import EE_STEP, EE_TURN, Servos
 from ..robot import franka
 from ..robot.panda import HOME_CTRL
 from .arm import around, turn_left
-from .path import clear_height
+from .path import ROOM, clear_height
 
 if TYPE_CHECKING:
     from ..env import TabletopEnv
@@ -95,20 +95,31 @@ class Expert(ABC):
         return turn_left(self._env.world, yaw, at)
 
     def _over(
-        self, point: Float[np.ndarray, "3"], depth: float, but: str | None, broad: float = 0.0
+        self,
+        point: Float[np.ndarray, "3"],
+        depth: float,
+        but: str | None,
+        load: tuple[Float[np.ndarray, "3"], float] | None = None,
+        narrow: float = 1.0,
     ) -> Float[np.ndarray, "3"]:
         """Return where to go now on the way to ``point``, over whatever is between.
 
-        ``depth`` is how far below the tool something reaches; ``but`` is not in the way and
-        what is held reaches ``broad`` aside.
+        ``depth`` is how far below the tool something reaches; ``but`` is not in the way. The hand
+        is as broad as it is; ``load`` is where from the tool the middle of what it holds is
+        (metres, world frame) and how far that reaches about its middle along the table. With
+        ``narrow`` below 1 both are taken for so much less broad.
         """
         tool, world = self._tool, self._env.world
         if np.linalg.norm((point - tool)[:2]) < NEAR:
             return point
         aim = np.array([*around(world, tool, point), point[2]])
-        high = clear_height(world, but, tool, aim, broad)
-        if not np.array_equal(aim, point):
-            high = max(high, clear_height(world, but, aim, point, broad))
+        ways = [(tool, aim)] if np.array_equal(aim, point) else [(tool, aim), (aim, point)]
+        discs = [(np.zeros(3), ROOM), *([load] if load else [])]
+        high = max(
+            clear_height(world, but, start + away, end + away, narrow * broad)
+            for start, end in ways
+            for away, broad in discs
+        )
         high = max(high + depth, float(point[2]))
         if tool[2] < high - 0.02:
             return np.array([*tool[:2], high + 0.02])

@@ -25,6 +25,8 @@ _FINE, _FUNNEL = 0.006, 0.008  # metres aside that are good, and beyond which it
 _TURNED = 0.05  # radians, both
 _LIFT = 0.06
 _LET_GO = 0.024  # metres by which the fingers open wider than what they held
+_TURNING = 0.35  # radians left beyond which what is held sweeps a circle
+_BESIDE = 0.015  # metres kept beside what is held
 _PUSHED = 0.02  # metres above the place below which a goal that moves is being pushed
 
 
@@ -95,6 +97,19 @@ def lift_of(goal: Goal) -> float:
 def hanging(world: World, target: str) -> float:
     """Return how far the held object, or the fingertips, reach below the tool, metres."""
     return max(float(world.data.site_xpos[world.tcp][2] - world.lowest(target)), TIP)
+
+
+def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"], float]:
+    """Return where from the tool the middle of the held object is, and how far it reaches about it.
+
+    Metres, along the table, world frame. With much ``turn`` (radians) left the middle may come to
+    be anywhere around the tool.
+    """
+    if abs(turn) > _TURNING:
+        return np.zeros(3), breadth(world, target)
+    size = np.abs(world.rotation(target)) @ world.scene.object(target).scale / 2
+    away = world.position(target) - world.data.site_xpos[world.tcp]
+    return np.array([away[0], away[1], 0.0]), float(size[:2].max()) + _BESIDE
 
 
 def breadth(world: World, target: str) -> float:

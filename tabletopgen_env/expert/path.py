@@ -22,12 +22,12 @@ def clear_height(
     held: str | None,
     start: Float[np.ndarray, "3"],
     end: Float[np.ndarray, "3"],
-    broad: float = 0.0,
+    broad: float = ROOM,
 ) -> float:
     """Return the height (world, m) at which nothing is met on the way from ``start`` to ``end``.
 
-    Every object but ``held`` whose upright cylinder comes within ``ROOM``, or ``broad``, of the
-    straight way counts with its highest point.
+    Every object but ``held`` whose upright cylinder comes within ``broad`` of the straight way
+    counts with its highest point.
     """
     height = world.scene.table.height
     way = end[:2] - start[:2]
@@ -39,6 +39,6 @@ def clear_height(
         reach = np.abs(world.rotation(obj.name)) @ obj.scale / 2
         along = np.clip((middle[:2] - start[:2]) @ way / length, 0, 1) if length > 1e-9 else 0.0
         aside = float(np.linalg.norm(start[:2] + along * way - middle[:2]))
-        if aside < max(ROOM, broad) + float(reach[:2].max()):
+        if aside < broad + float(reach[:2].max()):
             height = max(height, float(middle[2] + reach[2]))
     return height + CLEAR

@@ -29,7 +29,7 @@ from ..robot import franka
 from ..tasks.goals import Goal, Raised
 from .choosing import HOVER, Plan, choose
 from .driver import NEAR, Expert, up
-from .dropping import ABOVE, Drop, breadth, hanging, let_go_at, lift_of, lost, met
+from .dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
 from .grasps import TIP, Grasp
 
 Phase = Literal[
@@ -49,6 +49,8 @@ _MOVED = 0.015
 _MOVING = 0.05  # metres a second
 _TOLD = 0.004  # metres wider than they are that the fingers are told to be, when they open
 _FREE = 0.6  # share of the way to where they let go at which the fingers are free
+_NARROWER = 0.1  # of how broad the hand is taken for, where a way over things is not reached
+_ON, _STALLED = 0.005, 8  # metres by which a hand that carries gets on, and steps without
 _FOLLOWED = 3  # times that a hinted grasp may fail until another is tried
 _RISE = 0.15  # metres by which the hand retreats
 _PATIENCE: dict[Phase, int] = {
@@ -165,7 +167,7 @@ class Picker(Expert):
         still = abs(gap - self._last_gap) < 2e-4
         self._last_gap = gap
         if (told and ((left and right) or still)) or late:
-            self._held = self._in_hand()
+            self._held = self._in_object()
             waiting = self._enter("lift")
             # The hint shows at once that it is held: to wait would be to advise against it.
             return waiting if self._env.hint is None else self._lift(False)
@@ -188,7 +190,8 @@ class Picker(Expert):
         if drop is None and high and not raised and (hint is None or late):
             drop = Drop(self._env.world, self._goal, self._yaw, let_go_at(self._plan.grasp))
         if drop is not None:
-            self._drop = drop
+            self._drop, self._narrow = drop, 1.0
+            self._left, self._still = np.inf, 0
             waiting = self._enter("carry")
             return waiting if hint is None else self._carry(False)
         return self._go(target, 0.0, slow=0.7)
@@ -204,11 +207,17 @@ class Picker(Expert):
         world, drop = self._env.world, self._drop
         drop.follow(world)
         hover = drop.hover(world)
-        if late or (hover == 0 and self._tool[2] < drop.tool[2] + ABOVE + NEAR):
+        above = self._tool[2] - drop.tool[2] - ABOVE
+        if (hover == 0 and above < NEAR) or (late and above < 2 * NEAR):
             self._enter("lower")
             return self._lower(False)
-        depth, broad = hanging(world, self._target), breadth(world, self._target)
-        over = self._over(drop.tool + up(hover), depth, self._target, broad)
+        held = load(world, self._target, drop.turn(world))
+        over = self._over(
+            drop.tool + up(hover), hanging(world, self._target), self._target, held, self._narrow
+        )
+        if late or self._stalls(over):  # so high the arm may not reach so far
+            self._narrow *= _NARROWER
+            self._steps = self._still = 0
         return self._go(over, 0.0, slow=_CARRY)
 
     def _lower(self, late: bool) -> Float[np.ndarray, "5"]:
@@ -297,14 +306,29 @@ class Picker(Expert):
         speed = world.velocities()[world.index(self._target)]
         return bool(np.linalg.norm(speed[:3]) > _MOVING)
 
-    def _in_hand(self) -> Float[np.ndarray, "3"]:
-        """Return where the object is in the hand's frame, metres."""
-        world = self._env.world
-        return (self._object - self._tool) @ world.data.site_xmat[world.tcp].reshape(3, 3)
+    def _in_object(self) -> Float[np.ndarray, "3"]:
+        """Return where the tool is in the object's frame, metres."""
+        return (self._tool - self._object) @ self._env.world.rotation(self._target)
+
+    def _stalls(self, over: Float[np.ndarray, "3"]) -> bool:
+        """Return whether the hand, which carries, came no nearer in the last ``_STALLED`` steps.
+
+        ``over`` is where it goes now: above itself, while it rises.
+        """
+        left = float(np.linalg.norm((self._drop.tool - self._tool)[:2]))
+        if left < self._left - _ON:
+            self._left, self._still = left, 0
+        elif left > NEAR and np.linalg.norm((over - self._tool)[:2]) > _ON:
+            self._still += 1
+        return self._still > _STALLED
 
     def _has_slipped(self) -> bool:
-        """Return whether the object has left the hand since the fingers closed."""
-        return bool(np.linalg.norm(self._in_hand() - self._held) > _SLIP)
+        """Return whether the fingers are elsewhere on the object than where they closed.
+
+        What only turns about the fingers, as a bowl that is held by its rim does until it hangs,
+        is still in the hand.
+        """
+        return bool(np.linalg.norm(self._in_object() - self._held) > _SLIP)
 
     # ------------------------------------------------------------------------------------ moving
 

@@ -16,6 +16,7 @@ import torch
 from stable_baselines3 import SAC
 from torch import nn
 
+from generator.cores import torch_threads
 from generator.errors import require
 
 from ..episodes import episode_seeds
@@ -63,6 +64,7 @@ class Round:
     loss: float
 
 
+@torch_threads(1)  # small networks are faster so
 def clone(
     model: SAC,
     env: gym.Env[Any, np.ndarray],

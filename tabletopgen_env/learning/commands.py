@@ -121,11 +121,13 @@ def enjoy(
         check_target(video_strip, "--video-strip")
     need_sb3()
     from ..scenes.source import close
+    from ..tasks import task_named
     from .evaluating import play, seeds, summed
     from .making import single_env, source_of
 
     own = _loaded(policy, trust, recipe)
-    source = source_of(_one(scenes), "held_out")
+    task = task_named(own.task, own.env.get("preset"))
+    source = source_of(_one(scenes), "held_out", task=task)
     _warn(own.scenes, source)
     drawn = {"render_mode": "human"} if render else {}
     if video_strip:

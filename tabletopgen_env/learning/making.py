@@ -26,8 +26,9 @@ from torch import nn
 from generator.bundle import digest
 from generator.errors import InputError, choices, require_number
 
-from ..scenes import FRESH, REFRESHING, FreshScenes, SceneRef, SceneSource, resolve, split
+from ..scenes import FRESH, REFRESHING, STARTER, FreshScenes, SceneRef, SceneSource, resolve, split
 from ..scenes.splitting import Described, Side
+from ..tasks.task import Task
 from ..vector import TabletopVectorEnv
 from .goal_extractor import GoalExtractor
 from .network import TableExtractor
@@ -55,7 +56,7 @@ def spec_of(task: str) -> EnvSpec:
 
 
 def source_of(
-    scenes: str | tuple[str, ...], side: Side, variants: int | None = None
+    scenes: str | tuple[str, ...], side: Side, variants: int | None = None, task: Task | None = None
 ) -> SceneSource:
     """Return the source of a recipe's scenes; those made on demand are kept to one side.
 
@@ -64,6 +65,7 @@ def source_of(
         side: which side.
         variants: how many "fresh" tables there are on both sides; None for as many as
             ``FreshScenes`` has.
+        task: what those made on demand are for; see ``Task.needs``. None for anything.
 
     Raises:
         BundleError: no bundle fits.
@@ -71,7 +73,8 @@ def source_of(
     """
     chosen = list(scenes) if isinstance(scenes, tuple) else scenes
     on_demand = isinstance(chosen, str) and chosen.partition(":")[0] in (FRESH, REFRESHING)
-    source = split(chosen, side) if on_demand else resolve(chosen)
+    needs, start = ((), STARTER) if task is None else (task.needs, task.scenes)
+    source = split(chosen, side, needs=needs, start=start) if on_demand else resolve(chosen)
     if isinstance(source, FreshScenes) and variants is not None:
         return replace(source, variants=variants)
     return source

@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 from generator.errors import InputError, choices, require
+from generator.reading import read_regular
 
 from ..scenes.recipe import MOST_SEEDS
 from ..tasks import NAMES
@@ -26,6 +27,9 @@ Activation = Literal["relu", "tanh"]
 
 FILE = Path(__file__).with_name("recipes.toml")
 """The recipes that are shipped."""
+
+STARTS = "starts"
+"""The ``randomization`` of recipes whose ``env`` names none: without, a table starts alike."""
 
 MOST_BYTES = 2**16
 """A recipe's file is not larger."""
@@ -79,7 +83,8 @@ class Recipe:
         variants: how many tables "fresh" scenes are drawn from, both sides together (of a text, so
             many of it): few enough to be met again, and compiled once, or ever new ones. Of other
             scenes it means nothing.
-        env: further keywords of the environment.
+        env: further keywords of the environment. Those read by ``recipe`` have the randomization
+            ``STARTS`` unless they name another; "none" is none.
         network: what the policy is made of.
         options: keywords of Stable-Baselines3's class; "action_noise" is the standard deviation of
             TD3's.
@@ -194,6 +199,7 @@ def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
                 "path of a TOML file."
             )
         payload = shipped[name]
+    payload = _merged({"env": {"randomization": STARTS}}, payload)
     for change in changes:
         payload = _merged(payload, _change(change))
     _check_finite(name, payload)
@@ -263,15 +269,11 @@ def _check_scenes(name: str, side: str, value: Any) -> None:
 
 
 def _read(path: Path) -> dict[str, Any]:
+    raw = read_regular(path, "The recipe", InputError, max_bytes=MOST_BYTES)
     try:
-        if path.stat().st_size > MOST_BYTES:
-            raise InputError(f"{path} is larger than a recipe's {MOST_BYTES} bytes.")
-        payload = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.") from error
+        return tomllib.loads(raw.decode())
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is no TOML: {error}.") from error
-    return payload
+        raise InputError(f"{path} is no TOML: {str(error)!r}.") from error
 
 
 def _check_finite(name: str, value: Any) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import zipfile
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ from stable_baselines3 import HerReplayBuffer
 from stable_baselines3.common.buffers import ReplayBuffer
 
 from generator.errors import InputError, SceneError
+from generator.npz import read_arrays
 
 from ..episodes import episode_seeds
 from .demonstrations import Demonstration, demonstrate, stacked
@@ -20,6 +20,7 @@ from .demonstrations import Demonstration, demonstrate, stacked
 MISSES = 100
 """After so many episodes in a row that the expert does not solve, filling ends in an error."""
 
+_MAX_REST = 2**20  # bytes of a buffer's file besides its arrays
 _ARRAYS = ("actions", "rewards", "dones", "timeouts")
 _EPISODES = ("ep_start", "ep_length")
 
@@ -112,22 +113,38 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
     Raises:
         InputError: the file is damaged, or of another buffer.
     """
+    own = _arrays(buffer)
+    most = sum(array.nbytes for array in own.values()) + _MAX_REST
     try:
-        with np.load(path, allow_pickle=False) as file:
-            position, full, size = (int(v) for v in file["position"])
-            held = size if full else position
-            if size != buffer.buffer_size or not 0 <= position <= size:
-                raise ValueError(f"it is of a buffer of {size}, not {buffer.buffer_size}")
-            for name, array in _arrays(buffer).items():
-                array[:held] = file[name]
-            buffer.pos, buffer.full = position, bool(full)
-            if isinstance(buffer, HerReplayBuffer):
-                buffer._current_ep_start[:] = file["began"]
+        file = read_arrays(path, "The replay buffer", InputError, max_bytes=most)
+        position, full, size = (int(v) for v in file["position"])
+        held = size if full else position
+        if size != buffer.buffer_size or not 0 <= position <= size:
+            raise ValueError(f"it is of a buffer of {size}, not {buffer.buffer_size}")
+        for name, array in own.items():
+            array[:held] = _like(file[name], array[:held])
+        buffer.pos, buffer.full = position, bool(full)
+        if isinstance(buffer, HerReplayBuffer):
+            began = buffer._current_ep_start
+            began[:] = _like(file["began"], began)
+            if ((began < 0) | (began >= size)).any():
+                raise ValueError("an episode begins outside the buffer")
         _end_episodes(buffer)
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+    except (ValueError, KeyError, TypeError, IndexError, OverflowError) as error:
         raise InputError(
             f"{path} is no replay buffer of this run ({error}). Delete it to go on without."
         ) from error
+
+
+def _like(kept: np.ndarray, own: np.ndarray) -> np.ndarray:
+    """Return an array that is of the kind and shape of another.
+
+    Raises:
+        ValueError: it is not.
+    """
+    if kept.shape != own.shape or kept.dtype.kind != own.dtype.kind:
+        raise ValueError(f"{kept.dtype} of {kept.shape} stands for {own.dtype} of {own.shape}")
+    return kept
 
 
 def _end_episodes(buffer: ReplayBuffer) -> None:

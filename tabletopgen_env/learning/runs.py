@@ -18,10 +18,14 @@ buffer as arrays; the rest of ``model.zip``, which is pickled, is not read.
 from __future__ import annotations
 
 import csv
+import io
 import json
+import math
+import re
 import shutil
+from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +35,9 @@ from stable_baselines3.common.save_util import load_from_zip_file, recursive_set
 
 from generator.errors import InputError, StorageError
 from generator.files import write_whole
+from generator.reading import parse_object, read_regular
 
+from ..files import typed
 from .evaluating import Evaluation
 from .recipes import Recipe, recipe_of
 from .replay import read_buffer, write_buffer
@@ -44,6 +50,9 @@ COLUMNS = ("steps", "seconds", "episodes", "solved", "reward", "length")
 
 _RECIPE, _EVALUATIONS, _CHECKPOINT = "recipe.json", "evaluations.csv", "checkpoint-"
 _CURVES = "tensorboard"
+_STEPS = re.compile(rf"{_CHECKPOINT}([0-9]{{1,15}})")
+_MOST_STEPS = 10**15
+_MAX_BYTES = 16 * 2**20  # of a run's JSON and table
 
 
 @dataclass(frozen=True)
@@ -85,10 +94,12 @@ class Run:
     @property
     def checkpoint(self) -> Path | None:
         """The newest checkpoint; None if there is none."""
-        found = [
-            p for p in self.path.glob(f"{_CHECKPOINT}*") if p.name[len(_CHECKPOINT) :].isdigit()
-        ]
-        return max(found, key=lambda p: int(p.name[len(_CHECKPOINT) :]), default=None)
+        found = {
+            int(named[1]): path
+            for path in self.path.glob(f"{_CHECKPOINT}*")
+            if (named := _STEPS.fullmatch(path.name)) and path.is_dir()
+        }
+        return found[max(found)] if found else None
 
     @property
     def curves(self) -> Path:
@@ -163,8 +174,10 @@ class Run:
         if found is None:
             _write_rows(self.path, [])
             return Counts(), False
+        counts = _counts(found / "counts.json")
         try:
-            counts = Counts(**json.loads((found / "counts.json").read_text()))
+            if not (found / "model.zip").is_file():
+                raise FileNotFoundError("model.zip is missing, or no file")
             _, weights, variables = load_from_zip_file(
                 found / "model.zip", device="cpu", load_data=False
             )
@@ -222,15 +235,15 @@ def opened(path: Path) -> Run:
     Raises:
         InputError: it holds none, or its recipe is damaged.
     """
+    if not (path / _RECIPE).exists():
+        raise InputError(f"{path} holds no run: {_RECIPE} is missing.")
     try:
-        payload = json.loads((path / _RECIPE).read_text(encoding="utf-8"))
-        if not isinstance(payload, dict) or payload.get("format") != FORMAT:
+        payload = _object(path / _RECIPE)
+        if typed(payload.get("format"), int) != FORMAT:
             raise ValueError(f"it is not of format {FORMAT}")
-        return Run(path, recipe_of(payload["recipe"]), int(payload["seed"]))
-    except FileNotFoundError as error:
-        raise InputError(f"{path} holds no run: {_RECIPE} is missing.") from error
-    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
-        raise InputError(f"{path / _RECIPE} is damaged ({error}).") from error
+        return Run(path, recipe_of(typed(payload["recipe"], dict)), typed(payload["seed"], int))
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
+        raise InputError(f"{path / _RECIPE} is damaged ({str(error)!r}).") from error
 
 
 def read_rows(path: Path) -> list[Row]:
@@ -239,15 +252,58 @@ def read_rows(path: Path) -> list[Row]:
     Raises:
         InputError: the table is missing or damaged.
     """
+    table = path / _EVALUATIONS
+    raw = read_regular(table, "The table of evaluations", InputError, max_bytes=_MAX_BYTES)
     try:
-        with (path / _EVALUATIONS).open(newline="", encoding="utf-8") as file:
-            return [
-                Row(int(r["steps"]), float(r["seconds"]), int(r["episodes"]), int(r["solved"]),
-                    float(r["reward"]), float(r["length"]))
-                for r in csv.DictReader(file)
-            ]  # fmt: skip
-    except (OSError, ValueError, TypeError, KeyError, csv.Error) as error:
-        raise InputError(f"{path / _EVALUATIONS} is no table of evaluations ({error}).") from error
+        return [_row(row) for row in csv.DictReader(io.StringIO(raw.decode(), newline=""))]
+    except (ValueError, TypeError, KeyError, csv.Error) as error:
+        raise InputError(f"{table} is no table of evaluations ({str(error)!r}).") from error
+
+
+def _row(cells: Mapping[str, str]) -> Row:
+    """Return a row of the table.
+
+    Raises:
+        ValueError: its numbers are none that an evaluation can have.
+    """
+    row = Row(
+        int(cells["steps"]), float(cells["seconds"]), int(cells["episodes"]),
+        int(cells["solved"]), float(cells["reward"]), float(cells["length"]),
+    )  # fmt: skip
+    if not all(math.isfinite(v) for v in (row.seconds, row.reward, row.length)):
+        raise ValueError("a number that is not finite")
+    if not (0 <= row.steps < _MOST_STEPS and 0 <= row.solved <= row.episodes and row.episodes):
+        raise ValueError(f"{row.solved} of {row.episodes} episodes after {row.steps} steps")
+    return row
+
+
+def _counts(path: Path) -> Counts:
+    """Return how far a checkpoint is.
+
+    Raises:
+        InputError: the file is damaged.
+    """
+    try:
+        payload = _object(path)
+        own = Counts(**payload)
+        for name in ("steps", "updates", "episodes"):
+            if not 0 <= typed(getattr(own, name), int) < _MOST_STEPS:
+                raise ValueError(f"{name} {getattr(own, name)}")
+        typed(own.cloned, bool)
+        seconds, best = (float(v) for v in (own.seconds, own.best))
+        return replace(own, seconds=seconds, best=best)
+    except (ValueError, TypeError, OverflowError) as error:
+        raise InputError(f"{path} is damaged ({str(error)!r}). Begin a new run.") from error
+
+
+def _object(path: Path) -> dict[str, Any]:
+    """Return the JSON object of a file.
+
+    Raises:
+        InputError: it is none.
+    """
+    raw = read_regular(path, "The run's", InputError, max_bytes=_MAX_BYTES)
+    return parse_object(raw, f"{path}", InputError)
 
 
 def _write_rows(path: Path, rows: list[Row]) -> None:

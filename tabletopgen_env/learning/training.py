@@ -21,6 +21,7 @@ from generator.errors import InputError, TabletopError
 
 from ..scenes import SceneSource
 from ..scenes.source import close
+from ..tasks import task_named
 from .cloning import CloningConfig, Round, clone
 from .ending import StopAsked, heeding
 from .making import blank_model, many_envs, new_model, shared, single_env, source_of
@@ -67,9 +68,10 @@ def train(
     """
     out, plan = Path(out), plan or Plan()
     with ExitStack() as last:
-        scenes = source_of(recipe.scenes, "train", recipe.variants)
+        task = task_named(recipe.task, recipe.env.get("preset"))
+        scenes = source_of(recipe.scenes, "train", recipe.variants, task)
         last.callback(close, scenes)
-        held_out = source_of(recipe.held_out, "held_out", recipe.variants)
+        held_out = source_of(recipe.held_out, "held_out", recipe.variants, task)
         last.callback(close, held_out)
         both = shared(scenes, held_out)
         if both:

@@ -3,9 +3,10 @@
 Without it (``randomization=None``, as environments come) an episode's start follows from its
 scene, target and goal alone: where one of these is drawn anew, as marked spots are, episodes
 differ, but Lift at one table has as many starts as the table has things to lift.
-``randomization="starts"`` puts the arm and the things a little off, as ``certify`` and ``record``
-do; "light" and "strong" randomise everything else, a little and much, and a ``Randomization`` what
-is asked for.
+``randomization="starts"`` puts the arm a little off and the things up to 3 cm along x and y and 15
+degrees from where the scene has them, as ``certify``, ``record`` and training recipes do; "light"
+and "strong" randomise everything else, a little and much, and a ``Randomization`` what is asked
+for.
 
 Each switch is off until its settings say otherwise, and draws from a random stream of its own, so
 that turning one on or changing it leaves the draws of the others as they were. ``reset`` applies
@@ -34,8 +35,11 @@ table            the table's height with all that is on it, as against the robot
 distractors      how many objects that the task does not need stay on the table; the others are
                  taken away, together with all that they carry or touch, and have no slot
 start            the arm's joints (``start_joints``), place (``start_move``) and yaw
-                 (``start_turn``) of things that stand free, once the goal is drawn. A certificate
-                 still holds, for it was made so; of the grasp hints each reset plans its own
+                 (``start_turn``) of things with all that they carry or touch, once the goal is
+                 drawn, as far as there is room: nothing comes to overlap, to stand at the edge, out
+                 of reach or in the way of what the goal asks for. What a certificate says holds
+                 for such starts. Of the grasp hints each reset plans its own; else it takes a few
+                 milliseconds more
 ===============  ==================================================================================
 
 The world frame is fixed to the table, so a higher table shows as a lower base, pedestal and

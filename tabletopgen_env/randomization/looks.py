@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 
 from generator.scene import TABLE
 
+from ..room import exposure
 from ..views import CAMERAS
 
 if TYPE_CHECKING:
@@ -30,12 +31,15 @@ def draw_lights(settings: Randomization, world: World, rng: np.random.Generator)
 
 
 def apply_lights(world: World, drawn: dict[str, Any]) -> None:
-    """Turn and colour the suns, brighten the room's light."""
-    model = world.model
+    """Turn and colour the suns, brighten the room's light; then expose as a camera does."""
+    model, head = world.model, world.model.vis.headlight
     model.light_dir[:] = Rotation.from_rotvec(drawn["turn"]).apply(model.light_dir)
     model.light_diffuse[:] *= drawn["color"]
-    model.vis.headlight.ambient[:] *= drawn["ambient"]
-    model.vis.headlight.diffuse[:] *= drawn["ambient"]
+    head.ambient[:] *= drawn["ambient"]
+    head.diffuse[:] *= drawn["ambient"]
+    factor = exposure(model.light_diffuse, head.ambient, head.diffuse)
+    for light in (model.light_diffuse, head.ambient, head.diffuse):
+        light[:] *= factor
 
 
 def draw_cameras(settings: Randomization, world: World, rng: np.random.Generator) -> dict[str, Any]:

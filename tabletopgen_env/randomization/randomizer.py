@@ -13,6 +13,9 @@ import numpy as np
 from jaxtyping import Float
 
 from ..observations import Noise
+from ..tasks.goals import begun, named_by
+from ..tasks.task import Episode
+from ..tasks.task import episode as begin
 from ..views import SLOTS
 from . import arranging, dynamics, looks, starting
 from .originals import Originals
@@ -105,12 +108,22 @@ class Randomizer:
     def __setstate__(self, state: dict[str, Any]) -> None:
         self.__dict__.update(state, _originals=WeakKeyDictionary())
 
-    def finish(self, world: World, keep: Collection[str]) -> None:
-        """Put the start a little off, and take objects away: none of ``keep``, which are needed."""
+    def finish(self, world: World, episode: Episode) -> Episode:
+        """Put the start a little off, and take objects away that the episode does not need.
+
+        Returns the episode as it begins there.
+        """
         if "start" in self._on:
-            self._start(world)
-        if "distractors" not in self._on:
-            return
+            self._drawn["start"] = starting.start_off(
+                world, episode.goals, self.settings, self._stream("start")
+            )
+            episode = begin(world, begun(world, episode.goals))
+        if "distractors" in self._on:
+            self._leave(world, named_by(episode.goals))
+        return episode
+
+    def _leave(self, world: World, keep: Collection[str]) -> None:
+        """Take objects away, none of ``keep``."""
         drawn = arranging.draw_distractors(self.settings, world, self._stream("distractors"))
         gone = arranging.leaving(arranging.bundles(world), keep, **drawn)
         arranging.take_away(world, gone)
@@ -146,14 +159,6 @@ class Randomizer:
         stayed = arranging.apply_poses(world, drawn)
         moved = {name: move for name, move in drawn.items() if name not in stayed}
         self._drawn["poses"] = {"moved": moved, "stayed": stayed}
-
-    def _start(self, world: World) -> None:
-        """Put the arm off, and the things that stand free in this arrangement."""
-        drawn = starting.draw_start(self.settings, world.names, self._stream("start"))
-        free = set(starting.standing_free(world, self.settings))
-        drawn["moved"] = {name: move for name, move in drawn["moved"].items() if name in free}
-        starting.apply_start(world, drawn)
-        self._drawn["start"] = drawn
 
     def _stream(self, switch: str) -> np.random.Generator:
         """Return the random stream of a switch in this episode."""

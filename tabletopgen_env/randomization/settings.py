@@ -47,8 +47,8 @@ _MOST: Mapping[str, float] = MappingProxyType(
         "turn": np.pi,
         "table_height": 0.08,
         "start_joints": 0.1,
-        "start_move": 0.02,
-        "start_turn": 0.2,
+        "start_move": 0.2,
+        "start_turn": np.pi,
     }
 )
 _RANGES = ("ambient", "mass", "friction", "stiffness", "damping")
@@ -80,8 +80,9 @@ class Randomization:
         table_height: largest change of the table's height, metres, to 0.08.
         distractors: fewest and most objects beside those of the task; None leaves all.
         start_joints: by how much each of the arm's joints is off at most, radians, to 0.1.
-        start_move: the same of things that stand free along x and y, metres, to 0.02.
-        start_turn: the same of their turn about the vertical, radians, to 0.2.
+        start_move: the same of the places of things along x and y, as far as there is room, metres,
+            to 0.2.
+        start_turn: the same of their turn about the vertical, radians, to pi.
 
     Raises:
         InputError: a setting that there is not, a value that is negative, beyond its limit or no
@@ -157,7 +158,7 @@ class Randomization:
 
 def _number(value: Any) -> bool:
     real = isinstance(value, int | float | np.integer | np.floating)
-    return real and not isinstance(value, bool) and bool(np.isfinite(value))
+    return real and not isinstance(value, bool) and bool(abs(value) < np.inf)
 
 
 def _count(value: Any) -> bool:
@@ -167,8 +168,9 @@ def _count(value: Any) -> bool:
 
 PRESETS: Mapping[str, Randomization] = MappingProxyType(
     {
+        "none": Randomization(),
         "starts": Randomization(
-            start_joints=0.06, start_move=0.003, start_turn=float(np.deg2rad(3.0))
+            start_joints=0.06, start_move=0.03, start_turn=float(np.deg2rad(15.0))
         ),
         "light": Randomization(
             light_turn=0.2,
@@ -212,8 +214,8 @@ PRESETS: Mapping[str, Randomization] = MappingProxyType(
         ),
     }
 )
-"""Settings by name: starts alone, as certificates are made with; a little of everything but delays
-and missing objects; much of everything."""
+"""Settings by name: nothing, where a text is wanted (recipes); starts alone, as certificates are
+made with; a little of everything but delays and missing objects; much of everything."""
 
 
 def resolve(choice: Randomization | str | None) -> Randomization:

@@ -1,67 +1,289 @@
-"""Starts that are a little off: the arm's joints, and the things that stand free."""
+"""Starts that are a little off: the arm's joints, and where things stand.
+
+Things are displaced once the goal is drawn, about the table, by a move along x and y and a yaw.
+What a thing carries, touches or stands against goes with it, as one *bundle*. Each bundle takes the
+first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as sound as it was:
+
+- nothing comes nearer than ``ROOM`` to anything, than ``HAND_ROOM`` to what the goals are about,
+  than ``EDGE`` to the table's edge or than ``CLEARANCE`` to the robot's base, or than it was if
+  that is less;
+- what the arm reaches it still does, and nothing tall comes between it and what the goals are
+  about;
+- marked spots, the ways of pushes, and the room at a place where a thing is to go stay free.
+
+With no such draw it stays. Where the expert finds no stroke for what is to be pushed, ``LESS`` of
+all draws is tried, then none. All moves keep what rests on the flat top at rest, so nothing is
+simulated. Goals that say where a thing stood follow it (``tasks.goals.begun``), marked spots stay.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from jaxtyping import Bool, Float
 
-from generator.geometry import inside_margin, quaternion_matrix, yaw_quaternion
+from generator.geometry import inside_margin
+from generator.scene import TABLE, Scene
+
+from ..expert.strokes import plan_stroke
+from ..robot.mount import CLEARANCE, TALL, obstacle
+from ..tasks.goals import Goal, OnSpot, Pushed, named_by
+from ..workspace import FREE_MARGIN
+from .arranging import bundles, moved
+from .outlines import Outline, apart, carried, hull, keeps, near
 
 if TYPE_CHECKING:
     from ..world import World
     from .settings import Randomization
 
+SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])
+"""What share of the largest move and turn each draw of a bundle may be."""
 
-def draw_start(
-    settings: Randomization, names: Iterable[str], rng: np.random.Generator
+LESS = 0.3
+"""What share of its draws is taken where they leave no way to push what is to be pushed."""
+
+ROOM, HAND_ROOM, EDGE = 0.01, 0.04, 0.01
+"""Least room between things, about those of the goals, and to the table's edge, metres."""
+
+TOGETHER = 0.002
+"""Things that stand nearer than this to each other are moved together, metres."""
+
+_BESIDE = 0.1  # metres about a point in the air, and behind what is pushed, kept for the hand
+_CIRCLE = np.column_stack([f(np.arange(12) * np.pi / 6) for f in (np.cos, np.sin)])
+_CIRCLE /= np.cos(np.pi / 12)  # around the circle, not in it
+
+
+def start_off(
+    world: World, goals: Sequence[Goal], settings: Randomization, rng: np.random.Generator
 ) -> dict[str, Any]:
-    """Draw by how much each joint is off, and the move (x, y) and turn of each of ``names``."""
-    joints = rng.uniform(-settings.start_joints, settings.start_joints, 7).tolist()
-    moved = {}
-    for name in names:
-        shift = rng.uniform(-settings.start_move, settings.start_move, 2).tolist()
-        moved[name] = [*shift, float(rng.uniform(-settings.start_turn, settings.start_turn))]
-    return {"joints": joints, "moved": moved}
+    """Put the arm and the things at an episode's start a little off; return by how much.
 
+    Args:
+        world: the world, at its start; it is left at the new one.
+        goals: what the episode asks for.
+        settings: how far.
+        rng: draws; as much for every world of as many things.
 
-def apply_start(world: World, drawn: Mapping[str, Any]) -> None:
-    """Put the arm and the things at an episode's start off by what was drawn."""
-    world.place_arm(world.data.qpos[world.arm_qpos] + np.asarray(drawn["joints"]))
-    shift_things(world, drawn["moved"])
-
-
-def shift_things(world: World, moved: Mapping[str, tuple[float, float, float]]) -> None:
-    """Put things off by a move (x, y, metres) and a turn (radians) from where the scene has them.
-
-    Marked spots stay where they are.
+    Returns:
+        "joints": the seven angles added to the arm's, rad (zeros where the arm would touch
+        something); "moved": the move (x, y, metres) and turn (rad) of each bundle that is
+        displaced, by its first thing.
     """
-    import mujoco
+    joints = rng.uniform(-settings.start_joints, settings.start_joints, 7)
+    most = np.array([settings.start_move, settings.start_move, settings.start_turn])
+    tries = most * rng.uniform(-1, 1, (len(world.names), len(SHARES), 3)) * SHARES[:, None]
+    before, home = world.scene, world.data.qpos[world.arm_qpos].copy()
+    for share in (1.0, LESS) if most.any() else ():
+        moves = _displaced(world, goals, share * tries)
+        world.place_arm(home + joints)
+        if _can_begin(world, goals):
+            break
+        world.rearrange(before)
+        world.reset()
+    else:
+        moves = {}
+        world.place_arm(home + joints)
+    if _touches_robot(world):
+        joints = np.zeros(7)
+        world.place_arm(home)
+    return {"joints": joints.tolist(), "moved": moves}
 
-    for name, (x, y, turn) in moved.items():
-        pose = world.scene.object(name).pose
-        turned = np.empty(4)
-        mujoco.mju_mulQuat(turned, yaw_quaternion(turn), np.asarray(pose.quaternion, float))
-        world.teleport(name, pose.position + np.array([x, y, 0.0]), turned)
-    mujoco.mj_forward(world.model, world.data)
+
+def _displaced(
+    world: World, goals: Sequence[Goal], tries: Float[np.ndarray, "n c 3"]
+) -> dict[str, list[float]]:
+    """Displace the bundles by what will do of ``tries``; return how each was, by its first."""
+    table = _Tabletop(world, goals)
+    for first in table.order:
+        table.displace(first, tries[world.index(first)])
+    if table.moves:
+        world.rearrange(table.scene)
+        world.reset()
+    return table.moves
 
 
-def standing_free(world: World, settings: Randomization) -> Iterator[str]:
-    """Yield the things on the table itself with nothing on them and room on all sides."""
-    loaded = {o.placement.on for o in world.scene.objects}
-    for obj in world.scene.objects:
-        level = quaternion_matrix(obj.pose.quaternion)[2]
-        if obj.placement.on != "table" or obj.name in loaded or np.abs(level).max() < 0.999:
+def _can_begin(world: World, goals: Sequence[Goal]) -> bool:
+    """Return whether nothing touches the robot, and there is a stroke for what is to be pushed."""
+    return not _touches_robot(world) and all(
+        plan_stroke(world, goal.target, goal.spot[:2]) is not None
+        for goal in goals
+        if isinstance(goal, Pushed)
+    )
+
+
+def _touches_robot(world: World) -> bool:
+    """Return whether a thing touches the robot."""
+    return any(world.touched(name)[2] for name in world.names)
+
+
+@dataclass(frozen=True, eq=False)
+class _Zone:
+    """An outline on the table to be kept free of all but ``of`` (bundles, by their first).
+
+    It moves with the bundle ``carrier``, if there is one.
+    """
+
+    outline: Outline
+    of: tuple[str, ...]
+    carrier: str | None = None
+
+    def carried(
+        self, first: str, centre: Float[np.ndarray, "2"], move: Float[np.ndarray, "3"]
+    ) -> _Zone:
+        """Return the zone once a bundle is moved (x, y) and turned about its centre."""
+        if first != self.carrier:
+            return self
+        return replace(self, outline=carried(self.outline, centre, move[None])[0])
+
+
+class _Tabletop:
+    """Bundles on a table, seen from above, of which one after the other is displaced.
+
+    ``order``: the bundles that may be, by their first thing, those of the goals first; ``moves``:
+    how those were that have been.
+    """
+
+    def __init__(self, world: World, goals: Sequence[Goal]) -> None:
+        self._before = world.scene
+        self.moves: dict[str, list[float]] = {}
+        self._world, self._named = world, named_by(goals)
+        self._root, self._outlines = _together(world)
+        self._then = dict(self._outlines)
+        self._zones = _zones(world, goals, self._root)
+        wanted = [self._root[name] for name in self._named]
+        self._wanted = frozenset(wanted)
+        listed = dict.fromkeys([*wanted, *self._outlines])
+        self.order = [name for name in listed if self._free(name)]
+
+    def displace(self, first: str, tries: Float[np.ndarray, "c 3"]) -> None:
+        """Move a bundle by the first of ``tries`` (x, y, turn) that will do, if one does."""
+        centre = self._before.object(first).pose.position[:2]
+        own = carried(self._outlines[first], centre, tries)
+        good = self._on_table(first, own) & self._reached(first, tries)
+        good &= self._clear(first, own, centre, tries)
+        for k in np.flatnonzero(good):
+            moves = {**self.moves, first: tries[k].tolist()}
+            if self._in_the_way(moves):
+                continue
+            self.moves, self._outlines[first] = moves, own[k]
+            self._zones = [zone.carried(first, centre, tries[k]) for zone in self._zones]
+            return
+
+    @property
+    def scene(self) -> Scene:
+        """The scene as its things stand now."""
+        return moved(self._before, self._root, self.moves)
+
+    def _free(self, first: str) -> bool:
+        """Return whether a bundle stands on the table alone, wholly."""
+        on = self._before.object(first).placement.on == TABLE
+        return on and bool(inside_margin(self._then[first], self._before.table.outline).min() >= 0)
+
+    def _on_table(self, first: str, own: Float[np.ndarray, "c k 2"]) -> Bool[np.ndarray, "c"]:
+        """Return which outlines keep off the table's edge and the robot's base."""
+        top, base = self._before.table.outline, self._world.base_position[None, :2]
+        inner = inside_margin(own.reshape(-1, 2), top).reshape(own.shape[:2]).min(1)
+        edge = min(EDGE, float(inside_margin(self._then[first], top).min()))
+        clear = min(CLEARANCE, float(apart(self._then[first][None], base)[0]))
+        return (inner >= edge) & (apart(own, base) >= clear)
+
+    def _reached(self, first: str, tries: Float[np.ndarray, "c 3"]) -> Bool[np.ndarray, "c"]:
+        """Return which moves leave in the arm's reach what was."""
+        good = np.ones(len(tries), bool)
+        centre = self._before.object(first).pose.position
+        for thing in self._before.objects:
+            if self._root[thing.name] != first:
+                continue
+            at = thing.pose.position
+            ends = carried(at[None, :2], centre[:2], tries)[:, 0]
+            points = np.column_stack([ends, np.full(len(tries), at[2])])
+            if self._world.mount.reaches(at[None])[0]:
+                good &= self._world.mount.reaches(points)
+        return good
+
+    def _clear(
+        self,
+        first: str,
+        own: Float[np.ndarray, "c k 2"],
+        centre: Float[np.ndarray, "2"],
+        tries: Float[np.ndarray, "c 3"],
+    ) -> Bool[np.ndarray, "c"]:
+        """Return which outlines leave room to other bundles and to what is to stay free."""
+        good = np.ones(len(own), bool)
+        for other, outline in self._outlines.items():
+            if other != first:
+                room = HAND_ROOM if {first, other} & self._wanted else ROOM
+                good &= keeps(own, outline, self._then[first], self._then[other], room)
+        for zone in self._zones:
+            if zone.carrier == first:
+                along = carried(zone.outline, centre, tries)
+                for other, outline in self._outlines.items():
+                    if other not in zone.of:
+                        good &= keeps(along, outline, zone.outline, self._then[other], 0.0)
+            elif first not in zone.of:
+                good &= keeps(own, zone.outline, self._then[first], zone.outline, 0.0)
+        return good
+
+    def _in_the_way(self, moves: Mapping[str, list[float]]) -> bool:
+        """Return whether something tall comes into the arm's way to what the goals are about."""
+        before, mount = self._before, self._world.mount
+        high = before.table.height + TALL
+        if all(o.pose.position[2] + np.linalg.norm(o.scale) / 2 < high for o in before.objects):
+            return False
+        scene = moved(before, self._root, moves)
+        return any(
+            obstacle(scene, mount, name) and not obstacle(before, mount, name)
+            for name in self._named
+        )
+
+
+def _together(world: World) -> tuple[dict[str, str], dict[str, Outline]]:
+    """Return the first thing of the bundle of each thing, and the bundles' convex outlines."""
+    root = bundles(world)
+    outlines = {
+        first: hull([world.footprints[name] for name in world.names if root[name] == first])
+        for first in dict.fromkeys(root.values())
+    }
+    while (pair := _nearest(outlines)) is not None:
+        kept, gone = pair
+        root = {name: kept if first == gone else first for name, first in root.items()}
+        outlines[kept] = hull([outlines[kept], outlines.pop(gone)])
+    return root, outlines
+
+
+def _nearest(outlines: Mapping[str, Outline]) -> tuple[str, str] | None:
+    """Return the first two outlines that stand together, if any do."""
+    names = list(outlines)
+    for k, one in enumerate(names):
+        for other in names[k + 1 :]:
+            a, b = outlines[one], outlines[other]
+            if near(a[None], b, TOGETHER) and apart(a[None], b)[0] < TOGETHER:
+                return one, other
+    return None
+
+
+def _zones(world: World, goals: Sequence[Goal], root: Mapping[str, str]) -> list[_Zone]:
+    """Return what goals need free: around marked spots, along pushes, where a thing stood."""
+    zones = []
+    for goal in goals:
+        if goal.spot is None:
             continue
-        own = world.footprints[obj.name]
-        radius = float(np.linalg.norm(own - obj.pose.position[:2], axis=1).max())
-        room = 2 * (settings.start_move + settings.start_turn * radius)
-        edge = inside_margin(own, world.scene.table.outline).min() > room
-        others = (world.footprints[o] for o in world.names if o != obj.name)
-        if edge and all(
-            inside_margin(own, other).max() < -room
-            and inside_margin(np.asarray(other), own).max() < -room
-            for other in others
-        ):
-            yield obj.name
+        spot = goal.spot[:2]
+        if goal.target is None:
+            zones.append(_Zone(spot + _BESIDE * _CIRCLE, ()))
+            continue
+        at, of = world.position(goal.target)[:2], (root[goal.target],)
+        radius = float(np.linalg.norm(world.footprints[goal.target] - at, axis=1).max())
+        disc = (radius + FREE_MARGIN) * _CIRCLE
+        if isinstance(goal, Pushed):
+            behind = at - _BESIDE * (spot - at) / max(float(np.linalg.norm(spot - at)), 1e-9)
+            zones.append(_Zone(hull([behind + disc, spot + disc]), of))
+        elif isinstance(goal, OnSpot) and goal.stead is not None:
+            carrier = root[goal.stead]
+            zones.append(_Zone(spot + disc, (*of, carrier), carrier))
+        else:
+            zones.append(_Zone(spot + disc, of))
+    return zones

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from generator.distribution import Needs, SceneDistribution
 from generator.errors import InputError
 
 from .finding import FRESH, REFRESHING, STARTER, FixedChoice, fixed_scenes
@@ -16,7 +17,7 @@ SceneChoice = FixedChoice | SceneSource
 """What may be passed as ``scenes``."""
 
 
-def resolve(scenes: SceneChoice) -> SceneSource:
+def resolve(scenes: SceneChoice, needs: Needs = (), start: SceneChoice = STARTER) -> SceneSource:
     """Make a scene source of what a user may pass as ``scenes``.
 
     Args:
@@ -25,12 +26,17 @@ def resolve(scenes: SceneChoice) -> SceneSource:
             - "starter": the shipped bundles that are for any task; "starter:train" and
               "starter:held_out" split them by digest, a fifth held out;
             - a bundle's name, digest, path or a glob of these, as ``assets_cache.find`` takes;
-            - "fresh": made anew for each draw, of every theme; "fresh:PROMPT": of a text;
-            - "refreshing": a pool that begins with the starters and is renewed in the background
+            - "fresh": made anew for each draw, of every theme and for the task at hand (see
+              ``needs``); "fresh:PROMPT": of a text;
+            - "refreshing": a pool that begins with ``start`` and is renewed in the background
               while training goes on, of every theme; "refreshing:PROMPT": of a text from the
               start, which takes about a second a scene at the first reset;
             - a ``Scene``, or a sequence of scenes, names, paths and globs;
             - a ``SceneSource``, which is returned as it is.
+
+        needs: what each table holds that "fresh" or "refreshing" draws of every theme, beside what
+            is its theme's, as a task has them (``Task.needs``); nothing is added to a text.
+        start: what the pool of "refreshing" begins with (``Task.scenes``), if these are fixed.
 
     Raises:
         BundleError: no bundle fits; the message says what there is.
@@ -38,8 +44,8 @@ def resolve(scenes: SceneChoice) -> SceneSource:
     """
     if isinstance(scenes, SceneSource):
         return scenes
-    if isinstance(scenes, str) and scenes.partition(":")[0] in (FRESH, REFRESHING):
-        return _made(scenes)
+    if isinstance(scenes, str) and _on_demand(scenes):
+        return _made(scenes, needs, start)
     return fixed_scenes(scenes)
 
 
@@ -50,6 +56,8 @@ def split(
     by: By = "digest",
     share: float = SHARE,
     categories: Iterable[str] = (),
+    needs: Needs = (),
+    start: SceneChoice = STARTER,
 ) -> SceneSource:
     """Return the source of only the scenes to train on, or only those held out.
 
@@ -64,6 +72,8 @@ def split(
         share: by digest, the share of all scenes that is held out.
         categories: by category, the held-out ones ("mug", "wine glass"): a scene with any object
             of any of them is held out.
+        needs: as ``resolve`` takes them.
+        start: likewise.
 
     Raises:
         InputError: settings that do not go together, no such category, or fixed scenes of which
@@ -71,10 +81,10 @@ def split(
             ``SceneError``.
     """
     given = (categories,) if isinstance(categories, str) else tuple(categories)
-    return admitting(resolve(scenes), Rule(side, by, share, given))
+    return admitting(resolve(scenes, needs, start), Rule(side, by, share, given))
 
 
-def _made(text: str) -> SceneSource:
+def _made(text: str, needs: Needs, start: SceneChoice) -> SceneSource:
     """Return the source that a form of ``FRESH`` or ``REFRESHING`` means."""
     head, colon, prompt = text.partition(":")
     if colon and not prompt.strip():
@@ -82,8 +92,18 @@ def _made(text: str) -> SceneSource:
             f"scenes={text!r} lacks a prompt. Pass for example '{head}:an office desk', or just "
             f"{head!r}."
         )
-    fresh = FreshScenes(prompt.strip()) if colon else FreshScenes()
+    fresh = FreshScenes(prompt.strip() if colon else SceneDistribution(needs=needs))
     fresh.check()
     if head == FRESH:
         return fresh
-    return RefreshingScenes(fresh, initial=None if colon else STARTER)
+    return RefreshingScenes(fresh, initial=None if colon else _fixed(start))
+
+
+def _on_demand(scenes: SceneChoice) -> bool:
+    """Return whether tables are made, by a form of ``FRESH`` or ``REFRESHING``."""
+    return isinstance(scenes, str) and scenes.partition(":")[0] in (FRESH, REFRESHING)
+
+
+def _fixed(scenes: SceneChoice) -> FixedChoice | None:
+    """Return what names fixed scenes, None for anything else."""
+    return None if isinstance(scenes, SceneSource) or _on_demand(scenes) else scenes

@@ -50,9 +50,7 @@ class Recipe:
     @property
     def identity(self) -> str:
         """What tells the scene from all others, the same in every process."""
-        what = (
-            self.what if isinstance(self.what, str) else json.dumps(dataclasses.asdict(self.what))
-        )
+        what = self.what if isinstance(self.what, str) else json.dumps(_facts(self.what))
         making = "fresh" if self.making == COMPOSE else f"fresh by {self.making}"
         return f"{making}:{self.seed}:{what}"
 
@@ -124,7 +122,8 @@ class Recipe:
 
     def to_json(self) -> dict[str, Any]:
         """Return the recipe as plain JSON values."""
-        return dataclasses.asdict(self)
+        facts = dataclasses.asdict(self)
+        return facts if isinstance(self.what, str) else facts | {"what": _facts(self.what)}
 
     @classmethod
     def from_json(cls, values: dict[str, Any]) -> Recipe:
@@ -140,6 +139,14 @@ class Recipe:
             values["making"],
             tuple(Rule(**rule) for rule in values["rules"]),
         )
+
+
+def _facts(distribution: SceneDistribution) -> dict[str, Any]:
+    """Return a distribution as plain JSON values; without needs as before there were any."""
+    facts = dataclasses.asdict(distribution)
+    if not distribution.needs:
+        del facts["needs"]
+    return facts
 
 
 def maker(making: str) -> Maker:

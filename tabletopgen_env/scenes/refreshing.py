@@ -18,7 +18,7 @@ from .fixed import FixedScenes
 from .fresh import FreshScenes
 from .pool import Pace, Pool
 from .source import SceneRef
-from .splitting import Rule
+from .splitting import Rule, admits
 
 PER_MINUTE = 6.0
 """How many scenes are renewed a minute, unless said otherwise."""
@@ -130,8 +130,13 @@ class RefreshingScenes:
         return self._pool.crew.pids if self._pool and self._pool.crew else ()
 
     def admitting(self, rule: Rule) -> RefreshingScenes:
-        """Return the source of only those scenes that a rule admits, at first and later on."""
+        """Return the source of only those scenes that a rule admits, at first and later on.
+
+        Where that leaves none of the first ones, the first pool is made.
+        """
         fresh, initial = self._parts()
+        if initial is not None and not any(admits(rule, ref) for ref in initial.refs):
+            initial = None
         return dataclasses.replace(
             self,
             fresh=fresh.admitting(rule),

@@ -23,7 +23,7 @@ At rest is below 2 cm/s and 0.3 rad/s.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -189,11 +189,15 @@ class Pushed:
 
 @dataclass(frozen=True, eq=False)
 class OnSpot:
-    """An object put down on a spot; ``rest`` as in `Pushed`."""
+    """An object put down on a spot; ``rest`` as in `Pushed`.
+
+    ``stead`` is the object whose place at the start the spot is, if it is one's.
+    """
 
     target: str
     spot: Float[np.ndarray, "3"]
     rest: float
+    stead: str | None = None
     reference: None = None
     released: bool = True
 
@@ -288,6 +292,22 @@ def named_by(goals: Iterable[Goal]) -> list[str]:
     """Return the objects that goals need: what is to be moved, and what carries their regions."""
     names = (name for goal in goals for name in (goal.target, goal.reference))
     return list(dict.fromkeys(name for name in names if name is not None))
+
+
+def begun(world: World, goals: Iterable[Goal]) -> tuple[Goal, ...]:
+    """Return goals drawn for a scene for a start at which its things stand elsewhere: as now.
+
+    Where a thing stood is where it stands now; marked spots stay where they are.
+    """
+    found: list[Goal] = []
+    for goal in goals:
+        if isinstance(goal, Raised):
+            goal = replace(goal, start=world.position(goal.target))
+        elif isinstance(goal, OnSpot) and goal.stead is not None:
+            here = world.position(goal.stead)[:2]
+            goal = replace(goal, spot=np.array([*here, world.scene.table.height]))
+        found.append(goal)
+    return tuple(found)
 
 
 def the(world: World, name: str) -> str:

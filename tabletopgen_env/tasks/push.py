@@ -21,6 +21,7 @@ from generator.scene import Object
 from ..affordance import collision_points, grasp_width, resting_height
 from ..expert.strokes import beside, plan_stroke
 from .goals import SPOT, Pushed
+from .needs import LOW
 from .sampling import Reasons, blocked, drawn, given_point, on_table, rest_height
 from .task import Episode, Task, episode
 
@@ -51,6 +52,7 @@ class Push(Task):
 
     weights = MappingProxyType({"reach": 0.20, "place": 0.50, "success": 0.30})
     closed = True
+    needs = (LOW, LOW)
 
     def sample(
         self,

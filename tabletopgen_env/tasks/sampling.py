@@ -182,6 +182,12 @@ def on_spot(world: World, obj: Object, spot: Float[np.ndarray, "3"]) -> OnSpot:
     return OnSpot(obj.name, spot, rest_height(world, obj.name))
 
 
+def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
+    """Return the goal of ``obj`` standing where ``other`` stands now."""
+    spot = np.array([*other.pose.position[:2], world.scene.table.height])
+    return OnSpot(obj.name, spot, rest_height(world, obj.name), other.name)
+
+
 def given_object(
     world: World, goal: str | tuple[float, ...] | None, use: str, wanted: str
 ) -> str | None:

@@ -23,11 +23,13 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from generator.distribution import Needs
 from generator.errors import InputError, SceneError, choices
 from generator.scene import Object
 
 from . import TaskName
 from .goals import SPOT, Goal
+from .needs import FLAT, SMALL, TRAYS
 from .sampling import NO_GRASP, blocked, containers, into, liftable, nothing, on_spot, spot_of
 from .stack import on_top, supports
 from .swap import Swap
@@ -36,6 +38,9 @@ from .task import Episode, Task, episode
 if TYPE_CHECKING:
     from ..world import World
 
+
+NEEDS: Needs = (SMALL, SMALL, (*FLAT, *TRAYS))
+"""What tables for drawn steps hold: two things to move, and something for one to go to."""
 
 _APART = 0.2  # metres between two marked spots
 
@@ -51,10 +56,11 @@ class Step:
 
 @dataclass(frozen=True)
 class Preset:
-    """A sentence, its steps, and the bundles (a glob) on whose tables it makes sense."""
+    """A sentence, its steps, and its tables: bundles (a glob), and what those drawn for it hold."""
 
     instruction: str
     scenes: str
+    needs: Needs
     steps: tuple[Step, ...] = ()
     swap: tuple[str, str] | None = None
 
@@ -66,13 +72,23 @@ PRESETS: Mapping[str, Preset] = MappingProxyType(
             "board",
             "kitchen-task-*",
             (
+                ("large bowl",),
+                ("large cutting board",),
+                ("small cucumber",),
+                ("carrot",),
+                ("salt shaker",),
+            ),
+            (
                 Step("cucumber", "into", "bowl"),
                 Step("carrot", "onto", "cutting board"),
                 Step("salt shaker", "onto", "cutting board"),
             ),
         ),
         "coffee_table": Preset(
-            "swap the cup and the apple", "coffee-table-task-*", swap=("cup", "apple")
+            "swap the cup and the apple",
+            "coffee-table-task-*",
+            (("cup",), ("small apple",)),
+            swap=("cup", "apple"),
         ),
     }
 )
@@ -98,6 +114,7 @@ class Sequence(Task):
         self._name = preset
         self.preset = None if preset is None else PRESETS[preset]
         self.scenes = Task.scenes if self.preset is None else self.preset.scenes
+        self.needs = NEEDS if self.preset is None else self.preset.needs
         self.aside = Swap.aside if self.preset and self.preset.swap else Task.aside
 
     @property

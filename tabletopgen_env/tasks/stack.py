@@ -18,6 +18,7 @@ from generator.scene import Object
 from ..affordance import grasp_width, resting_height
 from ..robot.mount import reachable
 from .goals import OnTop
+from .needs import FLAT, STANDING
 from .sampling import drawn, given_object, liftable, on_table, rest_height
 from .task import Episode, Task, episode
 
@@ -37,6 +38,7 @@ class Stack(Task):
     weights = MappingProxyType(
         {"reach": 0.10, "grasp": 0.15, "lift": 0.15, "place": 0.30, "success": 0.30}
     )
+    needs = (FLAT, STANDING)
 
     def sample(
         self,

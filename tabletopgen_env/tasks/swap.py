@@ -18,7 +18,8 @@ from generator.scene import Object
 
 from ..workspace import FREE_MARGIN
 from .goals import Goal, OnSpot, the
-from .sampling import drawn, given_object, liftable, on_spot, on_table, spot_of
+from .needs import SMALL
+from .sampling import drawn, given_object, in_stead, liftable, on_spot, on_table, spot_of
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ class Swap(Task):
     )
     most = 3
     aside = MappingProxyType({0: 1})
+    needs = (SMALL, SMALL)
 
     def sample(
         self,
@@ -72,10 +74,7 @@ class Swap(Task):
 
 def swap(world: World, obj: Object, other: Object, aside: OnSpot) -> Episode:
     """Return the episode in which two objects change places by way of ``aside``."""
-    height = world.scene.table.height
-    here, there = (np.array([*o.pose.position[:2], height]) for o in (obj, other))
-    goals = (aside, on_spot(world, obj, there), on_spot(world, other, here))
-    return episode(world, goals)
+    return episode(world, (aside, in_stead(world, obj, other), in_stead(world, other, obj)))
 
 
 def _fits(world: World, obj: Object, place: Object) -> bool:

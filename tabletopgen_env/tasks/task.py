@@ -41,6 +41,8 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 from jaxtyping import Bool, Float
 
+from generator.distribution import Needs
+
 from . import TaskName
 from .goals import SPOT_RADIUS, Goal
 
@@ -106,7 +108,8 @@ class Task(ABC):
     Class attributes: ``weights`` of the dense reward by term; ``most`` goals of an episode;
     ``aside``: goals, by index, that count as met once another, by index, is met; ``closed``:
     whether the gripper stays closed; ``marker_radius`` of the disc that marks a spot, metres;
-    ``scenes`` where its tables come from unless others are given.
+    ``scenes`` where its tables come from unless others are given; ``needs`` what tables that are
+    drawn for it hold besides others; see ``needs``.
     """
 
     weights: ClassVar[Mapping[str, float]]
@@ -114,6 +117,7 @@ class Task(ABC):
     aside: Mapping[int, int] = MappingProxyType({})
     closed: ClassVar[bool] = False
     scenes: str = "starter"
+    needs: Needs = ()
     marker_radius: ClassVar[float] = SPOT_RADIUS
 
     @abstractmethod

@@ -15,7 +15,9 @@ import numpy as np
 from generator.errors import InputError
 from generator.scene import Object
 
-from .goals import Goal, Into, the
+from ..affordance import Opening, grasp_width, resting_height
+from .goals import INSIDE, Goal, Into, the
+from .needs import TINY, TRAYS
 from .sampling import containers, given_object, into, liftable, nothing
 from .task import Episode, Task, episode
 
@@ -37,6 +39,7 @@ class Tidy(Task):
     )
     most = 4
     scenes = SCENES
+    needs = (TRAYS, TINY, TINY, TINY)
 
     def sample(
         self,
@@ -85,10 +88,18 @@ def _together(world: World, container: Object, things: list[Object]) -> list[Obj
     taken: list[Object] = []
     for obj in sorted(things, key=lambda o: float(np.linalg.norm(o.pose.position - center))):
         area = _area(world, obj)
-        if len(taken) < Tidy.most and area <= room and world.has_grasp(obj.name):
+        fits = area <= room and all(_has_room(hollow, first, obj) for first in taken)
+        if len(taken) < Tidy.most and fits and world.has_grasp(obj.name):
             taken.append(obj)
             room -= area
     return taken
+
+
+def _has_room(hollow: Opening, first: Object, second: Object) -> bool:
+    """Return whether one thing goes in on top of another, or beside it if it lies in the middle."""
+    on_top = resting_height(first) + INSIDE <= hollow.depth
+    beside = grasp_width(first) / 2 + grasp_width(second)
+    return on_top or beside <= float(hollow.semi.min())
 
 
 def _area(world: World, obj: Object) -> float:

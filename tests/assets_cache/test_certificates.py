@@ -51,6 +51,7 @@ def played(env: TabletopEnv, seed: int) -> Asked:
     return asked(instance_of(env.task, env.episode))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted([*PROMPTS, *TASKS]))
 def test_it_lists_what_the_bundle_offers_and_environments_keep_to_it(name: str) -> None:
     path = shipped(name)
@@ -72,6 +73,7 @@ def test_it_lists_what_the_bundle_offers_and_environments_keep_to_it(name: str) 
                 env.reset(seed=0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_tables_that_are_not_asked_for_are_certified(name: TaskName) -> None:
     env = make_env(task=name.task, preset=name.preset)

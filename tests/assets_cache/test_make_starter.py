@@ -47,7 +47,7 @@ def named(name: str, here: Path) -> Path:
 
 
 def certify(path: Path) -> None:
-    instance = Instance("Lift", "cube_1", None, 5, 5)
+    instance = Instance("Lift", "cube_1", None, 10, 10)
     write_certificate(path, Certificate(scene_digest(path), Terms(("Lift",)), {}, (instance,)))
 
 

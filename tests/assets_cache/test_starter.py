@@ -31,6 +31,7 @@ def test_every_theme_is_there_and_nothing_else() -> None:
     assert all(any(name.startswith(theme) for name in names) for theme in THEMES)
 
 
+@pytest.mark.slow
 def test_they_are_sound_and_their_tables_differ() -> None:
     outlines = set()
     for path in shipped():

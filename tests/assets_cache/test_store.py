@@ -5,6 +5,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from bounded import LONG
 from toy import toy_object, toy_scene
 
 import assets_cache
@@ -134,11 +135,12 @@ def test_add_publishes_into_the_store(store: Path) -> None:
 
 
 def _write(folder: str, barrier, count: int) -> None:
-    barrier.wait()
+    barrier.wait(LONG)
     for _ in range(count):
         put("raced", Path(folder))
 
 
+@pytest.mark.slow
 def test_concurrent_writers_publish_one_whole_bundle(store: Path) -> None:
     context = multiprocessing.get_context("fork")
     barrier = context.Barrier(4)
@@ -146,7 +148,7 @@ def test_concurrent_writers_publish_one_whole_bundle(store: Path) -> None:
     for writer in writers:
         writer.start()
     for writer in writers:
-        writer.join()
+        writer.join(LONG)
     assert [w.exitcode for w in writers] == [0] * 4
     assert len(list(store.iterdir())) == 1
     assert verify(next(store.iterdir())) == []

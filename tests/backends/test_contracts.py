@@ -167,6 +167,7 @@ def test_every_backend_that_can_be_selected_is_held_against_its_protocols() -> N
     }
 
 
+@pytest.mark.slow
 def test_the_protocols_are_there(
     backend: tuple[Any, Any], reasoner: Any, imager: Any, request: pytest.FixtureRequest
 ) -> None:
@@ -202,12 +203,14 @@ def test_list_objects(reasoner: Any, desk: Desk) -> None:
     assert all(label == label.lower().strip() and label for label in labels)
 
 
+@pytest.mark.slow
 def test_estimate_view(view: Any) -> None:
     assert np.rad2deg(view.elevation) == pytest.approx(ELEVATION, abs=8)
     assert np.rad2deg(view.azimuth) == pytest.approx(0, abs=8)
     assert 10 < np.rad2deg(view.fov) < 90
 
 
+@pytest.mark.slow
 def test_estimate_sizes(reasoner: Any, desk: Desk, instances: Any, view: Any) -> None:
     sizes = reasoner.estimate_sizes(desk.reference, instances, view)
     assert set(sizes) == set(NAMES)
@@ -248,6 +251,7 @@ def test_guesses(reasoner: Any, desk: Desk, instances: Any, sizes: Any, view: An
 # ----------------------------------------------------------------------------------------- imager
 
 
+@pytest.mark.slow
 def test_draw(reasoner: Any, imager: Any) -> None:
     drawn = imager.draw(reasoner.plan_scene("a desk with a mug", 0), 0)
     assert drawn.dtype == np.uint8
@@ -269,6 +273,7 @@ def test_complete(desk: Desk, instances: Any, k: int) -> None:
     np.testing.assert_allclose(there, found.box, atol=max(4.0, 0.05 * span))
 
 
+@pytest.mark.slow
 def test_top_view(imager: Any, desk: Desk, instances: Any, view: Any) -> None:
     top = imager.top_view(desk.reference, instances, desk.models, {}, view)
     assert top.image.dtype == np.uint8
@@ -304,6 +309,7 @@ def found(segmenter: Any, desk: Desk) -> tuple[Detection, ...]:
     return segmenter.segment(desk.reference.image, labels)
 
 
+@pytest.mark.slow
 def test_segment(segmenter: Any, desk: Desk, found: tuple[Detection, ...]) -> None:
     assert isinstance(segmenter, Segmenter)
     assert [d.label for d in found].count(TABLE) == 1
@@ -327,6 +333,7 @@ def test_segment_finds_what_is_there(desk: Desk, found: tuple[Detection, ...]) -
     )
 
 
+@pytest.mark.slow
 def test_segment_repeats_itself(segmenter: Any, desk: Desk, found: tuple[Detection, ...]) -> None:
     again = segmenter.segment(
         desk.reference.image, (TABLE, "mug", "book", "book", "apple", "banana")
@@ -336,6 +343,7 @@ def test_segment_repeats_itself(segmenter: Any, desk: Desk, found: tuple[Detecti
         np.testing.assert_array_equal(one.mask, other.mask)
 
 
+@pytest.mark.slow
 def test_segments_become_instances(segmenter: Any, desk: Desk) -> None:
     """The mix that a picture takes without a key: everything but the segmenter is embedded."""
     names = ("mug", "book", "apple")
@@ -360,6 +368,7 @@ def encoder(request: pytest.FixtureRequest, tiny_models: Path) -> Any:
     return kind(side=56, folder=str(tiny_models), device="cpu")
 
 
+@pytest.mark.slow
 def test_features(encoder: Any) -> None:
     assert isinstance(encoder, Encoder)
     images = torch.rand(3, 3, 48, 48, generator=torch.Generator().manual_seed(0))

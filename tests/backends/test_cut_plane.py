@@ -33,6 +33,7 @@ def region(
     return canvas > 0, camera
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("shape", ["rectangle", "ellipse"])
 def test_a_whole_top_keeps_its_shape_and_turn(shape):
     mask, _ = region(shape=shape)

@@ -19,6 +19,7 @@ from generator.geometry import Camera, view_rotation
 from generator.scene import TABLE, Intrinsics, Rotation
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("outline", "azimuth", "elevation"),
     [("rectangle", 20, 40), ("square", -30, 25), ("round", 0, 55), ("triangle", 10, 60)],
@@ -39,6 +40,7 @@ def test_the_tabletop_is_found_in_metres(outline, azimuth, elevation):
     np.testing.assert_allclose(plane.camera.rotation, view_rotation(plane.view), atol=1e-6)
 
 
+@pytest.mark.slow
 def test_places_and_sizes_are_those_of_the_things():
     shot = shoot()
     plane = find_depth_plane(shot.depth, shot.intrinsics)
@@ -58,6 +60,7 @@ def test_hardly_anything_known_measures_nothing():
     assert measure_solid(mug, np.where(mug, 0, shot.depth), plane) is None
 
 
+@pytest.mark.slow
 def test_a_picture_cut_off_centre_keeps_its_metres():
     """Cropping moves the principal point; nothing in the world moves."""
     shot = shoot(azimuth=15)
@@ -71,6 +74,7 @@ def test_a_picture_cut_off_centre_keeps_its_metres():
     np.testing.assert_allclose(apart, np.linalg.norm(np.diff(points, axis=0), axis=1), atol=3e-3)
 
 
+@pytest.mark.slow
 def test_a_rolled_camera_sees_the_same_table():
     """Turning the depth map by a quarter is too much; a few degrees are read off the plane."""
     shot = shoot(noise=0.0)
@@ -91,6 +95,7 @@ def test_a_rolled_camera_sees_the_same_table():
     assert found.size == pytest.approx(plane.size, abs=0.03)
 
 
+@pytest.mark.slow
 def test_the_table_mask_decides_between_planes():
     """A big box on the floor is no table, unless the mask says so."""
     shot = shoot()
@@ -108,6 +113,7 @@ def test_without_a_level_plane_there_is_no_table():
 # ------------------------------------------------------------------------- through the backend
 
 
+@pytest.mark.slow
 def test_the_reasoner_measures_what_it_does_not_know():
     shot = shoot()
     reference, instances = scene_of(shot, ("thing_1", "thing_2", "thing_3"))
@@ -120,6 +126,7 @@ def test_the_reasoner_measures_what_it_does_not_know():
     np.testing.assert_allclose(sizes["thing_1"].extent, bowl, atol=0.02)
 
 
+@pytest.mark.slow
 def test_what_lies_in_a_bowl_and_on_a_box_is_found_there():
     box = build("book", 1).size
     things = [("bowl", 0.25, 0.1, 0.0), ("book", -0.2, 0.0, 0.0), ("apple", -0.2, 0.0, box[2])]
@@ -131,6 +138,7 @@ def test_what_lies_in_a_bowl_and_on_a_box_is_found_there():
     assert order["bowl"].on == order["book"].on == TABLE
 
 
+@pytest.mark.slow
 def test_the_top_view_keeps_measured_places_and_scale():
     shot = shoot()
     names = ("bowl", "mug", "apple")
@@ -150,6 +158,7 @@ def test_the_top_view_keeps_measured_places_and_scale():
         np.testing.assert_allclose(off, [x, y], atol=reach)
 
 
+@pytest.mark.slow
 def test_points_of_the_tabletop_lie_on_it():
     shot = shoot(noise=0.0)
     plane = find_depth_plane(shot.depth, shot.intrinsics)

@@ -109,6 +109,7 @@ def halves(shot: Shot, number: int) -> tuple[np.ndarray, np.ndarray]:
     return upper, mask & ~upper
 
 
+@pytest.mark.slow
 def test_a_print_on_a_box_is_the_box_however_certain():
     shot = shoot(things=[("cereal_box", 0.0, 0.0, 0.0)], elevation=20)
     plane = find_depth_plane(shot.depth, shot.intrinsics)
@@ -121,6 +122,7 @@ def test_a_print_on_a_box_is_the_box_however_certain():
     assert (got[0].mask & upper).sum() > 0.95 * upper.sum()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("certainty", "things"), [(0.5, 1), (0.95, 2)])
 def test_what_is_certain_joins_only_what_continues_its_flat_side(certainty, things):
     near, far = build("book", 1).size, build("bottle", 1).size
@@ -133,6 +135,7 @@ def test_what_is_certain_joins_only_what_continues_its_flat_side(certainty, thin
     assert len(confirmed(found, shot.depth, plane)) == things
 
 
+@pytest.mark.slow
 def test_a_thing_on_another_stays_a_thing():
     height = build("book", 1).size[2]
     shot = shoot(things=[("book", -0.2, 0.0, 0.0), ("apple", -0.2, 0.0, height)])
@@ -148,6 +151,7 @@ def test_what_nobody_saw_is_added(shot, plane):
     assert iou(got[-1].mask, apple) > 0.6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("azimuth", "elevation"), [(0, 30), (20, 45)])
 def test_the_floor_tells_the_height_of_the_table(azimuth, elevation):
     shot = shoot(azimuth=azimuth, elevation=elevation)
@@ -189,6 +193,7 @@ def aligned(shot: Shot, names: tuple[str, ...], wrong: np.ndarray) -> Alignment:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "things",
     [

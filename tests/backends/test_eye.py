@@ -16,6 +16,7 @@ from generator.geometry import Camera, view_rotation
 from generator.scene import View
 
 
+@pytest.mark.slow
 def test_the_encoders_maps_have_their_strides():
     taps = Lite0()(torch.rand(1, 3, 64, 96))
     sizes = [(c, 64 // s, 96 // s) for c, s in zip(CHANNELS, (4, 8, 16, 32), strict=True)]
@@ -40,6 +41,7 @@ def test_folding_a_norm_changes_nothing():
     torch.testing.assert_close(stem(x), norm(conv(x)), rtol=1e-4, atol=1e-4)
 
 
+@pytest.mark.slow
 def test_masks_belong_to_their_cells():
     torch.manual_seed(0)
     eye = Eye(4).eval()
@@ -50,6 +52,7 @@ def test_masks_belong_to_their_cells():
     assert not torch.allclose(masks[0], masks[1]) and not torch.allclose(masks[1], masks[2])
 
 
+@pytest.mark.slow
 def test_a_name_is_read_from_its_own_closeup():
     torch.manual_seed(0)
     eye = Eye(4).eval()

@@ -61,6 +61,7 @@ def test_a_find_goes_if_it_is_likely_the_same_as_a_surer_one(apart: float, kept:
     assert chosen[0][1] == pytest.approx(1 / (1 + np.exp(-2)))
 
 
+@pytest.mark.slow
 def test_a_lesson_is_learned_and_kept(tmp_path):
     rng = np.random.default_rng(0)
     alone = rng.normal(size=(800, ALONE)).astype(np.float32)
@@ -79,6 +80,7 @@ def test_a_lesson_is_learned_and_kept(tmp_path):
     assert (apart == told.apart).mean() > 0.9
 
 
+@pytest.mark.slow
 def test_a_picture_teaches_which_finds_show_a_thing():
     painted = paint("rectangle", "oak", [("mug", -0.25, 0.0, 0.0), ("book", 0.25, 0.0, 0.0)])
     visible = np.clip(painted.ids, 0, None).astype(np.uint8)

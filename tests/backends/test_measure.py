@@ -26,6 +26,7 @@ def picture() -> Picture:
     return paint("rectangle", "oak", THINGS)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", range(1, 5))
 def test_a_thing_of_its_usual_size_looks_like_it(picture: Picture, number: int) -> None:
     plane = find_tabletop(picture.image, picture.plan)
@@ -44,6 +45,7 @@ def instance(name: str, label: str, picture: Picture, number: int) -> Instance:
     return Instance(name, label, mask_box(mask), mask, crop, mask_box(mask))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("names", ["true", "one wrong", "two of a kind nobody knows"])
 def test_the_table_is_sized_by_what_stands_on_it(picture: Picture, names: str) -> None:
     labels = [key for key, *_ in THINGS]
@@ -61,6 +63,7 @@ def test_the_table_is_sized_by_what_stands_on_it(picture: Picture, names: str) -
     assert sizes["table"].extent[0] == pytest.approx(SIZES["rectangle"][0], rel=0.2)
 
 
+@pytest.mark.slow
 def test_things_that_look_half_their_size_stand_on_a_table_twice_as_large() -> None:
     far = paint("rectangle", "oak", [(k, 2 * x, 2 * y, 0) for k, x, y, _ in THINGS], table=2.0)
     instances = tuple(

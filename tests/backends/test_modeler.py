@@ -85,12 +85,14 @@ def welded(model: Model) -> trimesh.Trimesh:
     return mesh
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", SHAPES)
 def test_silhouettes_are_met_again_from_the_same_view(kind):
     instance, view, model = generic(kind)
     assert overlap(model, instance, view) >= 0.85
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", SHAPES)
 def test_meshes_are_closed_and_parts_cover_them(kind):
     model = generic(kind)[2]
@@ -135,6 +137,7 @@ def test_round_things_become_revolutions():
         assert len(model.parts) <= 8
 
 
+@pytest.mark.slow
 def test_same_input_same_bytes():
     instance, view, model = generic("box")
     again = Modeler().model(instance, SizePrior("object", np.array([0.18, 0.1, 0.12])), view)
@@ -142,6 +145,7 @@ def test_same_input_same_bytes():
     np.testing.assert_array_equal(model.mesh.texture, again.mesh.texture)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key, yaw", [("mug", 0.7), ("screwdriver", -2.0)])
 def test_catalogue_things_are_recognised_in_shape_and_color(key, yaw):
     truth = build(key, 77)
@@ -155,6 +159,7 @@ def test_catalogue_things_are_recognised_in_shape_and_color(key, yaw):
     np.testing.assert_allclose(model.size, truth.size, rtol=0.2)
 
 
+@pytest.mark.slow
 def test_a_wrong_label_gives_way_to_the_silhouette():
     instance, view, _ = generic("prism")
     wrong = Instance("mug_1", "mug", instance.box, instance.mask, instance.crop, instance.crop_box)

@@ -21,6 +21,7 @@ def inked(picture: np.ndarray) -> np.ndarray:
     return picture.min(axis=2) < 250
 
 
+@pytest.mark.slow
 def test_the_table_is_whole_and_centred_on_white(picture: np.ndarray) -> None:
     assert picture.shape == (painter.HEIGHT, painter.WIDTH, 3)
     assert picture.dtype == np.uint8
@@ -33,6 +34,7 @@ def test_the_table_is_whole_and_centred_on_white(picture: np.ndarray) -> None:
     assert (picture[~ink] > 249).all()
 
 
+@pytest.mark.slow
 def test_the_longer_side_is_level(picture: np.ndarray) -> None:
     ink = inked(picture)
     lowest = np.array([np.flatnonzero(column)[-1] for column in ink.T[ink.any(0)]])
@@ -46,6 +48,7 @@ def test_asked_colours_are_in_the_picture(picture: np.ndarray) -> None:
     assert red.sum() > 300, "the red mug"
 
 
+@pytest.mark.slow
 def test_same_seed_same_bytes_other_seed_another_picture(picture: np.ndarray) -> None:
     again = painter.draw(plan_scene(TEXT, 0), 0)
     assert np.array_equal(picture, again)

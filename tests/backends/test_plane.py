@@ -15,6 +15,7 @@ from generator.scene import View
 THINGS = [("mug", -0.2, 0.1, 0.0), ("bowl", 0.15, 0.2, 0.0), ("apple", 0.1, -0.1, 0.0)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("outline", "material", "azimuth", "elevation"),
     [
@@ -34,6 +35,7 @@ def test_elevation_and_azimuth_within_three_degrees(outline, material, azimuth, 
     assert plane.shape == kind
 
 
+@pytest.mark.slow
 def test_points_on_the_table_are_found_again():
     picture = paint("rectangle", "oak", THINGS)
     plane = find_tabletop(picture.image, picture.plan)
@@ -43,6 +45,7 @@ def test_points_on_the_table_are_found_again():
     assert np.abs(plane.to_pixels(plane.to_table(plane.outline)) - plane.outline).max() < 1e-6
 
 
+@pytest.mark.slow
 def test_a_white_table_on_a_shaded_white_ground_is_found():
     y, x = np.mgrid[0:480, 0:640]
     ground = 252 - 10 * (((x - 320) / 320) ** 2 + ((y - 240) / 240) ** 2)
@@ -58,6 +61,7 @@ def test_a_white_table_on_a_shaded_white_ground_is_found():
     assert plane.shape == "rectangle" and max(near) < 8
 
 
+@pytest.mark.slow
 def test_a_given_view_is_kept_and_the_rest_is_fitted_to_it():
     picture = paint("rectangle", "oak", THINGS)
     free = find_tabletop(picture.image)
@@ -85,6 +89,7 @@ def test_outlines_fill_their_size_exactly(shape, flipped):
     assert np.abs(off).max() < 1e-6
 
 
+@pytest.mark.slow
 def test_same_picture_same_plane():
     picture = paint("round", "walnut", THINGS)
     first, second = find_tabletop(picture.image), find_tabletop(picture.image)

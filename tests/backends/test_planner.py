@@ -285,6 +285,7 @@ VOCABULARY = (
 WORDS = st.sampled_from(VOCABULARY.split(" "))
 
 
+@pytest.mark.slow
 @settings(max_examples=600, deadline=None)
 @given(st.lists(WORDS, min_size=1, max_size=24), st.integers(0, 5))
 def test_any_sentence_gives_a_consistent_plan_or_an_input_error(
@@ -298,6 +299,7 @@ def test_any_sentence_gives_a_consistent_plan_or_an_input_error(
         _consistent(plan)
 
 
+@pytest.mark.slow
 @settings(max_examples=200, deadline=None)
 @given(st.text(max_size=200))
 def test_any_text_gives_a_plan_or_an_input_error(text: str) -> None:

@@ -113,6 +113,7 @@ HERE = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", HERE)
 def test_a_modeler_makes_a_mug(name: str, session: Session, instances: Any) -> None:
     how, there = HERE[name]

@@ -14,6 +14,7 @@ THINGS = [("mug", -0.3, 0.1, 0.0), ("bowl", 0.0, -0.12, 0.0), ("apple", 0.3, 0.1
           ("book", -0.28, -0.15, 0.0)]  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("outline", "material"),
     [
@@ -32,6 +33,7 @@ def test_every_thing_is_found_tightly(outline, material):
     assert not any((table.mask & t.mask).any() for t in things)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("outline", ["rectangle", "slatted"])
 def test_expected_words_go_to_the_right_things(outline):
     picture = paint(outline, "oak", THINGS)
@@ -41,6 +43,7 @@ def test_expected_words_go_to_the_right_things(outline):
         assert best.label == key
 
 
+@pytest.mark.slow
 def test_a_thing_in_another_is_told_apart_when_expected():
     things = [("bowl", 0.0, 0.0, 0.0), ("apple", 0.0, 0.0, 0.02), ("mug", 0.3, 0.1, 0.0)]
     picture = paint("rectangle", "walnut", things)
@@ -50,6 +53,7 @@ def test_a_thing_in_another_is_told_apart_when_expected():
     assert iou(apple.mask, picture.ids == 2) > 0.6
 
 
+@pytest.mark.slow
 def test_masks_agree_with_boxes_and_repeat_exactly():
     picture = paint("rectangle", "white", THINGS)
     first = Segmenter().segment(picture.image, ("table", "object"))

@@ -28,6 +28,7 @@ def glance(picture: Picture) -> Glance:
     return glance_at(load_weights(), picture.image)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("threads", [1, 2, 3])
 def test_it_sees_the_same_bits_on_any_number_of_threads(
     picture: Picture, sight: Sight, glance: Glance, threads: int
@@ -55,6 +56,7 @@ def test_overlap_and_share_of_masks():
     assert apart(score, overlap > 0.6) == [1, 0]
 
 
+@pytest.mark.slow
 def test_things_share_no_pixel_and_the_surest_come_first(sight: Sight):
     assert (np.sum([t.visible for t in sight.things], axis=0) <= 1).all()
     scores = [t.score for t in sight.things]
@@ -67,6 +69,7 @@ def test_what_lies_in_a_bowl_is_a_thing_and_the_bowl_another(picture: Picture, s
         assert max(iou(t.visible, picture.ids == number) for t in sight.things) > 0.6
 
 
+@pytest.mark.slow
 def test_what_only_shows_from_near_lies_within_something_seen_before(glance: Glance):
     first = np.any([f.whole for f in glance.finds if f.first > 0], axis=0)
     near = [f.visible for f in glance.finds if f.first == 0]

@@ -75,6 +75,7 @@ def found_plane(
     return as_seen(fit_plane(outline, 1.0, (WIDTH, HEIGHT), told), outline, 1.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*TOPS])
 def test_the_outline_of_a_top_is_found_in_metres(name):
     told = replace(VIEW, elevation=VIEW.elevation + 0.03)
@@ -153,6 +154,7 @@ FORMS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [*FORMS])
 def test_legs_and_height_are_those_of_the_picture(name):
     truth = FORMS[name]
@@ -162,6 +164,7 @@ def test_legs_and_height_are_those_of_the_picture(name):
     np.testing.assert_allclose(model.size[:2], truth.size[:2])
 
 
+@pytest.mark.slow
 def test_a_shape_that_nobody_told_is_tried_out():
     shown, again, model = rebuilt(form("oval", 0.7).built(), None)
     assert mask_iou(shown.ids == 1, again.ids == 1) > 0.93
@@ -187,6 +190,7 @@ def painted(model: Model, texture: np.ndarray) -> Model:
     return replace(model, mesh=Mesh(m.vertices, m.faces, m.vertices[:, :2] + 0.5, texture))
 
 
+@pytest.mark.slow
 def test_a_white_top_stays_plain():
     truth = form("rectangle", 0.7)
     white = painted(truth.built(), np.full((8, 8, 3), 236, np.uint8))
@@ -197,6 +201,7 @@ def test_a_white_top_stays_plain():
     assert np.abs(again.image[upper].astype(float) - shown.image[upper]).mean() < 8
 
 
+@pytest.mark.slow
 def test_a_striped_top_keeps_its_stripes():
     truth = form("rectangle", 0.7)
     stripes = np.repeat(np.array([[90, 60, 40], [190, 140, 90]] * 4, np.uint8)[:, None], 8, 1)

@@ -9,12 +9,12 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
 from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
 import toy_maker
+from bounded import LONG, join, until
 from running.paid_server import Says, serving
 from toy_maker import ToyMaker, made
 
@@ -39,13 +39,7 @@ def bundles(folder: Path) -> set[str]:
     return {p.name for p in folder.iterdir() if p.is_dir() and p.name != PLACE}
 
 
-def waited(until: Callable[[], bool]) -> None:
-    end = time.monotonic() + 60
-    while not until():
-        assert time.monotonic() < end, "it takes too long"
-        time.sleep(0.02)
-
-
+@pytest.mark.slow
 def test_one_bad_prompt_stops_nothing_and_nothing_is_made_twice(tmp_path: Path, log: Path) -> None:
     out, told = tmp_path / "out", []
     summary = batch.run(
@@ -72,6 +66,7 @@ def test_one_bad_prompt_stops_nothing_and_nothing_is_made_twice(tmp_path: Path, 
     assert made(log).count("bad words 0") == 2
 
 
+@pytest.mark.slow
 def test_the_number_of_workers_changes_no_byte(tmp_path: Path, log: Path) -> None:
     jobs = batch.jobs_of(["a cube", "a can"], seed=3, variants=2)
     assert [j.seed for j in jobs] == [3, 4, 3, 4]
@@ -82,6 +77,7 @@ def test_the_number_of_workers_changes_no_byte(tmp_path: Path, log: Path) -> Non
     assert bundles(tmp_path / "2") == names
 
 
+@pytest.mark.slow
 def test_a_process_that_dies_takes_its_own_scene_alone(tmp_path: Path, log: Path) -> None:
     texts = ["deadly one", "a cube", "another cube"]
     summary = batch.run(texts, tmp_path / "out", ToyMaker(str(log)), workers=2)
@@ -90,6 +86,7 @@ def test_a_process_that_dies_takes_its_own_scene_alone(tmp_path: Path, log: Path
     assert len(bundles(tmp_path / "out")) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("busy", [False, True])
 def test_a_process_that_dies_between_two_scenes_ends_no_batch(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch, busy: bool
@@ -103,8 +100,7 @@ def test_a_process_that_dies_between_two_scenes_ends_no_batch(
             if len(given) == 2:
                 for process in list(self._pool._processes.values()):
                     process.kill()
-                while not self._pool._broken:
-                    time.sleep(0.01)
+                until(lambda: self._pool._broken)
             return super().give(task)
 
         def renew(self) -> None:
@@ -118,6 +114,7 @@ def test_a_process_that_dies_between_two_scenes_ends_no_batch(
     assert len(bundles(tmp_path / "out")) == 3 and renewed
 
 
+@pytest.mark.slow
 def test_two_batches_share_a_folder(tmp_path: Path, log: Path) -> None:
     texts = [f"cube number {k}" for k in range(4)] + ["half a cube"]
     out, states = tmp_path / "out", []
@@ -129,15 +126,15 @@ def test_two_batches_share_a_folder(tmp_path: Path, log: Path) -> None:
     threads = [threading.Thread(target=run) for _ in range(2)]
     for thread in threads:
         thread.start()
-    waited(lambda: len(made(log)) == 5)
+    until(lambda: len(made(log)) == 5)
     time.sleep(0.2)  # so that the other one finds it being made
     Path(f"{log}.go").touch()
-    for thread in threads:
-        thread.join()
+    join(*threads)
     assert made(log) == sorted(f"{text} 0" for text in texts)
     assert sorted(states) == ["made"] * 5 + ["there"] * 5
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="kills by signal")
 def test_killed_and_run_again_nothing_is_made_twice(tmp_path: Path, log: Path) -> None:
     out, texts = tmp_path / "out", ["a cube", "half a cube", "another cube"]
@@ -146,9 +143,9 @@ def test_killed_and_run_again_nothing_is_made_twice(tmp_path: Path, log: Path) -
         [sys.executable, str(HERE / "toy_maker.py"), str(out), str(log), *texts],
         env={**os.environ, "PYTHONPATH": path},
     )
-    waited(lambda: len(made(log)) == 3 and len(list((out / PLACE).glob("*.json"))) == 2)
+    until(lambda: len(made(log)) == 3 and len(list((out / PLACE).glob("*.json"))) == 2)
     process.send_signal(signal.SIGKILL)
-    process.wait()
+    process.wait(LONG)
     half = key_of(batch.Job("half a cube"), ToyMaker(str(log)))
     assert (out / PLACE / half / "toy-half").is_dir()
     assert len(bundles(out)) == 2
@@ -159,6 +156,7 @@ def test_killed_and_run_again_nothing_is_made_twice(tmp_path: Path, log: Path) -
     assert not (out / PLACE / half).exists()
 
 
+@pytest.mark.slow
 def test_an_interrupt_does_not_wait_for_what_is_being_made(tmp_path: Path, log: Path) -> None:
     def interrupt(*told: object) -> None:
         raise KeyboardInterrupt
@@ -171,6 +169,7 @@ def test_an_interrupt_does_not_wait_for_what_is_being_made(tmp_path: Path, log: 
     assert states == ["made", "there"]
 
 
+@pytest.mark.slow
 def test_a_whole_scene_that_is_not_in_its_place_is_put_there(tmp_path: Path, log: Path) -> None:
     out, make = tmp_path / "out", ToyMaker(str(log))
     (first,) = batch.run(["a cube"], out, make).outcomes
@@ -216,7 +215,7 @@ def test_prompts_are_read_from_lines_and_json(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [(None, "No such file"), ("{", "not valid JSON"), ("{}", "array"), ("[1]", "no text"),
-     ('[{"text": 1}]', "is a text"), ('[{"text": "a", "seed": -1}]', "seeds")],
+     ('[{"text": 1}]', "is a text"), ('[{"text": "a", "seed": -1}]', "A seed has")],
 )  # fmt: skip
 def test_prompts_that_are_none_are_refused(tmp_path: Path, content: str | None, words: str) -> None:
     path = tmp_path / "prompts.json"
@@ -238,6 +237,7 @@ def test_bad_numbers_and_folders_are_refused(tmp_path: Path, log: Path) -> None:
     assert made(log) == []
 
 
+@pytest.mark.slow
 def test_a_worker_computes_on_one_thread(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -18,6 +18,7 @@ from generator.figures import preview
 TEXT = "a desk with a mug"
 
 
+@pytest.mark.slow
 def test_a_batch_makes_what_compose_makes(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

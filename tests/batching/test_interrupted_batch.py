@@ -9,10 +9,13 @@ from pathlib import Path
 
 import pytest
 from asking_maker import AskingMaker
+from bounded import until
 from running.paid_server import Asked, Says, Served, serving
 
 from generator import batch
 from generator.running.store import CallStore
+
+pytestmark = pytest.mark.slow
 
 HUNG = 60.0
 """Seconds that nobody waits for."""
@@ -22,8 +25,7 @@ def interrupt(server: Served, times: int) -> None:
     """Interrupt the main thread once two calls are under way."""
 
     def send() -> None:
-        while len(server.asked) < 2:
-            time.sleep(0.01)
+        until(lambda: len(server.asked) >= 2)
         for _ in range(times):
             time.sleep(0.5)
             signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)

@@ -31,6 +31,7 @@ output = 10.0
 """
 
 
+@pytest.mark.slow
 def test_processes_spend_one_sum_and_go_on_with_a_larger_one(tmp_path: Path) -> None:
     log, out = tmp_path / "log", tmp_path / "out"
     texts = ["paid one", "paid two", "paid three", "a cube", "bad words"]

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 import sys
-import time
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from bounded import until
 from running.paid_server import ask, session
 from toy import toy_object, toy_scene
 
@@ -50,8 +50,7 @@ class ToyMaker:
             os._exit(9)
         if word == "half":
             (folder / "toy-half").mkdir(parents=True)
-            while not Path(f"{self.log}.go").exists():
-                time.sleep(0.02)
+            until(Path(f"{self.log}.go").exists)
         if word == "paid" and self.purse is not None:
             with self.purse.spending() as spender:
                 shared = session(account=Account(spender), budget=self.budget)

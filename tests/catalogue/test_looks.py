@@ -39,6 +39,7 @@ def count_looks(models: list[Model]) -> int:
     return len(kept)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", sorted(CATEGORIES))
 def test_category_has_five_looks(key: str):
     assert count_looks([build(key, seed) for seed in range(10)]) >= 5

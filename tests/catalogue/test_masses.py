@@ -32,6 +32,7 @@ def test_the_table_is_sound() -> None:
         assert 0 < thing["low"] <= thing["high"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("thing", KNOWN, ids=lambda thing: thing["category"])
 def test_every_variant_weighs_what_real_ones_do(thing) -> None:
     masses = [weight(thing["category"], seed) for seed in range(VARIANTS)]

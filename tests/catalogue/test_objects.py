@@ -26,6 +26,7 @@ def test_closedness_is_told_apart():
     assert not is_closed(torn)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", KEYS)
 def test_model_is_sound(key: str):
     for seed in range(3):
@@ -38,6 +39,7 @@ def test_model_is_sound(key: str):
         assert model.category == key and model.label == CATEGORIES[key].noun
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", KEYS)
 def test_collision_parts_fit_the_mesh(key: str):
     for seed in range(3):
@@ -52,6 +54,7 @@ def test_collision_parts_fit_the_mesh(key: str):
             assert (np.ptp(part.vertices, axis=0) * model.size > 2e-4).all(), "a part is flat"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", KEYS)
 def test_seed_decides_everything(key: str):
     variants = [fingerprint(build(key, seed)) for seed in range(3)]
@@ -59,6 +62,7 @@ def test_seed_decides_everything(key: str):
     assert fingerprint(build(key, 1)) == variants[1]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", KEYS)
 def test_nominal_size_is_true(key: str):
     found = CATEGORIES[key]
@@ -99,6 +103,7 @@ MASSES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", sorted(MASSES))
 def test_mass_is_plausible(key: str):
     low, high = MASSES[key]

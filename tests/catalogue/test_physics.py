@@ -71,6 +71,7 @@ def test_ball_falls_into_hollow_things(key: str):
     assert np.hypot(x, y) < 0.5 * model.size[:2].max()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("key", sorted(CATEGORIES))
 def test_rests_as_it_is_made(key: str):
     spec = room()

@@ -17,6 +17,7 @@ def in_style(key: str, style: str, seed: int = 0) -> Model:
     return build(key, seed, attributes={"style": style})
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("style", sorted(STYLES))
 @pytest.mark.parametrize("key", sorted(CATEGORIES))
 def test_styled_model_is_sound(key: str, style: str):

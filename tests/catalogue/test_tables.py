@@ -15,6 +15,7 @@ from generator.geometry import inside_margin
 from generator.scene import PlannedTable
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("outline", "legs"), [*itertools.product(OUTLINES, LEGS)])
 def test_table_is_sound(outline: str, legs: str):
     size = (0.9, 0.9, 0.74) if outline in ("round", "square") else (1.3, 0.8, 0.72)

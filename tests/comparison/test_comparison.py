@@ -89,6 +89,7 @@ def test_figures_tell_what_is_moved_missing_and_recoloured(
     assert scores["extra_1"].iou == 0
 
 
+@pytest.mark.slow
 def test_the_picture_may_have_another_resolution_but_not_other_proportions(
     scene: Scene, shot: Rendered, segments: Segments
 ) -> None:
@@ -105,6 +106,7 @@ def test_nothing_in_common_is_an_input_error(scene: Scene) -> None:
         picture_camera(scene, segments)
 
 
+@pytest.mark.slow
 def test_the_sheet_shows_the_picture_and_every_objects_colour(
     scene: Scene, shot: Rendered, segments: Segments
 ) -> None:

@@ -127,6 +127,7 @@ def test_where_there_is_nothing_there_is_no_grasp() -> None:
     assert read_detector().detect(empty) == []
 
 
+@pytest.mark.slow
 def test_a_plan_is_one_that_the_arm_reaches_and_that_has_not_failed() -> None:
     world = world_of(toy_object("box", (0.12, 0.04, 0.06), (0.1, 0.05), yaw=0.5))
     detector = read_detector()

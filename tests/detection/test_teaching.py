@@ -104,6 +104,7 @@ def detector_of(network: GraspNetwork) -> GraspDetector:
     return GraspDetector({k: v.float().numpy() for k, v in network.weights().items()})
 
 
+@pytest.mark.slow
 def test_it_learns_what_it_is_taught() -> None:
     network = train([taught(), taught(aside=True)], steps=240, seed=0, size=2)
     marks = judged(detector_of(network), [taught()])
@@ -111,6 +112,7 @@ def test_it_learns_what_it_is_taught() -> None:
     assert judged(detector_of(GraspNetwork()), [taught()]).found == 0.0
 
 
+@pytest.mark.slow
 def test_the_same_seed_trains_the_same_network() -> None:
     one, two = (train([taught()], steps=2, seed=3, size=2).state_dict() for _ in range(2))
     assert all(torch.equal(one[key], two[key]) for key in one)
@@ -128,6 +130,7 @@ def test_lessons_are_kept_and_found_again(tmp_path: Path, monkeypatch) -> None:
     assert all(np.array_equal(a.heights, b.heights) for a, b in zip(made, again, strict=True))
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_lessons() -> None:
     first, second = ([*lessons(resolve("starter"), 1, 5)] for _ in range(2))
     assert len(first) == 1 and len(first[0]) == len(second[0])

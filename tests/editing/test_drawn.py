@@ -116,6 +116,7 @@ def pictured(tmp_path: Path) -> Path:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_only_the_new_thing_is_asked_for(pictured: Path, tmp_path: Path) -> None:
     painter = Painter()
     roles = ("reasoner", "imager", "segmenter", "modeler", "encoder")

@@ -17,6 +17,7 @@ from generator.errors import InputError
 pytestmark = pytest.mark.usefixtures("store")
 
 
+@pytest.mark.slow
 def test_remove_move_and_replace(
     store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -37,6 +38,7 @@ def test_remove_move_and_replace(
     assert asked == ["cream_jar_1", "to -0.1 -0.15 m turned by 30 deg"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("backend", [(), ("--backend", "embedded")])
 def test_a_dry_run_makes_and_removes_nothing(
     store: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], backend: tuple[str, ...]

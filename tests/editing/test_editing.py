@@ -31,6 +31,7 @@ def swapped(desk: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return edited.save(tmp_path_factory.mktemp("swapped"))
 
 
+@pytest.mark.slow
 def test_a_swap_touches_one_thing(desk: Path, swapped: Path) -> None:
     assert kept(desk, swapped) == DESK - {"mug_1"}
     before, after = bundle.load(desk), bundle.load(swapped)
@@ -42,6 +43,7 @@ def test_a_swap_touches_one_thing(desk: Path, swapped: Path) -> None:
     assert judge(after).failures == ()
 
 
+@pytest.mark.slow
 def test_provenance_is_chained(desk: Path, swapped: Path, tmp_path: Path) -> None:
     edited = editing.add(swapped, "a red mug behind the notebook")
     twice = edited.save(tmp_path)
@@ -62,6 +64,7 @@ def test_provenance_is_chained(desk: Path, swapped: Path, tmp_path: Path) -> Non
     assert scene.plan.objects[-1].attributes == {"color": "red"}
 
 
+@pytest.mark.slow
 def test_restyling_keeps_size_and_all_else(desk: Path, tmp_path: Path) -> None:
     path = editing.restyle(desk, "low-poly", ["mug_1"]).save(tmp_path)
     assert kept(desk, path) == DESK - {"mug_1"}
@@ -71,6 +74,7 @@ def test_restyling_keeps_size_and_all_else(desk: Path, tmp_path: Path) -> None:
     assert np.allclose(after.pose.position, before.pose.position, atol=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("edit", "error", "words"),
     [

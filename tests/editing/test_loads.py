@@ -82,6 +82,7 @@ def test_a_vessel_in_place_of_a_vessel_takes_what_was_in_it(loaded: Path) -> Non
     assert np.linalg.norm((die.pose.position - bowl.pose.position)[:2]) < bowl.scale[0] / 2
 
 
+@pytest.mark.slow
 def test_the_same_edit_gives_the_same_scene(loaded: Path) -> None:
     edits = [editing.swap(loaded, "mug_1", "a bowl", seed) for seed in (3, 3, 4)]
     first, again, other = (bundle.digest(done.scene) for done in edits)
@@ -102,11 +103,13 @@ def test_what_stands_on_a_swapped_thing_stands_on_the_other(loaded: Path) -> Non
     assert block.pose.position[2] == pytest.approx(top + 0.025, abs=3e-3)
 
 
+@pytest.mark.slow
 def test_what_carries_nothing_does_not_replace_a_support(loaded: Path) -> None:
     with pytest.raises(SceneError, match="block_1"):
         editing.swap(loaded, "box_1", "a tennis ball")
 
 
+@pytest.mark.slow
 def test_a_thing_goes_into_a_vessel_and_onto_another(loaded: Path) -> None:
     inside = editing.add(loaded, "a die in mug_1").scene.objects[-1]
     assert (inside.placement.on, inside.placement.inside) == ("mug_1", True)

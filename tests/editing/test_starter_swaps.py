@@ -16,6 +16,8 @@ from generator.physics.gate import judge
 from generator.pipeline import Config
 from generator.stages.rotation.config import RotationConfig
 
+pytestmark = pytest.mark.slow
+
 SWAPS = {
     "coffee-oval": ("plate_1", "a small teapot", "teapot"),
     "lab": ("notebook_1", "a mug", "mug"),

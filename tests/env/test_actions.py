@@ -348,6 +348,7 @@ def test_a_binary_gripper_opens_or_closes(command, opening) -> None:
 # ----------------------------------------------------------------------------------- the rate
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("hz", [5, 10, 50, 100])
 @pytest.mark.parametrize("mode", ["ee_delta", "joint_delta", "ee_delta_6d"])
 def test_at_another_rate_the_speeds_are_the_same(mode, hz) -> None:

@@ -19,8 +19,14 @@ from generator.physics.gate import judge
 from generator.scene import Scene
 from tabletopgen_env import certify as certify_module
 from tabletopgen_env.__main__ import run
-from tabletopgen_env.certificate import FILE, Instance, Terms, read_certificate
-from tabletopgen_env.certify import certified_instances, certify, is_certified, perturb
+from tabletopgen_env.certificate import FILE, LEAST, STARTS, Instance, Terms, read_certificate
+from tabletopgen_env.certify import (
+    DEFAULT,
+    certified_instances,
+    certify,
+    is_certified,
+    played_again,
+)
 from tabletopgen_env.env import make_env
 
 
@@ -58,26 +64,63 @@ def test_it_lists_what_the_expert_did(certified: Path) -> None:
         ("Lift", "cube_1", None), ("Stack", "cube_1", "board_1"),
     ]  # fmt: skip
     assert all(i.episodes == 2 for i in found.instances)
-    assert certified_instances(certified) == found.instances
-    assert certified_instances(certified, least=1.01) == ()
+    assert certified_instances(certified) == (), "two starts are too few"
+
+
+@pytest.mark.parametrize(
+    ("solved", "starts", "counts"),
+    [(10, 10, True), (9, 10, False), (9, 9, False), (5, 5, False), (19, 20, True), (18, 20, False)],
+)
+def test_what_counts_is_solved_from_nearly_all_of_many_starts(
+    bundle: Path, solved: int, starts: int, counts: bool
+) -> None:
+    payload = json.loads((bundle / FILE).read_text())
+    (bundle / FILE).write_text(json.dumps(spoilt(payload, successes=solved, episodes=starts)))
+    assert [i.task for i in certified_instances(bundle)] == ["Lift"] * counts
+
+
+def test_those_that_are_shipped_are_certified_from_enough_starts() -> None:
+    assert DEFAULT.episodes >= STARTS and (DEFAULT.episodes - 1) / DEFAULT.episodes >= LEAST
+    assert LEAST >= 0.9 and STARTS >= 10
+
+
+def test_instances_are_played_again_from_starts_of_another_seed(
+    bundle: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    starts: list[int] = []
+
+    def solved(env: Any, instance: Instance, rng: np.random.Generator) -> bool:
+        starts.append(int(rng.integers(2**31)))
+        return len(starts) != 3
+
+    monkeypatch.setattr(certify_module, "_solved", solved)
+    certify(bundle, replace(TERMS, episodes=4))
+    certified, played = set(starts), read_certificate(bundle)
+    starts.clear()
+    assert played is not None
+    found = list(played_again(bundle, played.instances, 5, seed=9))
+    assert [(i.task, i.successes, i.episodes) for i in found] == [("Lift", 4, 5), ("Stack", 5, 5)]
+    assert len(set(starts)) == 10 and not certified & set(starts), "none is given up, all are new"
 
 
 def test_its_options_ask_for_the_instance(certified: Path) -> None:
-    instance = certified_instances(certified)[1]
+    found = read_certificate(certified)
+    assert found is not None
+    instance = found.instances[1]
     env = make_env(certified, task=instance.task)
     _, info = env.reset(seed=0, options=instance.options)
     assert (info["target"], info["goal"]) == ("cube_1", "board_1")
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_certificate(certified: Path, bundle: Path) -> None:
     for workers in (1, 2):
         (bundle / FILE).unlink()
         certify(bundle, TERMS, workers)
         assert (bundle / FILE).read_bytes() == (certified / FILE).read_bytes()
-    assert (
-        certify(bundle, replace(TERMS, tasks=("Stack",))).instances
-        == (certified_instances(certified)[1:])
-    )
+    found = read_certificate(certified)
+    assert found is not None
+    assert certify(bundle, replace(TERMS, tasks=("Stack",))).instances == found.instances[1:]
 
 
 def test_the_bundle_stays_sound_and_keeps_it(bundle: Path) -> None:
@@ -102,7 +145,7 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
     ("spoil", "reason"),
     [
         (lambda p: p | {"scene": "0" * 64}, "another scene"),
-        (lambda p: p | {"schema": 1}, "not of schema 2.*certify the bundle again"),
+        (lambda p: p | {"schema": 1}, "not of schema 3.*certify the bundle again"),
         (lambda p: p | {"versions": ["mujoco"]}, "type dict"),
         (lambda p: spoilt(p, successes=9), "9 of 2"),
         (lambda p: spoilt(p, successes=True), "type int"),
@@ -112,7 +155,11 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
         (lambda p: spoilt(p, task="Sequence", preset="kichen"), "no preset 'kichen'"),
         (lambda p: p | {"terms": p["terms"] | {"episodes": 0}}, "episodes to be a whole"),
         (lambda p: p | {"terms": p["terms"] | {"tasks": ["Juggle"]}}, "Unknown task 'Juggle'"),
-        (lambda p: spoilt(p, goal=[0.1, 0.2]), "no sound certificate"),
+        (lambda p: spoilt(p, goal=[0.1, 0.2]), "must be a text, not list"),
+        (lambda p: spoilt(p, target="cube\x1b[2J"), "cannot be printed"),
+        (lambda p: p | {"schema": True}, "not of schema 3"),
+        (lambda p: p | {"versions": {"mujoco": "3" * 500}}, "500 characters"),
+        (lambda p: p | {"more": [[[[[[]]]]]]}, "deeper than 4"),
         (lambda p: p | {"instances": p["instances"] * 3000}, "too many|bytes|more than"),
     ],
 )
@@ -137,17 +184,6 @@ def test_a_link_is_not_followed(bundle: Path, tmp_path: Path) -> None:
         read_certificate(bundle)
 
 
-def test_starts_are_a_little_off() -> None:
-    env = make_env(scene(), task="Lift")
-    env.reset(seed=0)
-    world = env.world
-    joints, cube = world.data.qpos[world.arm_qpos].copy(), world.position("cube_1")
-    perturb(env, np.random.default_rng(0))
-    assert 0.0 < np.abs(world.data.qpos[world.arm_qpos] - joints).max() <= 0.06
-    moved = np.abs(world.position("cube_1") - cube)
-    assert 0.0 < moved[:2].max() <= 0.003 and moved[2] == pytest.approx(0.0, abs=1e-9)
-
-
 def test_wrong_requests_are_explained(bundle: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(InputError, match="Did you mean 'Stack'"):
         Terms(("Stak",))
@@ -162,6 +198,7 @@ def test_wrong_requests_are_explained(bundle: Path, capsys: pytest.CaptureFixtur
     assert run(["certify", str(bundle.parent / "none")]) == 4
 
 
+@pytest.mark.slow
 def test_the_command_goes_on_where_it_was_interrupted(
     certified: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -224,7 +261,7 @@ def test_a_certificate_that_cannot_be_written_does_not_end_the_others(
 
 @pytest.mark.parametrize(
     ("failures", "successes", "episodes"),
-    [((), 5, 5), ((4,), 4, 5), ((0, 1), 0, 2), ((1, 4), 3, 5)],
+    [((), 20, 20), ((4,), 19, 20), ((0, 1), 0, 2), ((1, 4), 3, 5)],
 )
 def test_what_fails_too_often_is_given_up(
     failures: tuple[int, ...], successes: int, episodes: int, bundle: Path,
@@ -232,7 +269,7 @@ def test_what_fails_too_often_is_given_up(
 ) -> None:  # fmt: skip
     played = itertools.count()
     monkeypatch.setattr(certify_module, "_solved", lambda *_: next(played) not in failures)
-    (seen,) = certify(bundle, Terms(("Lift",), episodes=5)).instances
+    (seen,) = certify(bundle, Terms(("Lift",), episodes=20)).instances
     assert (seen.successes, seen.episodes) == (successes, episodes)
 
 

@@ -52,6 +52,7 @@ def played(env: gym.Env, steps: int = 3) -> np.ndarray:
     return np.concatenate(numbers)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("copied", [pickled, copy.deepcopy])
 @pytest.mark.parametrize("settings", SETTINGS.values(), ids=SETTINGS)
 def test_a_copy_of_an_episode_under_way_is_to_be_reset_and_goes_on_alike(settings, copied) -> None:
@@ -93,6 +94,7 @@ def test_a_made_environment_is_copied_with_its_wrappers() -> None:
     assert [other.step(np.zeros(5, np.float32))[3] for _ in range(4)] == [False] * 3 + [True]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("copied", [pickled, copy.deepcopy])
 def test_a_vector_environment_is_copied_slot_by_slot(copied) -> None:
     envs = gym.make_vec(ID, num_envs=3, scenes=scenes(), threads=2, max_episode_steps=2)
@@ -138,5 +140,5 @@ def test_a_forked_vector_environment_says_that_it_has_no_threads() -> None:
         assert "send a pickled copy" in receiver.recv()
     finally:
         process.kill()
-        process.join()
+        process.join(60)
     envs.close()

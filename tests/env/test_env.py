@@ -34,6 +34,7 @@ def rollout(env: gym.Env, seed: int, steps: int = 30) -> list[np.ndarray]:
     return seen
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("action", ACTIONS)
 def test_same_seed_gives_the_same_trajectory_bit_for_bit(action) -> None:
     a = rollout(make_env([toy_scene(), toy_scene(toy_objects()[:4])], action=action), seed=3)
@@ -70,6 +71,7 @@ def test_info_names_the_task_and_the_reward_terms() -> None:
     assert 0 < reward < 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("task", "options", "told"),
     [
@@ -269,6 +271,7 @@ def test_compute_reward_is_vectorised_and_agrees_with_step(reward) -> None:
     assert np.array_equal(best, np.full(8, 1.0 if reward == "dense" else 0.0))
 
 
+@pytest.mark.slow
 def test_two_environments_in_processes_step_apart() -> None:
     envs = gym.make_vec(
         ID, num_envs=2, vectorization_mode="async", scenes=toy_scene(), max_episode_steps=4
@@ -291,10 +294,13 @@ def test_the_spec_survives_pickling() -> None:
 
 def test_importing_loads_neither_torch_nor_mujoco() -> None:
     code = "import sys, tabletopgen_env; print(sorted({'torch', 'mujoco'} & set(sys.modules)))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300
+    )
     assert done.stdout.strip() == "[]"
 
 
+@pytest.mark.slow
 def test_a_policy_trains_with_ppo() -> None:
     from stable_baselines3 import PPO
 
@@ -306,6 +312,7 @@ def test_a_policy_trains_with_ppo() -> None:
     assert env.action_space.contains(action)
 
 
+@pytest.mark.slow
 def test_a_policy_trains_with_sac_and_hindsight() -> None:
     from stable_baselines3 import SAC, HerReplayBuffer
 

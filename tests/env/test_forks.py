@@ -54,7 +54,7 @@ def in_fork(work: Callable[[], Any]) -> Any:
         return receiver.recv()
     finally:
         process.kill()
-        process.join()
+        process.join(LIMIT)
 
 
 def told(work: Callable[[], Any]) -> tuple[list[str], list[str]]:
@@ -65,6 +65,7 @@ def told(work: Callable[[], Any]) -> tuple[list[str], list[str]]:
     return done, [str(w.message) for w in caught if "software" in str(w.message)]
 
 
+@pytest.mark.slow
 def test_vectors_of_forked_processes_draw(drawn) -> None:
     envs = gym.make_vec(
         ID, num_envs=2, vectorization_mode="async", scenes=toy_scene(),
@@ -146,7 +147,7 @@ def anew(get: Callable[..., Any]) -> Callable[..., Any]:
 
     def got(*args: Any) -> Any:
         world = get(*args)
-        world._plans.clear()
+        world._known.plans.clear()
         return world
 
     return got

@@ -48,6 +48,7 @@ def is_done(env: TabletopEnv) -> bool:
 # ------------------------------------------------------------------------------------------ all
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_a_fresh_episode_is_not_done_and_its_terms_are_shares(name) -> None:
     env = start(name)
@@ -60,6 +61,7 @@ def test_a_fresh_episode_is_not_done_and_its_terms_are_shares(name) -> None:
         assert info["goals"][0] < info["goals"][1] <= env.task.most
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_goal_vectors_alone_give_the_reward(name) -> None:
     env = make_env(toy_scene(), task=name, observation="goal", reward="sparse")
@@ -85,6 +87,7 @@ def test_unknown_tasks_and_presets_name_what_there_is() -> None:
         task_named("Lift", "kitchen")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("task", "options", "message"),
     [
@@ -178,6 +181,7 @@ def test_the_gripper_stays_closed_while_pushing() -> None:
     assert env.world.data.qpos[env.world.finger_qpos].sum() < 0.005
 
 
+@pytest.mark.slow
 def test_ways_to_push_along_are_free_and_of_the_stated_length() -> None:
     env = start("Push")
     for seed in range(20):
@@ -332,3 +336,17 @@ def test_stacked_things_have_their_mass_over_the_top() -> None:
     env = make_env(toy_scene((thing, large)), task="Stack")
     env.reset(seed=0, options={"target": "brush_1"})
     assert env.goal.reference == "board_1"
+
+
+def test_tidy_asks_for_nothing_that_lies_on_what_fills_a_shallow_cup() -> None:
+    tall, flat = (
+        toy_object("can_1", (0.03, 0.03, 0.09), (0.2, 0.1)),
+        toy_object("die_1", (0.024, 0.024, 0.024), (0.1, 0.1)),
+    )
+    deep, full = (
+        toy_object("mug_1", (0.085, 0.085, height), (0.0, 0.0), wall=0.006)
+        for height in (0.09, 0.024)
+    )
+    assert len(start("Tidy", toy_scene((deep, tall, flat))).episode.goals) == 2
+    with pytest.raises(SceneError, match="nothing to move"):
+        start("Tidy", toy_scene((full, tall, flat)))

@@ -12,7 +12,7 @@ import pytest
 from toy import toy_scene
 
 from generator.errors import InputError, SceneError
-from generator.geometry import wrap
+from generator.geometry import rotation_z, wrap
 from tabletopgen_env.detection.detector import read_detector
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.choosing import choose
@@ -101,7 +101,7 @@ def test_plans_of_the_start_are_kept_where_the_base_stands_as_given(monkeypatch)
 def test_resets_with_other_heights_and_distractors_pile_up_no_plans(randomization) -> None:
     env = lift(randomization=randomization)
     shown = {tuple(env.reset(seed=k, options=CUBE)[0][279:]) for k in range(4)}
-    assert len(env.world._plans) <= 1
+    assert len(env.world._known.plans) <= 1
     if randomization.table_height:
         assert len(shown) == 4, "each is planned for its own height"
 
@@ -148,6 +148,7 @@ def test_what_shows_no_state_has_no_hint() -> None:
         lift(observation="pixels")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["state", "goal", "pixels+state", "point_cloud+state"])
 def test_every_mode_has_room_for_it(mode) -> None:
     env = lift(observation=mode, image_size=16, points=16)
@@ -242,9 +243,8 @@ def test_noise_moves_a_place_with_what_is_read_of_the_thing_in_the_hand() -> Non
     still = np.zeros(5)
     still[4] = -1
     reads = [env.step(still)[0] for _ in range(8)]
-    sums = [r[279:282] + r[40:43] for r in reads]  # the way, turned little, and the object
-    turn = float(np.mean([r[282] for r in reads]))
-    assert abs(turn) < 0.3
+    turn = rotation_z(float(np.mean([r[282] for r in reads])))
+    sums = [r[279:282] + turn @ r[34:37] + r[15:18] for r in reads]  # where the object comes to
     assert np.ptp([r[279:282] for r in reads], 0).max() > 0.005
     assert np.ptp(sums, 0).max() < 0.006
 
@@ -319,6 +319,7 @@ def test_detected_hints_follow_what_is_randomised(randomization) -> None:
         assert np.allclose(seen[279:282], env.world.base_rotation.T @ away, atol=1e-5)
 
 
+@pytest.mark.slow
 def test_threads_see_what_one_does() -> None:
     settings = {"task": "Lift", "grasp_hint": "detected", "max_episode_steps": 5}
     several = TabletopVectorEnv(3, scenes=toy_scene(), **settings)
@@ -328,6 +329,7 @@ def test_threads_see_what_one_does() -> None:
     several.close()
 
 
+@pytest.mark.slow
 def test_a_detected_hint_needs_no_torch() -> None:
     code = (
         "import sys; sys.path.insert(0, 'tests'); from toy import toy_scene; "
@@ -336,7 +338,7 @@ def test_a_detected_hint_needs_no_torch() -> None:
         "assert 'torch' not in sys.modules"
     )
     root = Path(__file__).parents[2]
-    subprocess.run([sys.executable, "-c", code], check=True, cwd=root)
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=root, timeout=300)
 
 
 def test_the_experts_advice_follows_the_hint_at_once() -> None:

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.slow
+
 PROBE = """
 import json, os, time
 from pathlib import Path
@@ -45,7 +47,9 @@ print(json.dumps({"threads": len(start), "woken": acted != start, "tells": aslee
 def test_resets_and_steps_wake_no_thread_of_blas() -> None:
     two = os.environ | {"OPENBLAS_NUM_THREADS": "2", "OMP_NUM_THREADS": "2"}
     command = [sys.executable, "-c", PROBE]
-    told = subprocess.run(command, capture_output=True, text=True, check=True, env=two).stdout
+    told = subprocess.run(
+        command, capture_output=True, text=True, check=True, env=two, timeout=300
+    ).stdout
     seen = json.loads(told)
     if not seen["tells"]:
         pytest.skip(f"numpy's BLAS has no threads of its own here ({seen['threads']} others)")

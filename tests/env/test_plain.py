@@ -138,6 +138,7 @@ def test_inverse_kinematics_follows_its_formula() -> None:
         assert found[1] == np.linalg.norm(tool - link_frames(joints)[7, :3, 3])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["PickPlace", "Swap", "Sequence"])
 def test_goals_agree_as_their_definition_says(name) -> None:
     task = task_named(name)
@@ -168,6 +169,7 @@ def plain_met(achieved: np.ndarray, desired: np.ndarray) -> bool:
     return bool(np.hypot(u, v) <= 1 and abs(z) <= desired[6] and achieved[7] >= desired[7])
 
 
+@pytest.mark.slow
 def test_what_can_be_grasped_is_what_the_arm_reaches_a_grasp_of() -> None:
     walls = [
         toy_object(f"wall_{k}", (0.05, 0.3, 0.2), (x, 0.0)) for k, x in enumerate((-0.045, 0.045))

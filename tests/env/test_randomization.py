@@ -18,6 +18,8 @@ from generator.errors import InputError
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.randomization import PRESETS, SWITCHES, Randomization, Randomizer
 from tabletopgen_env.robot.panda import Panda
+from tabletopgen_env.tasks.goals import Raised
+from tabletopgen_env.tasks.task import episode as begun
 from tabletopgen_env.world import World
 
 
@@ -93,6 +95,7 @@ def marked(world: World, env: TabletopEnv) -> World:
     return world
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("switch", SWITCHES)
 def test_a_switch_draws_the_same_whatever_else_is_on(switch) -> None:
     everything = started(STRONG, seed=4)[2]
@@ -127,6 +130,7 @@ def test_what_was_drawn_is_plain_numbers() -> None:
     assert json.loads(json.dumps(started("strong")[2])) == started("strong")[2]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("switch", [*SWITCHES, "everything"])
 def test_a_world_is_put_back_to_the_byte(switch) -> None:
     randomizer = Randomizer(STRONG if switch == "everything" else only(switch))
@@ -135,7 +139,7 @@ def test_a_world_is_put_back_to_the_byte(switch) -> None:
     for episode in range(3):
         randomizer.restart(np.random.default_rng(episode))
         randomizer.begin(world)
-        randomizer.finish(world, ["cube_1"])
+        randomizer.finish(world, begun(world, (Raised("cube_1", world.position("cube_1")),)))
         world.step(5)
     changed = model_bytes(world) != compiled or world.scene is not fresh.scene
     assert changed or switch in ("delay", "noise", "start")
@@ -185,6 +189,7 @@ def test_pictures_are_those_of_the_unchanged_world_after_undoing() -> None:
 # -------------------------------------------------------------------------------- as environment
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("observation", ["goal", "pixels+state"])
 def test_both_checkers_pass_with_everything_on(observation) -> None:
     env = make_env(toy_scene(toy_objects()[:2]), observation=observation, image_size=36,

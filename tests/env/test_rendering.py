@@ -34,6 +34,7 @@ def world():
     return env.world
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("renderer", [pytest.param("gl", marks=needs_gl), "software", "auto"])
 def test_render_modes(renderer) -> None:
     for mode, shape, dtype in (
@@ -48,6 +49,7 @@ def test_render_modes(renderer) -> None:
         env.close()
 
 
+@pytest.mark.slow
 @needs_gl
 @pytest.mark.parametrize("camera", [FRONT_CAMERA, WRIST_CAMERA])
 def test_gl_and_software_see_the_same(world, camera) -> None:
@@ -58,7 +60,7 @@ def test_gl_and_software_see_the_same(world, camera) -> None:
     assert np.quantile(np.abs(a[near] - b[near]), 0.95) < 0.005
     assert ((a < 2.0) == (b < 2.0)).mean() > 0.98
     colors = gl.rgb(world, camera)[near].astype(float), soft.rgb(world, camera)[near].astype(float)
-    assert np.abs(colors[0] - colors[1]).mean() < 60
+    assert np.abs(colors[0] - colors[1]).mean() < 30
     gl.close()
 
 
@@ -95,11 +97,11 @@ def test_the_marker_shows_the_spot_and_only_then(world) -> None:
     assert (greener[:, 1] > greener[:, 0]).all()
 
 
-def test_every_visible_geom_becomes_triangles_that_face_outwards(world) -> None:
+def test_every_visible_geom_but_the_floor_becomes_triangles_that_face_outwards(world) -> None:
     shapes = visible_shapes(world.model)
     drawn = {shape.geom for shape in shapes}
     visible = set(np.flatnonzero(world.model.geom_group < 3))
-    assert drawn == visible
+    assert drawn == visible - {world.model.geom("floor").id}
     pedestal = next(s for s in shapes if world.model.geom(s.geom).name == "pedestal_column")
     a, b, c = (pedestal.vertices[pedestal.faces[:, k]] for k in range(3))
     assert (np.einsum("fi,fi->f", np.cross(b - a, c - a), a + b + c) > 0).all()
@@ -135,6 +137,7 @@ def test_closing_frees_and_refuses_to_go_on(world) -> None:
         gl.rgb(world, FRONT_CAMERA)
 
 
+@pytest.mark.slow
 @needs_gl
 def test_many_scenes_share_one_drawer() -> None:
     scenes = [toy_scene(name=f"toy_{k}") for k in range(6)]
@@ -159,6 +162,7 @@ def test_human_mode_without_a_display_says_so_once(monkeypatch) -> None:
     env.close()
 
 
+@pytest.mark.slow
 def test_what_leaves_the_cache_is_freed_on_the_graphics_side() -> None:
     scenes = [toy_scene(toy_objects()[: k + 1], name=str(k)) for k in range(3)]
     env = make_env(scenes, observation="pixels", image_size=16, cache=1)

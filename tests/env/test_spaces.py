@@ -46,6 +46,7 @@ def check(name: str, *ignored: str, **settings) -> None:
     env.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("action", ACTIONS)
 @pytest.mark.parametrize("observation", MODES)
 @pytest.mark.parametrize("name", IDS)
@@ -80,6 +81,7 @@ def values(seen: Any) -> list[Any]:
     return list(seen.values()) if isinstance(seen, dict) else [seen]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("action", ACTIONS)
 @pytest.mark.parametrize("observation", MODES)
 @pytest.mark.parametrize("name", IDS)
@@ -95,6 +97,7 @@ def test_two_seeded_environments_agree_to_the_bit(name, observation, action, sha
     assert len(set(first)) > 4, "something moves"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", ["PickPlace", "Push"])
 def test_whole_episodes_with_contact_agree_to_the_bit(task, shared) -> None:
     """Grasping, carrying and pushing: sliding contacts, islands that wake and sleep."""
@@ -115,11 +118,13 @@ def test_whole_episodes_with_contact_agree_to_the_bit(task, shared) -> None:
     assert first == again
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("observation", ["state", "goal", "pixels", "pixels+state"])
 def test_as_they_come_neither_checker_warns(observation) -> None:
     check(IDS[0], observation=observation)
 
 
+@pytest.mark.slow
 def test_depth_and_segmentation_pass_the_checkers() -> None:
     check(
         IDS[0], ".*unconventional shape", observation="pixels+state", image_size=(36, 40),
@@ -128,6 +133,7 @@ def test_depth_and_segmentation_pass_the_checkers() -> None:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("renderer", ["auto", "software"])
 def test_render_modes_pass_the_checker(renderer) -> None:
     env = gym.make(IDS[0], scenes=toy_scene(), render_mode="rgb_array", render_size=(16, 16),
@@ -146,6 +152,7 @@ def small_round_scene():
     return toy_scene(things, table, "round")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("observation", MODES)
 def test_spaces_do_not_depend_on_the_scene(observation) -> None:
     many = tuple(

@@ -13,6 +13,8 @@ from assets_cache.make_starter import TASKS
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.run import TaskExpert
 
+pytestmark = pytest.mark.slow
+
 OWN = [("Sequence", "kitchen"), ("Sequence", "coffee_table"), ("Tidy", None)]
 
 

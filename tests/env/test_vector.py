@@ -54,6 +54,7 @@ def rollout(envs: Any, steps: int = 11, seed: int = 5, masked: bool = False) -> 
     return seen
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("observation", ["state", "goal"])
 @pytest.mark.parametrize("mode", MODES)
 def test_it_is_gymnasiums_serial_vector_to_the_bit(mode, observation) -> None:
@@ -75,6 +76,7 @@ def test_it_is_gymnasiums_serial_vector_to_the_bit(mode, observation) -> None:
     assert any("final_obs" in info for *_, info in b) == (mode == "SameStep")
 
 
+@pytest.mark.slow
 def test_the_number_of_threads_changes_nothing() -> None:
     runs = [
         rollout(TabletopVectorEnv(5, scenes=scenes(), threads=n, max_episode_steps=4))
@@ -106,6 +108,7 @@ def test_what_was_returned_is_not_written_to_again() -> None:
     envs.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["sync", "async", "vector_entry_point"])
 def test_it_can_be_made_in_every_way(mode) -> None:
     envs = gym.make_vec(ID, num_envs=2, vectorization_mode=mode, scenes=toy_scene())
@@ -221,6 +224,7 @@ def test_wrong_calls_are_explained() -> None:
         envs.step(np.zeros((2, 5)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", MODES)
 def test_after_a_reset_that_fails_no_slot_moves_until_it_is_done(mode) -> None:
     envs = TabletopVectorEnv(2, scenes=toy_scene(), max_episode_steps=2, autoreset_mode=mode)
@@ -262,6 +266,7 @@ def test_a_slot_that_could_not_be_reset_by_a_step_has_no_episode(mode, monkeypat
     envs.close()
 
 
+@pytest.mark.slow
 def test_pictures_come_from_several_threads() -> None:
     settings: dict[str, Any] = {
         "scenes": toy_scene(),
@@ -285,6 +290,7 @@ def test_pictures_come_from_several_threads() -> None:
     alone.close()
 
 
+@pytest.mark.slow
 def test_a_program_that_forgets_to_close_it_ends() -> None:
     code = (
         "import sys; sys.path.insert(0, 'tests')\n"

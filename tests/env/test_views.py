@@ -95,6 +95,7 @@ def test_labels_follow_the_slots_and_leave_out_what_has_none(world) -> None:
     assert labels[world.model.geom("pedestal_column").id] == 1
 
 
+@pytest.mark.slow
 @needs_gl
 @pytest.mark.parametrize("renderer", RENDERERS)
 def test_one_spot_is_marked_at_a_time_and_is_the_table_s(renderer) -> None:

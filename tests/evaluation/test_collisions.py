@@ -62,6 +62,7 @@ def test_boxes_pushed_into_each_other_are_as_deep_as_they_were_pushed() -> None:
     assert overlap_depth(b, a) == pytest.approx(0.003, abs=1e-4)
 
 
+@pytest.mark.slow
 @settings(deadline=None, max_examples=25)
 @given(
     st.floats(0.001, 0.02),
@@ -98,6 +99,7 @@ def test_a_small_thing_wholly_inside_a_solid_is_deep() -> None:
     assert overlap_depth(box([0.02] * 3), box([0.1] * 3)) == pytest.approx(0.05, abs=0.011)
 
 
+@pytest.mark.slow
 def test_a_rod_in_a_mug_is_no_collision_but_through_its_wall_or_floor_it_is() -> None:
     mug = build("mug", 0)
     vessel = body(mug.mesh, mug.size)
@@ -112,6 +114,7 @@ def test_a_rod_in_a_mug_is_no_collision_but_through_its_wall_or_floor_it_is() ->
     assert 0.02 < wall < 0.05
 
 
+@pytest.mark.slow
 def test_a_spoon_that_stands_in_a_mug_is_no_collision() -> None:
     mug, spoon = (
         dataclasses.replace(thing, model=model, placement=placed(thing, model.size))

@@ -37,6 +37,7 @@ def kinds(found: Evaluation) -> set[tuple[str, str, str]]:
     return {(f.kind, f.name, f.evidence) for f in found.findings}
 
 
+@pytest.mark.slow
 def test_a_sound_scene_has_no_finding(taken: Shot) -> None:
     found = evaluate(
         taken.scene, picture=taken.picture, segments=taken.segments, truth=taken.scene, limits=QUICK
@@ -74,6 +75,7 @@ def test_defects_are_reported_without_picture_or_truth(
     assert not found.flawless
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "change", "kind"),
     [
@@ -91,6 +93,7 @@ def test_the_picture_tells_turns_sizes_and_losses(
     assert {f.name for f in found.findings} == {name}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "change", "kind"),
     [
@@ -117,6 +120,7 @@ def test_what_the_truth_does_not_hold_or_holds_elsewhere_is_told() -> None:
     assert ("wrong_support", "can_1", "truth") in told
 
 
+@pytest.mark.slow
 def test_a_turn_that_changes_nothing_is_no_defect(taken: Shot) -> None:
     """A can may stand as it likes; so says the truth, and so says the picture."""
     scene = spoiled(taken.scene, "can_1", "turn")
@@ -151,6 +155,7 @@ def test_an_overlap_is_found_by_either_name() -> None:
     assert found.of("bar_1") == ()
 
 
+@pytest.mark.slow
 def test_marks_fall_with_every_defect(taken: Shot) -> None:
     whole, less = (
         evaluate(s, picture=taken.picture, segments=taken.segments, limits=QUICK).marks.marks
@@ -187,6 +192,7 @@ def saved(scene: Scene, folder: Path, taken: Shot | None = None) -> str:
     return str(bundle.save(scene, folder, images=images, segments=segments, allow_failed=True))
 
 
+@pytest.mark.slow
 def test_the_command_finds_nothing_in_a_sound_bundle(
     store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -197,6 +203,7 @@ def test_the_command_finds_nothing_in_a_sound_bundle(
     assert "yaw error 0.00 deg" in shown
 
 
+@pytest.mark.slow
 def test_the_command_fails_where_there_are_defects_and_adds_up_scenes(
     store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -211,6 +218,7 @@ def test_the_command_fails_where_there_are_defects_and_adds_up_scenes(
     assert "overlap" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_the_command_takes_another_picture_and_refuses_a_foreign_one(
     store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -223,6 +231,7 @@ def test_the_command_takes_another_picture_and_refuses_a_foreign_one(
     assert "480x360" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
     store: Path,
     taken: Shot,
@@ -241,6 +250,7 @@ def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
     assert "keeps no picture" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_the_command_reports_all_four_defects_of_one_bundle(
     store: Path, taken: Shot, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -303,6 +313,7 @@ def paid(
         yield served, lambda *more: command("evaluate", *scenes, *words, *more)
 
 
+@pytest.mark.slow
 def test_what_a_judge_answered_is_kept_and_counted(
     paid: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -320,6 +331,7 @@ def test_what_a_judge_answered_is_kept_and_counted(
     assert "ranked by paid" in shown and shown.splitlines()[-2].split()[0] == "total"
 
 
+@pytest.mark.slow
 def test_a_judge_keeps_a_budget_over_runs_of_the_same_words(
     paid: tuple[Served, Callable[..., int]],
     capsys: pytest.CaptureFixture[str],
@@ -338,6 +350,7 @@ def test_a_judge_keeps_a_budget_over_runs_of_the_same_words(
     assert "earlier runs" not in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_a_dry_run_asks_no_judge(
     paid: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -233,13 +233,51 @@ def test_what_is_wrong_is_said(folder: Path, changes: dict[str, Any], words: str
         ("{", "not valid JSON"),
         ("[]", "one JSON object"),
         ('{"name": NaN}', "NaN"),
-        ("[" * 100_000, "deeper than"),
+        ("[" * 100_000, "json nests lists or objects deeper"),
     ],
 )
 def test_a_damaged_list_of_transforms_is_refused(folder: Path, text: str, words: str) -> None:
     (folder / TRANSFORMS).write_text(text)
     with pytest.raises(InputError, match=words):
         load_external(folder)
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [{"up": {}}, {"up": []}, {"name": "a\x1b[2J"}, {"name": 5}, {"method": "\x07"},
+     {"objects": [{"name": "a\nb", "glb": "box.glb", "matrix": matrix()}]},
+     {"objects": [thing("a", (0, 0, 1), label="\x1b[31m")]},
+     {"objects": [thing("a", (0, 0, 1), on=["table"])]},
+     {"objects": [thing("a", (0, 0, 1), inside="no")]}],
+)  # fmt: skip
+def test_values_of_other_types_and_unprintable_names_are_refused(
+    folder: Path, changes: dict[str, Any]
+) -> None:
+    with pytest.raises(InputError) as told:
+        load_external(write(folder, payload() | changes), decompose=False)
+    assert str(told.value).isprintable()
+
+
+def test_faces_of_vertices_that_are_not_there_and_chains_of_nodes_are_refused(
+    folder: Path,
+) -> None:
+    box = trimesh.Trimesh(np.eye(3), [[0, 1, 2]], process=False)
+    raw = trimesh.Scene([box]).export(file_type="glb")
+    index = np.array([0, 1, 2], "<u4").tobytes()
+    assert raw.count(index) == 1
+    (folder / "box.glb").write_bytes(raw.replace(index, np.array([0, 1, 9], "<u4").tobytes()))
+    with pytest.raises(InputError, match=r"damaged|cannot be read"):
+        load_external(write(folder, payload(thing("a", (0, 0, 1)))), decompose=False)
+    links = [{"children": [k + 1]} for k in range(20_000)] + [{"mesh": 0}]
+    size = int.from_bytes(raw[12:16], "little")
+    header = json.dumps(json.loads(raw[20 : 20 + size]) | {"nodes": links}).encode()
+    header += b" " * (-len(header) % 4)
+    rest = raw[20 + size :]
+    words = (2, 20 + len(header) + len(rest), len(header), 0x4E4F534A)
+    start = b"glTF" + b"".join(word.to_bytes(4, "little") for word in words)
+    (folder / "box.glb").write_bytes(start + header + rest)
+    with pytest.raises(InputError, match="20001 nodes"):
+        load_external(write(folder, payload(thing("a", (0, 0, 1)))), decompose=False)
 
 
 def test_a_damaged_or_empty_glb_is_refused(folder: Path) -> None:

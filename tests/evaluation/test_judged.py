@@ -97,6 +97,7 @@ def test_measured_marks_say_what_they_are_and_give_none_for_looks() -> None:
     assert "not simulated" in blind.notes["PP"]
 
 
+@pytest.mark.slow
 def test_an_evaluation_takes_the_judges_marks() -> None:
     taken, judge = shot(sound()), Friendly(GOOD)
     found = evaluate(

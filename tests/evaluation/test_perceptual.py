@@ -45,6 +45,7 @@ def absent(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "transformers", None)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(EMBEDDED))
 def test_an_embedded_score_is_highest_for_the_same_picture(name: str) -> None:
     same, near, other = picture(0), picture(0), picture(1)
@@ -60,6 +61,7 @@ def test_embedded_and_published_scores_share_no_name() -> None:
     assert set(PUBLISHED) == {"lpips", "dinov2", "clip"}
 
 
+@pytest.mark.slow
 def test_what_is_not_installed_is_told_with_the_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     absent(monkeypatch)
     found = available()
@@ -74,6 +76,7 @@ def test_an_unknown_metric_lists_the_choices() -> None:
         available(["lpip"])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("metric", [DINOV2, CLIP], ids=lambda m: m.name)
 def test_published_models_are_the_pinned_ones_on_this_machine(
     metric: HubSimilarity, tiny_models: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -86,6 +89,7 @@ def test_published_models_are_the_pinned_ones_on_this_machine(
     assert other < 0.99999
 
 
+@pytest.mark.slow
 def test_published_models_see_what_the_reference_implementation_sees(tiny_models: Path) -> None:
     """A black picture: only mean and deviation are in the model's input."""
     transformers = pytest.importorskip("transformers")

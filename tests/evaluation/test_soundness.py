@@ -27,6 +27,7 @@ def fruit(radius: float) -> Object:
     return dataclasses.replace(ball, inertia=0.4 * mass * radius**2 * np.eye(3))
 
 
+@pytest.mark.slow
 def test_a_sound_scene_stands_still_under_every_rule() -> None:
     variants = {name: dataclasses.replace(rule, seconds=1.0) for name, rule in VARIANTS.items()}
     for name, found in robustness(toy_scene(), variants).items():

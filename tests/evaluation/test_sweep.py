@@ -63,6 +63,7 @@ def test_renders_have_the_pictures_proportions_and_show_less_from_afar(scene: Sc
     assert inked[4] > inked[5]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(EMBEDDED))
 def test_the_view_a_picture_was_taken_from_is_picked(scene: Scene, name: str) -> None:
     taken = dict(sweep(scene, 4 / 3, SMALL))

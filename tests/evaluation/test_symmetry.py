@@ -17,6 +17,7 @@ MUG = build("mug", 5)
 BOOK = build("book", 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("mesh", "size", "expected"),
     [

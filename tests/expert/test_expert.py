@@ -8,6 +8,7 @@ from toy import toy_object, toy_scene
 
 from generator.errors import InputError, SceneError
 from tabletopgen_env.env import make_env
+from tabletopgen_env.expert.dropping import load
 from tabletopgen_env.expert.run import TaskExpert
 
 
@@ -31,6 +32,7 @@ def env() -> Any:
     made.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("target", "goal"),
     [
@@ -113,3 +115,25 @@ def test_what_is_placed_is_left_alone() -> None:
     while len(met) < 220:
         met.append(env.step(expert.act())[4]["success"])
     assert any(met) and all(met[met.index(True) :]) and expert.attempts == 1
+
+
+@pytest.mark.parametrize("task", ["Lift", "PickPlace"])
+def test_a_heavy_bowl_turns_about_the_fingers_until_it_hangs(task: str) -> None:
+    bowl = toy_object("bowl_1", (0.22, 0.22, 0.07), (0.05, 0.0), wall=0.012, mass=1.0)
+    env = make_env(toy_scene((bowl,)), task=task)
+    goal = {"goal": "spot"} if task == "PickPlace" else {}
+    solved, _, expert = episode(env, 0, target="bowl_1", **goal)
+    assert solved and expert.attempts == 1, "it is in the hand all the while"
+
+
+def test_what_is_held_is_as_broad_as_it_is_where_it_is() -> None:
+    bowl = toy_object("bowl_1", (0.2, 0.2, 0.07), (0.05, 0.0), wall=0.012)
+    env = make_env(toy_scene((bowl,)), task="Lift")
+    env.reset(seed=0)
+    tool = env.world.data.site_xpos[env.world.tcp]
+    env.world.teleport("bowl_1", tool + np.array([0.09, 0.0, -0.03]))
+    away, broad = load(env.world, "bowl_1", 0.0)
+    np.testing.assert_allclose(away, [0.09, 0.0, 0.0], atol=1e-6)
+    assert 0.1 <= broad < 0.13
+    away, broad = load(env.world, "bowl_1", 1.0)
+    assert not away.any() and broad >= 0.19, "turned, it may come to be anywhere around"

@@ -92,3 +92,24 @@ def test_the_way_goes_over_what_stands_in_it() -> None:
     start, end, far = (np.array(p) for p in ([-0.3, 0, 0.9], [0.3, 0, 0.8], [-0.3, 0.3, 0.8]))
     assert clear_height(world, "cube", start, end) == pytest.approx(0.94 + CLEAR, abs=2e-3)
     assert clear_height(world, "cube", start, far) == pytest.approx(0.74 + CLEAR, abs=2e-3)
+    beside, past = np.array([-0.3, 0.1, 0.9]), np.array([0.3, 0.1, 0.9])
+    assert clear_height(world, "cube", beside, past) == pytest.approx(0.94 + CLEAR, abs=2e-3)
+    assert clear_height(world, "cube", beside, past, 0.02) == pytest.approx(0.74 + CLEAR, abs=2e-3)
+
+
+@pytest.mark.parametrize("width", [0.07, 0.0715])
+def test_what_barely_fits_the_hand_does_so_however_it_lies(width: float) -> None:
+    size, rng = (width, width, 0.06), np.random.default_rng(0)
+    counts = {
+        len(grasps_of(toy_object("box", size, tuple(rng.uniform(-0.1, 0.1, 2)), yaw=yaw)))
+        for yaw in rng.uniform(-np.pi, np.pi, 4)
+    }
+    assert len(counts) == 1 and counts != {0}
+
+
+def test_the_palm_comes_nearer_where_it_must_and_only_there() -> None:
+    cube = toy_object("cube", (0.04, 0.04, 0.04), (0.0, 0.0))
+    towers = [toy_object(f"tower_{y}", (0.3, 0.02, 0.3), (0.0, y)) for y in (-0.05, 0.05)]
+    hemmed = [g for g in grasps_of(cube, *towers) if np.cos(g.angle) ** 2 > 0.9]
+    best = grasps_of(cube)[0]
+    assert hemmed and max(g.score for g in hemmed) < best.score - 1

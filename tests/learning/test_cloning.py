@@ -9,6 +9,7 @@ import torch
 from stable_baselines3 import SAC
 from toy import toy_scene
 
+from generator.cores import torch_threads
 from generator.errors import InputError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.episodes import HOLD
@@ -43,6 +44,7 @@ def test_other_observations_are_refused() -> None:
         TableExtractor(gym.spaces.Box(-1, 1, (7,)))
 
 
+@pytest.mark.slow
 def test_a_demonstration_holds_what_was_seen_done_and_advised() -> None:
     shown = demonstrate(lift(), seed=3)
     assert shown is not None and shown.solved
@@ -67,9 +69,10 @@ def test_what_is_seen_may_be_a_dict_and_infos_are_told() -> None:
     assert "randomization" in told[0] and told[-1]["success"]
 
 
+@pytest.mark.slow
 def test_cloning_comes_nearer_to_the_advice_and_repeats_itself() -> None:
     config = CloningConfig(rounds=2, episodes=2, steps=60, last_steps=60, batch=64)
-    losses = []
+    losses, threads = [], torch.get_num_threads
     for _ in range(2):
         env = lift()
         model = SAC(
@@ -77,13 +80,23 @@ def test_cloning_comes_nearer_to_the_advice_and_repeats_itself() -> None:
             policy_kwargs={"features_extractor_class": TableExtractor, "net_arch": [32]},
         )  # fmt: skip
         rounds = []
-        seen = clone(model, env, config, 5, rounds.append)
+        with torch_threads(2):
+            seen = clone(model, env, config, 5, rounds.append)
+            assert threads() == 2, "a script's own setting is put back"
         losses.append([r.loss for r in rounds])
         assert [r.number for r in rounds] == [0, 1] and len(seen) == 4
         assert rounds[-1].states == sum(len(d.advice) for d in seen)
         assert policy_of(model)(seen[0].observations[0]).shape == (5,)
     assert losses[0] == losses[1]
     assert losses[0][0] < 0.6  # of a policy that does nothing: about 0.7
+
+
+def test_cloning_computes_on_one_thread() -> None:
+    model = SAC("MlpPolicy", lift(), buffer_size=10, policy_kwargs={"net_arch": [8]})
+    config, seen = CloningConfig(rounds=1, episodes=1, last_steps=1, batch=8), []
+    with torch_threads(2):
+        clone(model, lift(), config, 0, lambda _: seen.append(torch.get_num_threads()))
+    assert seen == [1]
 
 
 @pytest.mark.parametrize("settings", [{"rounds": 0}, {"expert_share": 2}, {"noise": -1.0}])

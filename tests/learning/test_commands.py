@@ -69,6 +69,7 @@ def test_resuming_by_the_command(trained: Path, table: str, other: str, capsys) 
     assert "32 steps of tiny" in capsys.readouterr().out
 
 
+@pytest.mark.slow
 def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, capsys) -> None:
     told = []
     for name in (trained, trained / LATEST, trained):
@@ -97,6 +98,7 @@ def test_enjoying_where_it_was_trained_is_said(
     assert "cannot be told: No bundle" in capsys.readouterr().err
 
 
+@pytest.mark.slow
 def test_a_film_strip_is_written(trained: Path, table: str, tmp_path: Path) -> None:
     strip = tmp_path / "new" / "strip.png"
     args = ("--scenes", table, "--episodes", "1", "--video-strip", str(strip))
@@ -189,6 +191,7 @@ def test_success_has_to_be_held(table: str) -> None:
     assert evaluate(env, Idle(), 2) == evaluate(env, Idle(), 2) != evaluate(env, Idle(), 2, seed=1)
 
 
+@pytest.mark.slow
 def test_the_newcomers_script_is_short_and_trains(
     table: str, tmp_path: Path, monkeypatch, capsys
 ) -> None:

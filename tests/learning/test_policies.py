@@ -116,6 +116,7 @@ def respelt(path: Path, **changes) -> Path:
     return path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("changes", "why"),
     [

@@ -26,6 +26,7 @@ from tabletopgen_env.learning.making import (
 )  # fmt: skip
 from tabletopgen_env.learning.recipes import FILE, recipe, recipe_of
 from tabletopgen_env.learning.training import cloning_config
+from tabletopgen_env.randomization import Randomization, Randomizer
 from tabletopgen_env.scenes import FixedScenes, RefreshingScenes
 from tabletopgen_env.scenes.source import HeldRef
 
@@ -84,6 +85,20 @@ def test_a_recipe_comes_back_from_its_facts() -> None:
 def test_an_unknown_recipe_has_a_near_match() -> None:
     with pytest.raises(InputError, match="Did you mean 'lift-clone'"):
         recipe("lift-clon")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_training_starts_are_a_little_off_unless_something_else_is_asked_for(name: str) -> None:
+    assert recipe(name).env["randomization"] == "starts"
+    assert recipe(name, ['env.randomization="light"']).env["randomization"] == "light"
+    plain = recipe(name, ['env.randomization="none"'])
+    assert Randomizer(plain.env["randomization"]).settings == Randomization()
+
+
+def test_a_run_begun_without_randomization_goes_on_without() -> None:
+    facts = recipe("reach-sac").facts()
+    del facts["env"]["randomization"]
+    assert "randomization" not in recipe_of(facts).env
 
 
 def test_changes_are_merged_into_the_recipe() -> None:
@@ -231,6 +246,7 @@ def test_training_draws_from_as_many_tables_as_the_recipe_says(
     assert seen[2].unwrapped.source is seen[1]
 
 
+@pytest.mark.slow
 def test_tables_in_common_are_told_by_what_they_are(table: str, other: str, tmp_path: Path) -> None:
     copied = str(shutil.copytree(table, tmp_path / "copied"))
     one, two = source_of(table, "train"), source_of((copied, other), "held_out")

@@ -35,6 +35,7 @@ def same(a, b) -> bool:
     return bool(np.array_equal(a, b))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("observation", ["state", "goal"])
 def test_it_gives_what_sb3s_own_gives(observation: str) -> None:
     ours, theirs = both(observation)

@@ -16,6 +16,7 @@ def test_there_are_some_and_they_are_small() -> None:
     assert all(path.stat().st_size < 2_000_000 for path in SHIPPED.values())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(SHIPPED))
 def test_a_shipped_policy_does_its_task_at_tables_it_never_saw(name: str) -> None:
     policy = load_policy(SHIPPED[name])

@@ -45,6 +45,7 @@ def quiet(line: str) -> None:
     assert line
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("family", FAMILIES)
 def test_every_family_trains(small, folder: Path, family: str) -> None:
     algorithm, changes = FAMILIES[family]
@@ -67,6 +68,7 @@ def test_every_family_trains(small, folder: Path, family: str) -> None:
     assert list((folder / "tensorboard").iterdir())
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("family", "wanted"),
     [
@@ -117,6 +119,7 @@ def alike(one: dict[str, np.ndarray], other: dict[str, np.ndarray]) -> bool:
     return all(np.array_equal(one[k], other[k]) for k in one)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("algorithm", ["sac", "ppo"])
 def test_the_same_seed_trains_the_same_weights(small, tmp_path: Path, algorithm: str) -> None:
     made = []
@@ -127,6 +130,7 @@ def test_the_same_seed_trains_the_same_weights(small, tmp_path: Path, algorithm:
     assert alike(made[0], made[1]) and not alike(made[0], made[2])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("algorithm", ["sac", "ppo"])
 def test_resuming_goes_on_with_the_counts(small, folder: Path, algorithm: str) -> None:
     network = {"layers": [8]}
@@ -151,6 +155,7 @@ def test_resuming_goes_on_with_the_counts(small, folder: Path, algorithm: str) -
             assert int(file["position"][0]) == done.steps // 2, "it went on filling the same buffer"
 
 
+@pytest.mark.slow
 def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder: Path) -> None:
     from tabletopgen_env.learning.making import many_envs, new_model, source_of
 
@@ -170,6 +175,7 @@ def test_a_checkpoint_restores_weights_optimisers_and_temperature(small, folder:
     assert state and state.keys() == loaded.actor.optimizer.state_dict()["state"].keys()
 
 
+@pytest.mark.slow
 def test_without_its_replay_buffer_a_run_fills_it_anew(small, folder: Path, monkeypatch) -> None:
     plan = Plan(episodes=1, keep_replay=False)
     train(small(steps=40, demonstrations=2), folder, plan, say=quiet)
@@ -188,6 +194,7 @@ def test_without_its_replay_buffer_a_run_fills_it_anew(small, folder: Path, monk
     assert after["updates"] - before["updates"] == steps // 2 > 0
 
 
+@pytest.mark.slow
 def test_what_goes_on_does_not_repeat_itself(small, tmp_path: Path, monkeypatch) -> None:
     drawn: list[tuple[int, tuple[int | None, ...]]] = []
     learn = PPO.learn
@@ -216,6 +223,7 @@ def test_a_finished_run_says_so(small, folder: Path) -> None:
     assert any("has 32 steps already" in line for line in told)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_resumed_or_begun_is_refused(small, folder: Path) -> None:
     with pytest.raises(InputError, match="holds no run"):
         train(small(), folder, QUICK, resume=True, say=quiet)
@@ -256,6 +264,7 @@ def test_a_run_that_never_began_leaves_nothing_behind(small, folder: Path, monke
     assert list(folder.iterdir()) == [], "the folder was there before"
 
 
+@pytest.mark.slow
 def test_a_late_error_deletes_nothing(small, folder: Path, monkeypatch) -> None:
     def broken(*args) -> None:
         raise SceneError("the table fell over")
@@ -277,6 +286,7 @@ def test_a_damaged_checkpoint_is_refused_and_kept(small, folder: Path) -> None:
     assert len(opened(folder).rows()) == 1 and zipped.exists()
 
 
+@pytest.mark.slow
 def test_the_first_interrupt_ends_with_a_checkpoint(small, folder: Path) -> None:
     told: list[str] = []
 
@@ -295,6 +305,7 @@ def test_the_first_interrupt_ends_with_a_checkpoint(small, folder: Path) -> None
     assert again.steps == done.steps + 20
 
 
+@pytest.mark.slow
 def test_demonstrations_can_be_interrupted(small, folder: Path, monkeypatch) -> None:
     begun = []
 
@@ -312,6 +323,7 @@ def test_demonstrations_can_be_interrupted(small, folder: Path, monkeypatch) -> 
     assert train(recipe, folder, QUICK, True, quiet).steps >= 120
 
 
+@pytest.mark.slow
 def test_what_comes_before_the_first_step_is_kept(small, folder: Path, monkeypatch) -> None:
     def say(line: str) -> None:
         if line.startswith("2 demonstrations"):

@@ -52,6 +52,9 @@ TIMES = {
 EACH = ("complete", "model", "review_orientation")
 TESTS = Path(__file__).parents[1]
 
+LONG = 600.0
+"""Seconds after which a run is taken to hang; it takes some 20 of CPU."""
+
 Process = subprocess.Popen[bytes]
 
 
@@ -103,7 +106,10 @@ class Place:
                 env={**known, "OMP_NUM_THREADS": "1", **given}, stdout=told, stderr=told,
             )  # fmt: skip
             started(process)
-            code = process.wait()
+            try:
+                code = process.wait(LONG)
+            finally:
+                process.kill()
         mix_servers.drain(before)
         return Run(code, log.read_text(), tuple(self.servers.watch.asked[first:]))
 
@@ -167,11 +173,11 @@ def points(seed: int) -> list[Point]:
 
 def together() -> Callable[[Asked], None]:
     """Return what lets nobody's answer go before all of one kind are asked for."""
-    gates = {question: threading.Barrier(TIMES[question], timeout=120) for question in EACH}
+    gates = {question: threading.Barrier(TIMES[question]) for question in EACH}
 
     def wait(asked: Asked) -> None:
         if asked.question in gates:
-            gates[asked.question].wait()
+            gates[asked.question].wait(LONG)
 
     return wait
 
@@ -192,6 +198,8 @@ def holding(key: str, folder: Path) -> list[Path]:
     return [p for p in found if any(f.encode() in p.read_bytes() for f in forms)]
 
 
+@pytest.mark.slow
+@pytest.mark.timeout(2 * LONG)
 def test_a_scene_killed_five_times_is_the_scene_never_killed(
     servers: Servers, models: Path, tmp_path: Path
 ) -> None:
@@ -274,6 +282,7 @@ def check_ledgers(calm: Path, shaken: Path, cached: int, last: Run) -> None:
         assert ledger["money"] == pytest.approx(sum(spent.get(q, 0.0003) for q in questions))
 
 
+@pytest.mark.slow
 def test_a_wrong_key_is_told_without_it(servers: Servers, models: Path, tmp_path: Path) -> None:
     wrong = "another-key-0badc0de99"
     place = Place(tmp_path, servers, models)

@@ -22,6 +22,7 @@ def block(low, high) -> ConvexPart:
     return ConvexPart(corners(low, high))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "key", ["mug", "apple", "egg", "bottle", "plate", "bowl", "teapot", "book"]
 )
@@ -56,6 +57,7 @@ def test_a_piece_without_a_part_gets_one() -> None:
     assert sticking_out(parts, vertices).max() <= TOLERANCE
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", ["small", "medium", "large"])
 @pytest.mark.parametrize("key", ["bowl", "basket", "tray", "desk_tray"])
 def test_a_hollow_stays_open(key: str, size: str) -> None:

@@ -35,6 +35,7 @@ def inside(parts: tuple[ConvexPart, ...], point: list[float]) -> bool:
     return any((h[:, :3] @ point + h[:, 3] < 1e-9).all() for h in hulls)
 
 
+@pytest.mark.slow
 def test_a_hollow_stays_open(tmp_path: Path) -> None:
     parts = decompose(angle_mesh(), np.full(3, 0.1), cache=tmp_path)
     assert len(parts) >= 2

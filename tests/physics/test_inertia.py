@@ -41,6 +41,7 @@ def test_a_solid_box_is_exact(x: float, y: float, z: float) -> None:
     np.testing.assert_allclose(found.inertia, box_inertia(found.mass, size), rtol=1e-5, atol=1e-12)
 
 
+@pytest.mark.slow
 def test_a_solid_and_a_hollow_sphere() -> None:
     mesh, size, radius = sphere_mesh(192, 96), np.full(3, 0.1), 0.05
     solid = body_mass(mesh, size, Physics(1000.0), ())

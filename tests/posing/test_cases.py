@@ -76,6 +76,7 @@ def test_amounts_out_of_range_are_refused(wrong: dict[str, Any]) -> None:
         Spoiling(**wrong)
 
 
+@pytest.mark.slow
 def test_the_part_of_the_picture_that_is_drawn_is_the_whole_pictures() -> None:
     model, camera = build("mug", 5), looking_camera(VIEW)
     item = place(model.mesh, model.size, np.array([0.2, 0.1, 0.05]), yaw_quaternion(0.4), 1)
@@ -96,6 +97,7 @@ def difference_of_mug(yaw: float, hidden: bool = False) -> float:
     return alike(model, yaw, at, camera, Light(), front)
 
 
+@pytest.mark.slow
 def test_a_case_is_well_posed_if_the_picture_tells_the_side() -> None:
     mug = build("mug", 5).mesh
     body = float(np.median(mug.vertices[np.abs(mug.vertices[:, 1]) > 0.3, 0]))
@@ -105,6 +107,7 @@ def test_a_case_is_well_posed_if_the_picture_tells_the_side() -> None:
     assert difference_of_mug(right, hidden=True) < difference_of_mug(right)
 
 
+@pytest.mark.slow
 def test_a_round_thing_makes_no_case_and_is_counted() -> None:
     can = Model("can", "can", cylinder_mesh(), np.array([0.08, 0.08, 0.1]))
     got = pose_case(can, "can", 1, Draw(), np.random.default_rng(0))
@@ -115,6 +118,7 @@ def test_a_round_thing_makes_no_case_and_is_counted() -> None:
     assert ("can", "symmetric") in [d for c in cases for d in c.dropped]
 
 
+@pytest.mark.slow
 def test_cases_come_again_and_splits_share_none() -> None:
     only = ("toy_train", "mug")
     spoiling = Spoiling(elevation=5, azimuth=3, occlude=0.2, erode=1, size_error=0.2)
@@ -139,6 +143,7 @@ def plain_case(**spoiled: float) -> Case:
     return draw_case(Draw(only=("toy_train",), spoiling=Spoiling(**spoiled)), 0)  # type: ignore[arg-type]
 
 
+@pytest.mark.slow
 def test_the_true_yaw_implies_the_true_size() -> None:
     case = plain_case()
     assert solving.implied_scale(case, case.yaw) == pytest.approx(1, abs=0.02)
@@ -148,6 +153,7 @@ def test_the_true_yaw_implies_the_true_size() -> None:
     assert solving.implied_scale(smaller, case.yaw) == pytest.approx(1.25, abs=0.03)
 
 
+@pytest.mark.slow
 def test_a_wrong_azimuth_turns_the_world_and_is_no_error_of_the_yaw() -> None:
     case = plain_case(azimuth=10)
     off = case.view.azimuth - solving._azimuth(case.camera.rotation)

@@ -47,6 +47,7 @@ def color_of(model: Model, axis: int, sign: float) -> np.ndarray:
     return sample_texture(mesh.texture, mesh.uv[mesh.faces[side]].mean(1)).mean(0) * 255
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ending", ["obj", "glb"])
 def test_a_mesh_folder_loads(tmp_path: Path, ending: str) -> None:
     made = textured((0.2, 0.1, 0.05))

@@ -63,6 +63,7 @@ def made_of(true: Truth, change: Any = None, drop: int = 0) -> Any:
     return SimpleNamespace(scene=true.scene.replace(objects=things), instances=tuple(instances))
 
 
+@pytest.mark.slow
 def test_the_true_scene_has_no_error() -> None:
     true = truth()
     rows = scenes.compare(true, made_of(true), 1.0)
@@ -84,6 +85,7 @@ def test_an_azimuth_is_modulo_the_tables_symmetry() -> None:
     assert azimuth_error(whole, 1.0) is None
 
 
+@pytest.mark.slow
 def test_errors_of_a_scene_are_measured() -> None:
     true = truth()
 
@@ -155,6 +157,7 @@ def test_things_are_turned_where_they_have_room() -> None:
         assert np.linalg.norm(b.pose.quaternion) == pytest.approx(1)
 
 
+@pytest.mark.slow
 def test_a_yaw_that_the_picture_does_not_tell_is_not_judged() -> None:
     """A mug's handle behind its body: what is found may face anywhere away."""
     mug = build("mug", 5)

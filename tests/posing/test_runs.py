@@ -42,6 +42,7 @@ def test_another_benchmarks_table_is_left_alone(tmp_path: Path) -> None:
     assert path.read_text() == "a,b\n1,2\n"
 
 
+@pytest.mark.slow
 def test_singles_resume_and_sum_up(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -79,6 +80,7 @@ def test_the_summary_tells_whether_sure_answers_are_better() -> None:
     assert "Of the errors up to 10°, 75 % are within the width" in text
 
 
+@pytest.mark.slow
 def test_a_case_that_fails_is_a_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(case: Case, config: str) -> solving.Found:
         raise InputError("no such thing")

@@ -20,6 +20,7 @@ def resampled(model: Model) -> Cloud:
     return cloud(Mesh(mesh.vertices, faces, mesh.uv, mesh.texture), model.size)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turn", [20.0, -75.0, 180.0])
 def test_models_of_another_make_are_held_together_by_their_surfaces(turn: float) -> None:
     true = build("mug", 5)
@@ -32,6 +33,7 @@ def test_models_of_another_make_are_held_together_by_their_surfaces(turn: float)
     assert abs(np.rad2deg(wrap(got - np.deg2rad(turn)))) < 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("word", ["marker", "pencil", "fork", "smartphone"])
 @pytest.mark.parametrize("turn", [0.0, 180.0])
 def test_ends_that_are_nearly_alike_are_told_apart(word: str, turn: float) -> None:

@@ -83,6 +83,7 @@ def test_the_recovered_environment_plays_it_again(lift: Path) -> None:
     env.close()
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_arrays_whatever_the_workers(
     lift: Path, tmp_path: Path
 ) -> None:
@@ -136,6 +137,7 @@ class Fatal(Counted):
         return super().environment()
 
 
+@pytest.mark.slow
 def test_each_process_makes_one_environment_and_closes_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -147,6 +149,7 @@ def test_each_process_makes_one_environment_and_closes_it(
     assert set(notes.values()) == {"x"}
 
 
+@pytest.mark.slow
 def test_a_process_that_dies_is_an_error_of_the_project(tmp_path: Path) -> None:
     folder = tmp_path / str(os.getpid())
     folder.mkdir()
@@ -169,6 +172,7 @@ def contents(path: Path) -> dict[str, Any]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("format", ["minari", "hdf5", "npz"])
 def test_every_format_keeps_pictures_to_the_bit(format: Any, first: Any, tmp_path: Path) -> None:
     path = record(SEEN, tmp_path / "seen-v0", format)
@@ -197,6 +201,7 @@ def test_every_format_keeps_pictures_to_the_bit(format: Any, first: Any, tmp_pat
     assert {name: facts[name] for name in first.facts} == first.facts
 
 
+@pytest.mark.slow
 def test_failures_are_kept_if_asked_and_else_passed_over(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -214,6 +219,7 @@ def test_failures_are_kept_if_asked_and_else_passed_over(
     assert json.loads((path / "dataset.json").read_text())["episodes"][0]["success"] is False
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("format", ["minari", "hdf5", "npz"])
 @pytest.mark.parametrize("failure", [KeyboardInterrupt, OSError("full")])
 def test_what_goes_wrong_leaves_nothing_behind(
@@ -271,6 +277,7 @@ def test_a_missing_package_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPa
         record(LIFT, tmp_path / "lift.hdf5", "hdf5")
 
 
+@pytest.mark.slow
 def test_without_a_place_it_goes_into_minaris_store(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -280,6 +287,7 @@ def test_without_a_place_it_goes_into_minaris_store(
     assert minari.load_dataset("TabletopGen-Lift-v0").total_episodes == 1
 
 
+@pytest.mark.slow
 def test_the_command_records_and_says_where(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -305,7 +313,10 @@ def test_the_command_records_and_says_where(
         assert line.startswith("error: ") and reason in line
 
 
+@pytest.mark.slow
 def test_the_command_line_loads_no_formats() -> None:
     code = "import sys, tabletopgen_env.__main__ as m; print({'minari', 'h5py'} & set(sys.modules))"
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300
+    )
     assert done.stdout.strip() == "set()"

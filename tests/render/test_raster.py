@@ -109,6 +109,7 @@ def test_framing_shows_everything_with_its_margin() -> None:
     assert ((high - low) / [256, 192]).max() == pytest.approx(1, abs=0.02)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("piece", [37, 1 << 30])
 def test_the_same_bytes_however_pixels_are_cut_up(monkeypatch, piece):
     from generator.render import raster

@@ -8,6 +8,7 @@ import threading
 from pathlib import Path
 
 import pytest
+from bounded import LONG, at_once
 
 from generator.errors import BudgetError, InputError, StoppedError, StorageError
 from generator.running.account import Account
@@ -67,7 +68,7 @@ def test_a_budget_is_kept_by_threads_together() -> None:
     gate = threading.Barrier(8)
 
     def call() -> None:
-        gate.wait()
+        gate.wait(LONG)
         try:
             with account.reserving(0.3, 1.0, "a call") as enter:
                 sent.append(1)
@@ -75,11 +76,7 @@ def test_a_budget_is_kept_by_threads_together() -> None:
         except BudgetError as error:
             refused.append(str(error))
 
-    threads = [threading.Thread(target=call) for _ in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    at_once(*[call] * 8)
     assert (len(sent), len(refused)) == (3, 5)
     assert account.money == pytest.approx(0.9)
     assert "budget of 1" in refused[0] and "a call" in refused[0]

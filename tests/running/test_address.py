@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from generator.running.address import local
+from generator.errors import BackendError
+from generator.running import Session
+from generator.running.address import checked_address, linked, local
 
 
 @pytest.mark.parametrize(
@@ -16,3 +18,26 @@ from generator.running.address import local
 )  # fmt: skip
 def test_this_machine_is_known(host: str, here: bool) -> None:
     assert local(host) is here
+
+
+@pytest.mark.parametrize(
+    "url",
+    [5.0, None, ["x"], "", "http://", "http://[::1", "https://a\u2100b/x", "ftp://a/b", "//a/b",
+     "http://a:99999", "http://a:0", "http://a b/", "http://a\\.b/", "http://a\n/", "x" * 9000],
+)  # fmt: skip
+def test_what_is_no_address_is_told(url: object) -> None:
+    with pytest.raises(BackendError, match=r"^It must "):
+        checked_address(url, "It")  # type: ignore[arg-type]
+    with pytest.raises(BackendError, match=r"^It "):
+        linked(url, "It", BackendError)
+    with pytest.raises(BackendError):
+        Session().client("cloud", url)  # type: ignore[arg-type]
+
+
+def test_links_hold_no_user_and_stay_as_they_are() -> None:
+    link = "https://a.example/b?Signature=x%2Fy&e=1"
+    assert linked(link, "It", BackendError) == link
+    for user in ("me@", "me:pw@", "@"):
+        with pytest.raises(BackendError, match="a user name or a password") as told:
+            linked(link.replace("//", "//" + user), "It", BackendError)
+        assert "pw" not in str(told.value).partition("a user name")[0]

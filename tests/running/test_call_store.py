@@ -7,9 +7,11 @@ import os
 import subprocess
 import sys
 import threading
+from functools import partial
 from pathlib import Path
 
 import pytest
+from bounded import LONG, at_once, line_of, running
 
 from generator.errors import InputError, StorageError
 from generator.running.store import Answer, CallStore
@@ -97,6 +99,7 @@ def test_a_store_is_looked_at_only_where_it_may_be_full(
     assert len(CallStore(tmp_path)) == 100
 
 
+@pytest.mark.slow
 def test_stores_of_several_processes_are_bounded_together(tmp_path: Path) -> None:
     stores = [CallStore(tmp_path, most_bytes=320_000) for _ in range(3)]
     sizes = []
@@ -119,11 +122,7 @@ def test_threads_that_write_at_once_stay_within_bounds(tmp_path: Path) -> None:
         except Exception as error:
             errors.append(error)
 
-    threads = [threading.Thread(target=write, args=(s, k)) for k, s in enumerate(stores)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    at_once(*(partial(write, s, k) for k, s in enumerate(stores)))
     assert errors == []
     assert 50_000 <= shared.size() <= 64_000 + 2 * 2_000 + 4 * 1_700
 
@@ -180,11 +179,7 @@ def test_a_question_is_held_by_one_thread(tmp_path: Path) -> None:
             threading.Event().wait(0.01)
             inside.pop()
 
-    threads = [threading.Thread(target=ask) for _ in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    at_once(*[ask] * 4)
     assert most == [1, 1, 1, 1]
 
 
@@ -206,16 +201,15 @@ def test_another_process_holds_it_until_it_is_killed(tmp_path: Path) -> None:
     def give_up() -> None:
         raise Waited
 
-    with subprocess.Popen(
-        [sys.executable, "-c", HOLD, str(tmp_path), key("q")],
+    with running(
+        sys.executable, "-c", HOLD, tmp_path, key("q"),
         stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
     ) as other:  # fmt: skip
-        assert other.stdout is not None
-        assert other.stdout.readline() == "held\n"
+        assert line_of(other) == "held\n"
         with pytest.raises(Waited), store.holding(key("q"), give_up):
             raise AssertionError
         other.kill()
-        other.wait()
+        other.wait(LONG)
         with store.holding(key("q"), give_up):
             pass
 
@@ -237,13 +231,12 @@ with store.holding(sys.argv[2]):
 
 def test_who_asks_anew_clears_what_a_killed_writer_left(tmp_path: Path) -> None:
     store = CallStore(tmp_path)
-    with subprocess.Popen(
-        [sys.executable, "-c", WRITE, str(tmp_path), key("q")], stdout=subprocess.PIPE, text=True
+    with running(
+        sys.executable, "-c", WRITE, tmp_path, key("q"), stdout=subprocess.PIPE, text=True
     ) as other:
-        assert other.stdout is not None
-        assert other.stdout.readline() == "writing\n"
+        assert line_of(other) == "writing\n"
         other.kill()
-        other.wait()
+        other.wait(LONG)
     (left,) = files(tmp_path)
     beside = left.with_name(".partial-" + key("r") + "-1")
     beside.write_bytes(b"another's, who may be at work")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import signal
-import subprocess
 import sys
 import threading
 import time
@@ -13,6 +12,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from bounded import running, until
 from paid_server import Asked, Says, Served, ask, serving, session
 
 from generator.errors import StoppedError
@@ -42,8 +42,7 @@ def interrupt(server: Served, calls: int, times: int = 1, pause: float = 0.3) ->
     """Interrupt the main thread once so many calls are under way."""
 
     def send() -> None:
-        while len(server.asked) < calls:
-            time.sleep(0.01)
+        until(lambda: len(server.asked) >= calls)
         for _ in range(times):
             time.sleep(pause)
             signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
@@ -111,8 +110,7 @@ def test_a_failure_beside_it_gives_up_nothing(tmp_path: Path) -> None:
 
     def work(text: str) -> None:
         if text == "bad":
-            while not server.asked:
-                time.sleep(0.01)
+            until(lambda: server.asked)
             raise StoppedError("no")
         ask(shared, server.url, text)
 
@@ -135,13 +133,13 @@ except KeyboardInterrupt:
 """
 
 
+@pytest.mark.slow
 def test_the_process_ends_with_the_second_interrupt() -> None:
     path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
     with hanging() as (server, _):
         command = [sys.executable, "-c", CHILD, server.url]
-        with subprocess.Popen(command, env={**os.environ, "PYTHONPATH": path}) as child:
-            while len(server.asked) < 8:
-                time.sleep(0.02)
+        with running(*command, env={**os.environ, "PYTHONPATH": path}) as child:
+            until(lambda: len(server.asked) >= 8)
             began = time.monotonic()
             for _ in range(2):
                 child.send_signal(signal.SIGINT)

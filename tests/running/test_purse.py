@@ -12,6 +12,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
+from bounded import LONG, at_once, line_of
 from paid_server import PRICES, Says, ask, serving, session
 
 from generator.errors import BudgetError, InputError, StorageError
@@ -37,7 +38,7 @@ def test_many_spenders_never_overdraw_it(tmp_path: Path) -> None:
     def call() -> None:
         with purse.spending() as spender:
             account = Account(spender)
-            gate.wait()
+            gate.wait(LONG)
             try:
                 with account.reserving(0.25, 1.0, "a call") as enter:
                     sent.append(purse.sum())
@@ -45,11 +46,7 @@ def test_many_spenders_never_overdraw_it(tmp_path: Path) -> None:
             except BudgetError as error:
                 refused.append(str(error))
 
-    threads = [threading.Thread(target=call) for _ in range(6)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    at_once(*[call] * 6)
     assert (len(sent), len(refused)) == (4, 2)
     assert all(s.money + sum(map(sum, s.held.values())) <= 1.0 for s in sent)
     assert (purse.sum().money, purse.sum().held) == (1.0, {})
@@ -102,11 +99,11 @@ def test_what_a_killed_process_had_under_way_is_spent(tmp_path: Path) -> None:
         [sys.executable, "-c", HOLDS, str(tmp_path)], stdout=subprocess.PIPE,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
     )  # fmt: skip
-    assert process.stdout is not None and process.stdout.readline() == b"held\n"
+    assert line_of(process) == b"held\n" and process.stdout is not None
     purse = Purse.open(tmp_path, "USD")
     assert (purse.sum().money, len(purse.sum().held)) == (0.125, 1)
     process.send_signal(signal.SIGKILL)
-    process.wait()
+    process.wait(LONG)
     process.stdout.close()
     assert (purse.sum().money, purse.sum().held) == (0.375, {})
 

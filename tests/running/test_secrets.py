@@ -84,6 +84,7 @@ def test_no_key_in_errors_logs_store_or_ledger(
     assert [place for place, text in places.items() if KEY in text] == []
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "says",
     [

@@ -7,6 +7,7 @@ import threading
 import time
 
 import pytest
+from bounded import join, until
 from paid_server import Asked, Says, ask, serving, session
 
 from generator.errors import BackendError, DryRunError, InputError, StoppedError
@@ -121,12 +122,11 @@ def test_stop_ends_the_wait_for_a_question_that_another_asks(tmp_path) -> None:
     with serving([Says(delay=0.5)]) as server:
         first = threading.Thread(target=ask, args=(one, server.url))
         first.start()
-        while not server.asked:
-            time.sleep(0.01)
+        until(lambda: server.asked)
         two.stop.set()
         with pytest.raises(StoppedError):
             ask(two, server.url)
-        first.join()
+        join(first)
 
 
 def test_one_question_asked_at_once_is_paid_for_once(tmp_path) -> None:

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
 import sys
-import threading
-import time
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pytest
+from bounded import at_once, running, until
 from paid_server import KEY, PRICES, Asked, Says, ask, serving, session
 
 from generator.errors import BudgetError, InputError, StorageError
@@ -81,10 +80,8 @@ def test_a_killed_run_leaves_what_it_spent_and_may_have(tmp_path: Path) -> None:
     with serving(lambda asked, k: Says(delay=30.0 * k)) as server:
         path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
         command = [sys.executable, "-c", CHILD, str(tmp_path), server.url]
-        with subprocess.Popen(command, env={**os.environ, "PYTHONPATH": path}) as child:
-            while len(server.asked) < 2 and child.poll() is None:
-                time.sleep(0.02)
-            child.kill()
+        with running(*command, env={**os.environ, "PYTHONPATH": path}) as child:
+            until(lambda: len(server.asked) >= 2 or child.poll() is not None)
     resumed = run(tmp_path)
     assert [e.outcome for e in resumed.account.entries] == ["answered", "failed"]
     assert resumed.account.money == pytest.approx(0.021 + MOST, abs=1e-4)
@@ -186,11 +183,7 @@ def test_lines_of_many_at_once_are_whole(tmp_path: Path) -> None:
     def write(k: int) -> None:
         Spending(spending.path, "USD").write(str(k), "k", Entry("s", "q" * 500, money=1.0))
 
-    threads = [threading.Thread(target=write, args=(k,)) for k in range(16)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    at_once(*(partial(write, k) for k in range(16)))
     assert {told["call"] for told in spending.earlier()} == {str(k) for k in range(16)}
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import email.utils
 import gzip
 import os
-import subprocess
 import sys
 import time
 import traceback
@@ -14,6 +13,7 @@ from typing import Any
 
 import httpx2
 import pytest
+from bounded import running, until
 from paid_server import CHAT, KEY, Asked, Says, ask, serving, session
 
 from generator.errors import BackendError, BudgetError, DryRunError, UnusableError
@@ -540,10 +540,8 @@ def test_what_a_killed_process_paid_for_is_not_paid_for_again(tmp_path: Path) ->
     with serving(lambda asked, k: Says({"k": k}, delay=30.0 if k == 2 else 0.0)) as server:
         path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
         command = [sys.executable, "-c", CHILD, str(tmp_path), server.url]
-        with subprocess.Popen(command, env={**os.environ, "PYTHONPATH": path}) as child:
-            while len(server.asked) < 3 and child.poll() is None:
-                time.sleep(0.02)
-            child.kill()
+        with running(*command, env={**os.environ, "PYTHONPATH": path}) as child:
+            until(lambda: len(server.asked) >= 3 or child.poll() is not None)
         shared = session(store=CallStore(tmp_path))
         again = [ask(shared, server.url, text).json()["k"] for text in "abc"]
     assert again == [0, 1, 3]

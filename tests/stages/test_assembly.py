@@ -212,6 +212,7 @@ def test_what_stands_but_topples_on_a_leaning_table_gets_one_too() -> None:
     assert len(scene.object("goblet_1").parts) == 2
 
 
+@pytest.mark.slow
 def test_without_room_the_report_fails_and_says_why() -> None:
     slabs = {f"c_{k}": (box(), put(f"c_{k}", (0, 0), (0.7, 0.6, 0.05))) for k in range(5)}
     scene = build(slabs)
@@ -220,6 +221,7 @@ def test_without_room_the_report_fails_and_says_why() -> None:
     assert any("no free place" in w for w in scene.provenance.warnings)
 
 
+@pytest.mark.slow
 def test_without_room_things_are_left_out_if_so_configured() -> None:
     slabs = {f"c_{k}": (box(), put(f"c_{k}", (0, 0), (0.7, 0.6, 0.05))) for k in range(5)}
     slabs["rider_1"] = (box(), put("rider_1", (0, 0), (0.05,) * 3, on="c_4"))

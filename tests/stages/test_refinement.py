@@ -114,6 +114,7 @@ def errors(found: tuple[Placement, ...]) -> np.ndarray:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [0, 1, 2])
 def test_disturbed_scenes_come_nearer_to_the_truth(instances, seed):
     start = disturbed(seed)
@@ -138,6 +139,7 @@ def measured(instances, placed: tuple[Placement, ...]) -> float:
     return outline_misfit(instances, as_objects(placed), VIEW, SIZE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [None, 0, 3])
 def test_what_it_says_is_so_and_never_worse(instances, seed):
     """Measured again, from the placements that came out: not what the descent thought."""
@@ -151,6 +153,7 @@ def test_what_it_says_is_so_and_never_worse(instances, seed):
         assert errors(found.placements)[1] < 2.0
 
 
+@pytest.mark.slow
 def test_the_measure_sees_what_is_moved_tilted_or_gone(instances):
     true = measured(instances, placements())
     first, *rest = placements()
@@ -233,6 +236,7 @@ def test_a_whole_chain_of_supports_moves_and_grows():
     np.testing.assert_allclose(links.lifts, lifts, atol=1e-6)
 
 
+@pytest.mark.slow
 def test_things_stay_where_they_stand(instances):
     found = refined(instances, disturbed(0))
     for p in found.placements:
@@ -240,6 +244,7 @@ def test_things_stay_where_they_stand(instances):
         assert low == pytest.approx(0.74, abs=0.004)
 
 
+@pytest.mark.slow
 def test_what_is_carried_moves_with_its_support():
     train, laptop, *rest = placements()
     on_top = 0.74 + laptop.scale[2] + train.scale[2] / 2
@@ -267,6 +272,7 @@ def test_without_steps_or_with_one_object_nothing_moves(instances):
     assert alone.placements == start[:1] and alone.before == 0.0
 
 
+@pytest.mark.slow
 def test_same_seed_same_scene(instances):
     one, two = (refined(instances, disturbed(1), steps=6) for _ in range(2))
     for a, b in zip(one.placements, two.placements, strict=True):
@@ -284,6 +290,7 @@ def test_settings_out_of_range_are_refused(wrong):
         RefinementConfig(**wrong)
 
 
+@pytest.mark.slow
 def test_what_may_not_move_does_not(instances):
     start = disturbed(0)
     found = refined(instances, start, steps=6, move=0.0)

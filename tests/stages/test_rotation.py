@@ -137,6 +137,7 @@ def test_candidates_keep_their_separation():
     assert np.ptp(np.rad2deg(neighbours)) < 200
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("key", "yaw", "pixel"),
     [("mug", 20.0, (320, 250)), ("toy_train", -130.0, (150, 130)), ("hairbrush", 75.0, (480, 330))],
@@ -154,6 +155,7 @@ def test_yaw_is_recovered_with_a_wrong_elevation(key, yaw, pixel):
     assert losses == sorted(losses)
 
 
+@pytest.mark.slow
 def test_an_object_at_the_side_is_seen_along_its_own_ray():
     model = build("toy_train", 5)
     yaw = 0.4
@@ -178,6 +180,7 @@ def test_refining_descends_from_the_coarse_angle():
     assert abs(found.yaw - 0.53) < abs(0.45 - 0.53) / 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("weights", [(1, 0, 0), (0, 1, 0), (0, 0, 1)], ids=["s", "e", "a"])
 @pytest.mark.parametrize("settings", [RotationConfig(), RotationConfig.paper()], ids=["", "paper"])
 def test_gradients_of_the_objective_agree_with_finite_differences(settings, weights):
@@ -207,6 +210,7 @@ def test_gradients_of_the_objective_agree_with_finite_differences(settings, weig
         assert abs(slope) > 0.01
 
 
+@pytest.mark.slow
 def test_objects_of_a_batch_are_found_as_if_alone():
     models = [build("toy_train", 5), build("plate", 0), build("mug", 5)]
     instances = [
@@ -239,6 +243,7 @@ def test_what_may_be_hidden_counts_for_little():
     assert losses["unsure"] < 0.6 * losses["known"]
 
 
+@pytest.mark.slow
 def test_a_hidden_part_that_is_missing_is_allowed_for():
     model = build("toy_train", 5)
     instance, _ = picture_of(model, 0.53, (320, 240))
@@ -263,6 +268,7 @@ def test_no_tilt_and_no_fit_leave_both_as_they_are():
     assert abs(found.yaw - 0.53) < 0.02
 
 
+@pytest.mark.slow
 def test_same_seed_same_rotation():
     model = build("mug", 1)
     instance, _ = picture_of(model, 0.3, (300, 200))
@@ -308,6 +314,7 @@ def painted(quarter: tuple[int, int, int], half: tuple[int, int, int]) -> Model:
     return dataclasses.replace(build("candle", 0), mesh=mesh, size=np.array([0.09, 0.09, 0.08]))
 
 
+@pytest.mark.slow
 def test_a_round_thing_with_a_print_is_turned_and_sure():
     model = painted((200, 30, 30), (30, 60, 190))
     instance, _ = picture_of(model, 0.7, (320, 240))
@@ -318,6 +325,7 @@ def test_a_round_thing_with_a_print_is_turned_and_sure():
     assert np.rad2deg(found.width) < 5
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("size", "front", "order"),
     [((0.16, 0.09, 0.06), None, 2), ((0.1, 0.1, 0.06), None, 4),
@@ -336,6 +344,7 @@ def test_a_side_that_looks_the_same_is_no_rival(size, front, order):
         assert min(rivals) < 1.1 * found.loss
 
 
+@pytest.mark.slow
 def test_a_weak_print_makes_it_less_sure():
     sure = {}
     for name, model in (
@@ -370,6 +379,7 @@ def test_margin_is_modulo_the_looks():
     assert dro.margin([look], order=4) == 0.0
 
 
+@pytest.mark.slow
 def test_width_follows_the_curvature():
     """Where the loss rises by a fiftieth; a thing that is sharper to turn is narrower."""
     wide = {}
@@ -385,6 +395,7 @@ def test_width_follows_the_curvature():
     assert 0 < wide["hairbrush"] < wide["mug"] < np.deg2rad(30)
 
 
+@pytest.mark.slow
 def test_a_mug_whose_handle_is_small_is_not_taken_for_round():
     model = build("mug", 5)
     instance, _ = picture_of(model, 2.4, (320, 240))

@@ -73,6 +73,7 @@ def test_an_orientation_is_a_rotation(wrong):
 # ----------------------------------------------------------------------------------- the decision
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turned", [False, True])
 def test_of_two_sides_that_look_the_same_it_tells_which(turned):
     """A plain box: half a turn changes no pixel, so both hints cannot be right by chance."""
@@ -82,6 +83,7 @@ def test_of_two_sides_that_look_the_same_it_tells_which(turned):
     assert (found.order, found.candidates[0]) == (2, (found.yaw, found.loss))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turned", [False, True])
 def test_sides_that_look_the_same_are_told_even_if_one_fits_better(monkeypatch, turned):
     monkeypatch.setattr(prior, "SHARE", 0.0)
@@ -90,6 +92,7 @@ def test_sides_that_look_the_same_are_told_even_if_one_fits_better(monkeypatch, 
     assert abs(np.rad2deg(wrap(found.yaw - true))) < 4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("turned", [False, True])
 def test_also_where_nobody_asked_whether_the_sides_look_the_same(turned):
     """As with the paper's settings. Then it is not sure: the picture did not tell."""
@@ -100,6 +103,7 @@ def test_also_where_nobody_asked_whether_the_sides_look_the_same(turned):
     assert found.order == 1 and found.confidence < 0.4
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("model", "config"), [(build("toy_train", 5), FAST), (box(PLAIN, (200, 30, 30)), ALL)]
 )
@@ -118,6 +122,7 @@ def test_what_looks_the_same_from_all_sides_keeps_yaw_zero():
     assert found.yaw == 0.0 and found.symmetric
 
 
+@pytest.mark.slow
 def test_it_is_one_more_start():
     """A search of one coarse yaw, which would end in the wrong valley, also begins there."""
     config = dataclasses.replace(FAST, candidates=1, coarse_step=np.pi)
@@ -127,12 +132,14 @@ def test_it_is_one_more_start():
     assert abs(np.rad2deg(wrap(found.yaw - 1.6))) < 4
 
 
+@pytest.mark.slow
 def test_without_a_hint_the_result_is_the_same_to_the_bit():
     for model in (build("mug", 5), box(PLAIN)):
         fallen = hinted(model, YAW + np.pi, np.deg2rad(70))
         assert found_of(model) == found_of(fallen)
 
 
+@pytest.mark.slow
 def test_each_object_of_a_batch_has_its_own():
     models = [box(PLAIN), box(PLAIN), build("toy_train", 5)]
     instances = [picture_of(m, YAW, (320, 240))[0] for m in models]

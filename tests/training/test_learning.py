@@ -67,6 +67,7 @@ def test_the_right_answer_costs_least():
     assert losses.heat_loss(wrong, wished, 0 * weight) == 0
 
 
+@pytest.mark.slow
 def test_every_term_reaches_the_network():
     torch.manual_seed(0)
     eye = Eye(len(CATEGORIES) + 1)
@@ -94,6 +95,7 @@ def _args(data, out, minutes: float) -> argparse.Namespace:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_run_goes_on_where_it_stopped(tmp_path, monkeypatch):
     monkeypatch.setattr(train, "new_eye", lambda: Eye(len(CATEGORIES) + 1))
     with ShardWriter(tmp_path / "a.shard", list(CATEGORIES)) as shard:
@@ -115,6 +117,7 @@ def test_late_in_a_run_whole_pictures_take_turns_with_crops(tmp_path):
     torch.testing.assert_close(late[1].image, early[1].image)
 
 
+@pytest.mark.slow
 def test_settled_norms_keep_their_statistics(tmp_path, monkeypatch):
     monkeypatch.setattr(train, "new_eye", lambda: Eye(len(CATEGORIES) + 1))
     run = train.Run(tmp_path, 1e-3, "cpu")

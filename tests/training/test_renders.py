@@ -42,6 +42,7 @@ def samples(kept: Supply, painter: Painter) -> list[Sample]:
     return [render_sample(np.random.default_rng([3, k]), kept, painter) for k in range(3)]
 
 
+@pytest.mark.slow
 def test_masks_fit_together(samples: list[Sample]) -> None:
     assert sum(len(s.full) for s in samples) > 5
     for s in samples:
@@ -113,6 +114,7 @@ def test_nothing_floats_or_leaves_the_table(kept: Supply) -> None:
                 assert low == pytest.approx(height, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_finished_shards_are_not_made_again(
     tmp_path: Path, painter: Painter, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -4,12 +4,22 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
 
 from ...scene import OutlineKind, RelationKind
 
 Id = Annotated[int, Field(ge=0, le=999)]
-Word = Annotated[str, Field(min_length=1, max_length=60)]
+MOST_ANSWERED = 1000
+"""Things that an answer may tell of: it names no more than it was shown."""
+
+
+def _shown(word: str) -> str:
+    if not word.isprintable():
+        raise ValueError("holds characters that cannot be printed")
+    return word
+
+
+Word = Annotated[str, Field(min_length=1, max_length=60), AfterValidator(_shown)]
 Centimetres = Annotated[float, Field(gt=0.05, le=600)]
 Degrees = Annotated[float, Field(ge=-360, le=360)]
 GridBox = Annotated[list[Annotated[float, Field(ge=0, le=1000)]], Field(min_length=4, max_length=4)]
@@ -99,7 +109,7 @@ class SizeAnswer(Answer):
 class SizesAnswer(Answer):
     """``estimate_sizes``."""
 
-    sizes: list[SizeAnswer]
+    sizes: Annotated[list[SizeAnswer], Field(max_length=MOST_ANSWERED)]
 
 
 class OrientationAnswer(Answer):
@@ -121,27 +131,27 @@ class RestAnswer(Answer):
 class RestsAnswer(Answer):
     """``stacking_order``."""
 
-    things: list[RestAnswer]
+    things: Annotated[list[RestAnswer], Field(max_length=MOST_ANSWERED)]
 
 
 class MarkAnswer(Answer):
     """One criterion's mark."""
 
     criterion: Word
-    why: str
+    why: Annotated[str, Field(max_length=4000)]
     mark: Annotated[float, Field(ge=1, le=7)]
 
 
 class MarksAnswer(Answer):
     """``rate``."""
 
-    marks: list[MarkAnswer]
+    marks: Annotated[list[MarkAnswer], Field(max_length=MOST_ANSWERED)]
 
 
 class OrderAnswer(Answer):
     """``rank``: letters, the best first."""
 
-    order: list[Word]
+    order: Annotated[list[Word], Field(max_length=MOST_ANSWERED)]
 
 
 class TurnAnswer(Answer):
@@ -154,7 +164,7 @@ class TurnAnswer(Answer):
 class TurnsAnswer(Answer):
     """``guess_rotations``."""
 
-    turns: list[TurnAnswer]
+    turns: Annotated[list[TurnAnswer], Field(max_length=MOST_ANSWERED)]
 
 
 class PlaceAnswer(Answer):
@@ -171,7 +181,7 @@ class PlaceAnswer(Answer):
 class PlacesAnswer(Answer):
     """``guess_layout``."""
 
-    places: list[PlaceAnswer]
+    places: Annotated[list[PlaceAnswer], Field(max_length=MOST_ANSWERED)]
 
 
 class SightAnswer(Answer):
@@ -186,7 +196,7 @@ class TopViewAnswer(Answer):
     """``check_top_view``."""
 
     from_above: bool
-    things: list[SightAnswer]
+    things: Annotated[list[SightAnswer], Field(max_length=MOST_ANSWERED)]
     extra: Annotated[list[Word], Field(max_length=40)]
 
 

@@ -38,6 +38,8 @@ REASKS = 3
 ANSWER = 16_384
 """Tokens that an answer may have, thoughts included: a budget counts on it."""
 
+_LONGEST = 2**20  # characters of an answer, whatever a server makes of that
+
 _BOUNDS = ("max_completion_tokens", "max_tokens", "")
 """How a request says that; older servers know only the second, small models allow neither."""
 
@@ -228,7 +230,12 @@ class Chat:
                 f"the answer was cut off at a limit of tokens: the server's own, or the {ANSWER} "
                 "that an answer may have. Use another model.",
             )
-        return str(content)
+        said = str(content)
+        if len(said) > _LONGEST:
+            raise self.server.unusable(
+                question, f"the answer has {len(said)} characters; at most {_LONGEST} are read."
+            )
+        return said
 
 
 def data_uri(png: bytes) -> str:

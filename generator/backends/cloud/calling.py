@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -11,7 +9,8 @@ from typing import Any
 import openai
 
 from ...errors import BackendError, TabletopError, UnusableError
-from ...running.redaction import redacted
+from ...reading import parse_json
+from ...running.redaction import excerpt, redacted
 from ...running.session import Session
 from ...running.used import Used
 from . import configuration
@@ -121,7 +120,8 @@ class Server:
 
     def quoted(self, text: str, most: int = _SHOWN) -> str:
         """Return what a server said, in quotes: one line of ``most`` characters, no key in it."""
-        text = re.sub(r"\s+", " ", self._redacted(text)).strip()
+        keys = configuration.keys(self.base_url, self.purpose)
+        text = " ".join(excerpt(text, 10 * most, keys).split())
         return repr(text if len(text) <= most else text[: most - 3] + "...")
 
     def _redacted(self, text: str) -> str:
@@ -132,8 +132,8 @@ class Server:
 
     def _json(self, question: str, text: str) -> dict[str, Any]:
         try:
-            found = json.loads(text)
-        except ValueError:
+            found = parse_json(text, "The answer", UnusableError)
+        except UnusableError:
             kind = "HTML" if text.lstrip()[:1] == "<" else "no JSON"
             raise self.unusable(
                 question,

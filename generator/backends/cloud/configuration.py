@@ -20,9 +20,9 @@ from __future__ import annotations
 
 import os
 from typing import Literal
-from urllib.parse import urlsplit
 
 from ...errors import BackendError
+from ...reading import split_url
 from ...running.address import checked_address, local
 
 Purpose = Literal["chat", "image"]
@@ -104,7 +104,7 @@ def checked_url(url: str) -> str:
         url, "cloud: the base URL",
         f"Correct {variables}; keys belong into TABLETOPGEN_CLOUD_KEY.",
     )  # fmt: skip
-    if urlsplit(url).query:
+    if split_url(url, "cloud: the base URL", BackendError).query:
         raise BackendError(
             f"cloud: the base URL of {host(url)} holds a query. Keys belong into "
             "TABLETOPGEN_CLOUD_KEY."
@@ -113,14 +113,17 @@ def checked_url(url: str) -> str:
 
 
 def host(url: str) -> str:
-    """Return a URL's host in lower case; "" if it has none."""
-    return (urlsplit(url).hostname or "").lower()
+    """Return a URL's host in lower case; "" if it has none, or is no URL."""
+    try:
+        return split_url(url, "It", BackendError).hostname or ""
+    except BackendError:
+        return ""
 
 
 def server_name(url: str) -> str:
     """Return the provider's name, or host and port."""
     known = _PROVIDERS.get(host(url))
-    return known[0] if known else urlsplit(url).netloc.lower()
+    return known[0] if known else split_url(url, "cloud: the URL", BackendError).netloc.lower()
 
 
 def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
@@ -176,13 +179,17 @@ def may_fetch(address: str, server: str) -> bool:
     ``TABLETOPGEN_CLOUD_IMAGE_HOSTS``, where a leading dot means all below; http only at a server
     that is itself spoken to by http.
     """
-    parts, here = urlsplit(address), host(address)
-    if parts.scheme != "https" and not (parts.scheme == "http" == urlsplit(server).scheme):
+    try:
+        parts, here = split_url(address, "The picture's address", BackendError), host(address)
+        own = split_url(server, "cloud: the URL", BackendError)
+    except BackendError:
         return False
-    if not here or parts.username or parts.password:
+    if parts.scheme != "https" and not (parts.scheme == "http" == own.scheme):
+        return False
+    if "@" in parts.netloc:
         return False
     if here == host(server):
-        return parts.scheme == "https" or parts.netloc == urlsplit(server).netloc
+        return parts.scheme == "https" or parts.netloc == own.netloc
     more = os.environ.get("TABLETOPGEN_CLOUD_IMAGE_HOSTS", "").lower().split(",")
     allowed = (*_STORES.get(server_name(server), ()), *(m.strip() for m in more if m.strip()))
     return any(here == a or (a.startswith(".") and here.endswith(a)) for a in allowed)

@@ -23,6 +23,7 @@ from jaxtyping import UInt8
 
 from ...errors import UnusableError
 from ...png import encode_png
+from ...running.address import linked
 from ...running.used import Used
 from . import configuration
 from .asking import data_uri
@@ -196,6 +197,8 @@ class Painter:
             raise _Unusable("the answer holds no picture.") from None
         if isinstance(address, str) and address.startswith("data:"):
             coded = coded or address.partition(",")[2]
+        if not isinstance(coded, str | None) or not isinstance(address, str | None):
+            raise _Unusable("the answer holds no picture, but values of other types.")
         if not coded and not address:
             told = self.server.quoted(str(first.get("error") or "neither b64_json nor url"))
             raise _Unusable(f"the answer holds no picture: {told}.")
@@ -216,7 +219,12 @@ class Painter:
         Kept is the picture of the drawing that ``used`` noted last: a server may give each the same
         address.
         """
-        server, host = self.server, configuration.host(address)
+        server = self.server
+        try:
+            linked(address, "the picture's address", UnusableError)
+        except UnusableError as error:  # not asked again at once: it would be paid for again
+            raise server.unusable(question, str(error)) from None
+        host = configuration.host(address)
         if not configuration.may_fetch(address, server.base_url):
             raise server.failure(
                 question,

@@ -8,13 +8,22 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-_THOUGHT = re.compile(r"<think(?:ing)?>.*?</think(?:ing)?>", re.DOTALL | re.IGNORECASE)
-_FENCE = re.compile(r"```[a-zA-Z0-9]*\s*\n?(.*?)```", re.DOTALL)
+from ...errors import UnusableError
+from ...reading import parse_json
+
+# Each pattern takes time in proportion to the text, also where what it looks for has no end.
+_THOUGHT = re.compile(r"<think(?:ing)?>", re.IGNORECASE)
+_THOUGHT_END = re.compile(r"</think(?:ing)?>", re.IGNORECASE)
+_FENCE = re.compile(r"```[a-zA-Z0-9]*+\s*+(.*?)```", re.DOTALL)
+_STRING = r'"[^"\\]*+(?:\\.[^"\\]*+)*+"?+'  # to the end of the text where it is not closed
+_COMMENT = r"//[^\n]*|/\*.*?(?:\*/|\Z)"
+_COMMA = r",(?=\s*+[}\]])"
 _REFUSAL = re.compile(
     r"^\W*(i['’]?m (very )?sorry|sorry\b|i (can['’]?t|can ?not|am unable|am not able)|"
     r"as an ai\b|unfortunately,? i)",
     re.IGNORECASE,
 )
+_LONGEST_LITERAL = 2**17  # characters of an answer in Python's own notation
 _CURLY = str.maketrans({"“": '"', "”": '"', "„": '"', "‘": "'", "’": "'"})
 
 
@@ -33,7 +42,7 @@ def read_object(text: str) -> dict[str, Any]:
     Raises:
         Wrong: there is none.
     """
-    text = _THOUGHT.sub("", text).strip().lstrip("\ufeff")
+    text = _without_thoughts(text).strip().lstrip("\ufeff")
     for piece in _pieces(text):
         for attempt in (piece, _mended(piece)):
             found = _object(attempt)
@@ -79,49 +88,52 @@ def _end(text: str, start: int) -> int:
 
 def _object(text: str) -> dict[str, Any] | None:
     try:
-        found = json.loads(text, parse_constant=_no_number)
-    except (ValueError, RecursionError):
+        found = parse_json(text, "The answer", UnusableError)
+    except UnusableError:
         found = _literal(text)
     return found if isinstance(found, dict) else None
 
 
-def _no_number(name: str) -> float:
-    raise ValueError(f"{name} is no number")
+def _without_thoughts(text: str) -> str:
+    """Return a text without what is marked as thoughts, from each mark to the next end of one."""
+    kept, at = [], 0
+    while (begin := _THOUGHT.search(text, at)) and (end := _THOUGHT_END.search(text, begin.end())):
+        kept.append(text[at : begin.start()])
+        at = end.end()
+    return "".join([*kept, text[at:]])
 
 
 def _literal(text: str) -> Any:
     """Return what Python's own notation says, as some models answer; None if it is none."""
-    if not text.startswith("{"):
+    if not text.startswith("{") or len(text) > _LONGEST_LITERAL:
         return None
     words = {"true": "True", "false": "False", "null": "None"}
     text = re.sub(r"\b(true|false|null)\b", lambda m: words[m[0]], text)
     try:
         found = ast.literal_eval(text)
-        json.dumps(found, allow_nan=False)
-    except (ValueError, SyntaxError, TypeError, MemoryError, RecursionError):
+        return parse_json(json.dumps(found, allow_nan=False), "The answer", UnusableError)
+    except (ValueError, SyntaxError, TypeError, MemoryError, RecursionError, UnusableError):
         return None
-    return found
 
 
 def _mended(text: str) -> str:
     text = text.translate(_CURLY)
-    text = _outside_strings(text, r"//[^\n]*|/\*.*?\*/", "")
+    text = _outside_strings(text, _COMMENT, "")
     text += _closing(text)
-    return _outside_strings(text, r",(?=\s*[}\]])", "")
+    return _outside_strings(text, _COMMA, "")
 
 
 def _outside_strings(text: str, pattern: str, by: str) -> str:
     """Replace ``pattern`` wherever it is not in a double-quoted string."""
-    either = re.compile(rf'("(?:[^"\\]|\\.)*")|(?:{pattern})', re.DOTALL)
+    either = re.compile(rf"({_STRING})|(?:{pattern})", re.DOTALL)
     return either.sub(lambda m: m[1] if m[1] is not None else by, text)
 
 
 def _closing(text: str) -> str:
     """Return the quote and brackets that a cut-off text lacks."""
-    bare = re.sub(r'"(?:[^"\\]|\\.)*"', "", text, flags=re.DOTALL)
-    missing = ""
-    if '"' in bare:
-        missing, bare = '"', bare[: bare.index('"')]
+    strings = re.compile(_STRING, re.DOTALL)
+    missing = '"' * any(_is_open(found) for found in strings.findall(text))
+    bare = strings.sub("", text)
     open_ = []
     for letter in bare:
         if letter in "{[":
@@ -129,3 +141,11 @@ def _closing(text: str) -> str:
         elif letter in "}]" and open_:
             open_.pop()
     return missing + "".join(reversed(open_))
+
+
+def _is_open(string: str) -> bool:
+    """Return whether a string is not closed: no quote at its end, or one that is escaped."""
+    if len(string) < 2 or not string.endswith('"'):
+        return True
+    body = string[1:-1]
+    return (len(body) - len(body.rstrip("\\"))) % 2 == 1

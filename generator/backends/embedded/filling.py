@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...catalogue import CATEGORIES
+from ...catalogue.look import SIZE_FACTORS
 from ...errors import InputError, choices
 from ...scene import OutlineKind, PlannedObject, PlannedTable, Relation, RelationKind
 from . import lexicon, relations
@@ -70,13 +71,57 @@ def thing(entry: str) -> Thing:
     )
 
 
+def needed(phrase: str) -> PlannedObject | None:
+    """Read a thing that a table needs: its name, after a size if there is one; None if unknown.
+
+    "small cucumber" is the cucumber of a small size.
+    """
+    size, _, rest = phrase.partition(" ")
+    noun = rest if size in SIZE_FACTORS and rest else phrase
+    key = lexicon.category_of(tuple(noun.split()))
+    attributes = {} if noun == phrase else {"size": size}
+    return None if key is None else PlannedObject(f"{key}_1", noun, key, attributes)
+
+
+def supply(
+    objects: Sequence[PlannedObject],
+    theme: str,
+    needs: Sequence[Sequence[str]],
+    rng: np.random.Generator,
+) -> list[PlannedObject]:
+    """Add a thing for each of ``needs``, drawn among what it lists and is not there yet.
+
+    Of what a need lists, things of the theme go before others. One that is all there adds nothing.
+    """
+    listed = {thing(entry)[0] for entry in THEMES[theme].things}
+    out = list(objects)
+    for phrases in needs:
+        there = {o.noun for o in out}
+        known = (needed(phrase) for phrase in phrases)
+        free = [o for o in known if o is not None and o.noun not in there]
+        of_theme = [
+            o for o in free if o.category in listed or theme in CATEGORIES[o.category].themes
+        ]
+        fit = of_theme or free
+        if fit:
+            drawn = fit[int(rng.integers(len(fit)))]
+            same = sum(o.category == drawn.category for o in out)
+            out.append(replace(drawn, name=f"{drawn.category}_{same + 1}"))
+    return out
+
+
 def furnish(
-    theme: str, count: int, rng: np.random.Generator, outline: OutlineKind | None = None
+    theme: str,
+    count: int,
+    rng: np.random.Generator,
+    outline: OutlineKind | None = None,
+    needs: Sequence[Sequence[str]] = (),
 ) -> tuple[PlannedTable, list[PlannedObject]]:
     """Draw a table of a theme, and ``count`` things for it without any text.
 
     The things are the core of the theme, then any that the theme lists or that the catalogue counts
     to it; fewer if there are no more. ``outline`` None draws a shape that is usual for the theme.
+    The last of them are those that fill the ``needs`` (see ``supply``), with at least one before.
 
     Raises:
         InputError: there is no such theme.
@@ -90,6 +135,7 @@ def furnish(
         for key, category in CATEGORIES.items()
         if theme in category.themes and key not in listed
     ]
-    objects = fill((), found, (count, count), (), rng, extras)
+    own = count if not needs else max(count - len(needs), 1)
+    objects = supply(fill((), found, (own, own), (), rng, extras), theme, needs, rng)
     shaped = found if outline is None else replace(found, outlines=(outline,))
     return plan_table(Reading(), shaped, len(objects), rng), objects

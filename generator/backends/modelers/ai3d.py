@@ -8,10 +8,10 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
-from urllib.parse import urlsplit
 
 from ...errors import BackendError
-from ...running.redaction import redacted
+from ...reading import parse_object, printable, split_url
+from ...running.redaction import excerpt
 from ...running.session import Session
 from ...running.used import Used
 from .signing import KIND
@@ -75,7 +75,11 @@ class Service:
         if not isinstance(job, str) or not job:
             self.used.drop()
             raise BackendError(f"{self.what} the submission was answered without a JobId.")
-        return job
+        try:
+            return printable(job, f"{self.what} the JobId", BackendError)
+        except BackendError:
+            self.used.drop()
+            raise
 
     def look(self, job: str, memo: str) -> Mapping[str, Any]:
         """Return the state of a job; with ``memo`` "yes" as it was seen last, if it ever was.
@@ -97,7 +101,7 @@ class Service:
             if not code.startswith(_BUSY) or time.monotonic() > until:
                 break
             self.session.pause(self.interval)
-        said = redacted(f"{code}: {error.get('Message', '')}", self.keys)[:400]
+        said = excerpt(f"{code[:200]}: {error.get('Message', '')}", 400, self.keys)
         if action == _QUERY and any(word in code for word in _GONE):
             raise LostJob(said)
         raise BackendError(f"{self.what} {action} was refused ({said}).{_hint(code)}")
@@ -106,7 +110,7 @@ class Service:
         """Send a call, which the client signs; returns its Response."""
         headers = {
             "Content-Type": KIND,
-            "Host": urlsplit(self.endpoint).netloc,
+            "Host": split_url(self.endpoint, "tencent: its address", BackendError).netloc,
             "X-TC-Action": action,
             "X-TC-Version": _VERSION,
             "X-TC-Region": self.region,
@@ -118,14 +122,14 @@ class Service:
         answer = self.client.post("/", content=json.dumps(body).encode(), headers=headers)
         self.used.add(answer.headers)
         try:
-            told = json.loads(answer.content)["Response"]
-        except (ValueError, KeyError, TypeError):
+            told = parse_object(answer.content, "The answer", BackendError).get("Response")
+        except BackendError:
             told = None
         if not isinstance(told, Mapping):
             self.used.drop(last=True)
             raise BackendError(
                 f"{self.what} {action} was answered by {answer.status_code}, "
-                f"{redacted(answer.text, self.keys)[:80]!r}. Is {self.endpoint} Tencent's?"
+                f"{excerpt(answer.content, 80, self.keys)!r}. Is {self.endpoint} Tencent's?"
             )
         return told
 

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ...errors import BackendError, choices
+from ...reading import read_regular
 from ...scene import Instance, Mesh, Model, SizePrior, View
 from ..embedded.modeler import known_category
 from ..protocols import Modeler
+from .bounds import MOST_BYTES
 from .companions import companions
-from .inspection import MOST_BYTES
 from .normalising import Normal, foreign_model, normal_mesh
 from .surface import Axis
 
@@ -92,12 +93,7 @@ class Folder:
 
     def _mesh(self, file: Path, instance: Instance) -> Mesh:
         what = f"folder, model of {instance.name!r}: {file.name}"
-        try:
-            if file.stat().st_size > MOST_BYTES:
-                raise BackendError(f"{what} takes more than {MOST_BYTES // 2**20} MiB.")
-            raw = file.read_bytes()
-        except OSError as error:
-            raise BackendError(f"{what} cannot be opened ({error.strerror}).") from error
+        raw = read_regular(file, f"{what}:", BackendError, max_bytes=MOST_BYTES)
         kind = "obj" if file.suffix.lower() == ".obj" else "glb"
         beside = companions(raw, what, file.parent) if kind == "obj" else {}
         to = Normal(self.faces, self.texture)

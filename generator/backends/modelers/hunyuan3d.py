@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import json
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -11,6 +10,7 @@ from typing import Any, Literal
 
 from ...errors import BackendError, choices, require
 from ...png import encode_png
+from ...reading import parse_object
 from ...running.address import checked_address
 from ...running.session import Session
 from ...running.used import Used
@@ -184,7 +184,6 @@ def _checked(url: str) -> str:
 def _object(content: bytes) -> Mapping[str, Any]:
     """Return a JSON object, or an empty one where there is none."""
     try:
-        told = json.loads(content)
-    except ValueError:
+        return parse_object(content, "The answer", BackendError)
+    except BackendError:
         return {}
-    return told if isinstance(told, dict) else {}

@@ -11,7 +11,7 @@ from jaxtyping import Float, UInt8
 from PIL import Image
 
 from ...errors import BackendError
-from .inspection import MOST_TEXELS_TOGETHER
+from .bounds import MOST_TEXELS_TOGETHER
 
 MOST_TEXTURE = 2048
 """Longest side of a texture kept, texels."""

@@ -15,7 +15,9 @@ from trimesh.resolvers import ZipResolver
 
 from ...errors import BackendError
 from ...render.shading import sample_texture
-from .inspection import MOST_FACES, Header, inspect_glb, inspect_obj, only_colors
+from .bounds import MOST_FACES
+from .flattening import Header, flattened
+from .inspection import inspect_glb, inspect_obj
 from .pictures import Pictures, light, shown
 
 Kind = Literal["glb", "obj"]
@@ -108,14 +110,16 @@ def read_surface(
     header: Header = {}
     if kind == "glb":
         header = inspect_glb(raw, what, most_faces)
-        raw = only_colors(raw, header)
+        raw = flattened(raw, header)
     else:
         inspect_obj(raw, what, most_faces)
+        raw = raw.decode("utf-8", "replace").encode()  # or its encoding is guessed at length
     files = ZipResolver({name: io.BytesIO(b) for name, b in beside.items()})
     try:
         loaded = trimesh.load_scene(io.BytesIO(raw), file_type=kind, resolver=files, process=False)
         parts = _placed(loaded)
-        maker = str(header.get("asset", {}).get("generator", ""))
+        asset = header.get("asset")
+        maker = str(asset.get("generator", "")) if isinstance(asset, dict) else ""
         return surface_of(parts, what, kind == "glb" and "trimesh" not in maker, most_faces)
     except BackendError:
         raise
@@ -145,6 +149,8 @@ def surface_of(
     if count > most_faces:
         raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are read.")
     for part in parts:
+        if part.vertices.shape[1:] != (3,) or part.faces.shape[1:] != (3,):
+            raise BackendError(f"{what} is damaged: its vertices are no points in space.")
         if not np.isfinite(np.asarray(part.vertices, np.float32)).all():
             raise BackendError(f"{what} holds NaN or infinity; every vertex must be finite.")
         faces = np.asarray(part.faces)

@@ -8,12 +8,12 @@ import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
-from urllib.parse import urlsplit
 
 from ...errors import BackendError, choices, require
 from ...png import encode_png
-from ...running.address import local
-from ...running.redaction import redacted
+from ...reading import split_url
+from ...running.address import linked, local
+from ...running.redaction import excerpt
 from ...running.session import Session
 from ...running.used import Used
 from ...scene import Instance, Model, SizePrior, View
@@ -27,6 +27,7 @@ HOSTS = (".myqcloud.com", ".tencentcos.cn", ".tencentcos.com")
 """Where results may lie: Tencent's object storage."""
 
 _MOST_BYTES = 256 * 2**20
+_MOST_FILES = 100  # of a result
 
 Style = Literal["Normal", "LowPoly", "Geometry", "Sketch"]
 
@@ -147,12 +148,16 @@ class Tencent:
     def _download(self, told: Mapping[str, Any], service: Service) -> bytes | None:
         """Return the GLB that a job's answer names; None if its address has expired."""
         what = service.what
-        files = {str(f.get("Type", "")).upper(): f.get("Url") for f in _dicts(told)}
-        url = files.get("GLB")
-        if not isinstance(url, str):
+        files = dict(_files(told))
+        if "GLB" not in files:
             service.used.drop()
             raise BackendError(f"{what} the result has no GLB." + choices("GLB", files))
-        parts = urlsplit(url)
+        try:
+            url = linked(files["GLB"], f"{what} the result's address", BackendError)
+        except BackendError:
+            service.used.drop(last=True)  # the job is paid for: the next run looks at it again
+            raise
+        parts = split_url(url, f"{what} the result's address", BackendError)
         if not self._trusted(parts.scheme, parts.hostname or ""):
             raise BackendError(
                 f"{what} the result lies at {parts.scheme}://{parts.hostname}, not below "
@@ -182,13 +187,17 @@ class Tencent:
 
 def _failed(told: Mapping[str, Any], job: str, service: Service, new: bool) -> None:
     said = f"{told.get('ErrorCode', '')} {told.get('ErrorMessage', '')}".strip()
-    said = redacted(said, service.keys)[:300]
-    reason = f"job {job} ended as {told.get('Status')!r} ({said})."
+    said = excerpt(said, 300, service.keys)
+    reason = f"job {job} ended as {str(told.get('Status'))[:40]!r} ({said})."
     if not new:
         raise LostJob(reason)
     raise BackendError(f"{service.what} {reason} Run it again to submit it anew.")
 
 
-def _dicts(told: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+def _files(told: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Yield type and address of each file of a job's result that has both."""
     listed = told.get("ResultFile3Ds")
-    return [f for f in listed if isinstance(f, Mapping)] if isinstance(listed, list) else []
+    for entry in listed[:_MOST_FILES] if isinstance(listed, list) else ():
+        kind, url = (entry.get("Type"), entry.get("Url")) if isinstance(entry, Mapping) else (0, 0)
+        if isinstance(kind, str) and isinstance(url, str) and len(kind) <= 20 and kind.isalnum():
+            yield kind.upper(), url

@@ -8,6 +8,7 @@ import struct
 import zlib
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import cv2
 import numpy as np
@@ -20,7 +21,7 @@ from toy import cube_mesh
 from generator.backends.cloud.asking import data_uri
 from generator.backends.cloud.imager import REDRAWS, Imager
 from generator.backends.cloud.pictures import padded
-from generator.errors import BackendError
+from generator.errors import BackendError, UnusableError
 from generator.geometry import mask_box
 from generator.png import encode_png
 from generator.render.crop import in_reference, tight_box
@@ -222,9 +223,30 @@ def test_an_address_at_another_host_is_not_fetched(
     server: Running, make_imager: Make, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     imager = make_imager()
-    for address in ("https://evil.example/a.png", "http://127.0.0.1:1/a.png", "file:///etc/passwd"):
+    for address in ("https://evil.example/a.png", "http://127.0.0.1:1/a.png"):
         with pytest.raises(BackendError, match=r"none may be fetched.*TABLETOPGEN_CLOUD_IMAGE_H"):
             imager.painter._picture("draw", {"data": [{"url": address}]}, Used(None), "yes")
+
+
+@pytest.mark.parametrize(
+    "address",
+    ["file:///etc/passwd", "http://[::1", "https://a\u2100b/x", "http://", "\x1b[2J",
+     "https://user:pass@api.openai.com/x", "https://h:99999/", "https://" + "a" * 9000],
+)  # fmt: skip
+def test_what_is_no_address_is_told_once_and_stays_paid_for(
+    server: Running, make_imager: Make, address: str
+) -> None:
+    server.script.urls, server.script.address = True, address
+    imager = make_imager()
+    with pytest.raises(UnusableError, match="the picture's address"):
+        imager.painter.paint("draw", "a mug", 1.5)
+    assert [entry.outcome for entry in imager.session.account.entries] == ["answered"]
+
+
+@pytest.mark.parametrize("data", [[{"b64_json": 5}], [{"url": ["x"]}], [{"b64_json": {}}], [5], 7])
+def test_values_of_other_types_are_no_picture(make_imager: Make, data: Any) -> None:
+    with pytest.raises(Exception, match="holds no picture"):
+        make_imager().painter._picture("draw", {"data": data}, Used(None), "yes")
 
 
 def test_a_picture_in_a_data_address_is_taken(server: Running, make_imager: Make) -> None:
@@ -253,6 +275,7 @@ def redrawn(
     return np.dstack([picture, alpha])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["openai", "seedream"])
 @pytest.mark.parametrize(("scale", "shift"), [(1.0, (0, 0)), (0.9, (60, -40)), (1.12, (-30, 20))])
 def test_a_thing_is_put_back_where_it_was(
@@ -293,6 +316,7 @@ def test_openai_s_form_is_told_what_to_keep(server: Running, make_imager: Make) 
     np.testing.assert_allclose(kept.mean(), book.mask.sum() / (1.4 * 80) ** 2, rtol=0.1)
 
 
+@pytest.mark.slow
 def test_a_server_without_masks_is_asked_without(server: Running, make_imager: Make) -> None:
     server.script.unknown = {"mask", "background"}
     server.script.paint = lambda r: redrawn(r.body["images"][0], clear=False)
@@ -354,6 +378,7 @@ def test_another_thing_is_drawn_again_with_what_was_wrong(
     assert "its shape is another" in second.text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("paint", "told"),
     [
@@ -470,6 +495,7 @@ def test_a_check_that_cannot_be_is_asked_again(
     assert len(server.script.asked("edits")) == 1
 
 
+@pytest.mark.slow
 def test_geometry_stands_in_with_a_warning(server: Running, make_imager: Make) -> None:
     server.script.paint = lambda request: plain()
     server.script.chat = lambda request: check([*GOOD[:2], sight(3)])

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
-import pytest
+import contextlib
+import time
 
+import pytest
+from pydantic import ValidationError
+
+from generator.backends.cloud.answers import KindAnswer
 from generator.backends.cloud.reading import Wrong, is_refusal, read_object
 
 WANTED = {"a": [1, 2.5], "b": {"c": None, "d": True}, "e": "it's // no comment, }"}
@@ -55,3 +60,37 @@ def test_refusals_are_told_from_answers() -> None:
     assert is_refusal("I cannot assist with this request.")
     assert not is_refusal('I cannot be sure, but: {"a": 1}')
     assert not is_refusal("The canary is sorry.")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "<think>" * 150_000,
+        "```" + "a" * 1_000_000,
+        "```a" * 200_001,
+        '"\\' * 400_000,
+        '{"a' + '\\"' * 400_000,
+        "/*" * 400_000,
+        "{" * 400_000,
+        "{" + "[" * 400_000,
+        '{"a":' * 100_000 + "1" + "}" * 100_000,
+        "{'a': " + "-" * 100_000 + "1}",
+        "{'a': " + "1+" * 50_000 + "1}",
+        "{'a': " + "1**" * 20_000 + "1}",
+        "{'a': 9" + "9" * 100_000 + "}",
+        ",  " * 300_000,
+        "{}" * 200_000,
+        "\ud800" * 1000,
+    ],
+    ids=lambda text: text[:12].encode("ascii", "backslashreplace").decode(),
+)
+def test_a_hostile_answer_is_read_or_refused_in_time(text: str) -> None:
+    began = time.monotonic()
+    with contextlib.suppress(Wrong):
+        assert read_object(text) is not None
+    assert time.monotonic() - began < 10
+
+
+def test_what_a_terminal_would_obey_is_no_word() -> None:
+    with pytest.raises(ValidationError, match="cannot be printed"):
+        KindAnswer.model_validate({"noun": "mug\x1b[2J", "count": 1})

@@ -257,6 +257,7 @@ def test_turns_bring_up_upward_and_along_to_x(up: str, along: str) -> None:
     np.testing.assert_array_equal(np.abs(turn @ AXES[along]), [1, 0, 0])
 
 
+@pytest.mark.slow
 def test_a_review_ends_in_quarter_turns(server: Running, reasoner: Reasoner) -> None:
     always(server, {"up": "-y", "along": "+z"})
     steps = reasoner.review_orientation(cube_mesh(), instances()[1], SIZES["book_1"])

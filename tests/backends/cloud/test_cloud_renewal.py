@@ -50,6 +50,7 @@ def said(content: str, end: str = "stop", refusal: str | None = None) -> dict:
 # --------------------------------------------------------------------------------- chat answers
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "bad",
     [
@@ -170,6 +171,7 @@ def fit(request: Request) -> np.ndarray:
     return request.body["images"][0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("address", ["", "/out/latest.png"])
 def test_a_thing_that_was_never_drawn_is_drawn_by_the_next_run(
     server: Running, tmp_path: Path, address: str
@@ -183,6 +185,7 @@ def test_a_thing_that_was_never_drawn_is_drawn_by_the_next_run(
     assert len(server.script.asked("edits")) == 1 + REDRAWS + 1
 
 
+@pytest.mark.slow
 def test_a_drawing_that_was_made_again_is_replayed(server: Running, tmp_path: Path) -> None:
     server.script.paint = lambda r: (unfit if len(server.script.requests) == 1 else fit)(r)
     assert complete(tmp_path) == "pen"
@@ -190,6 +193,7 @@ def test_a_drawing_that_was_made_again_is_replayed(server: Running, tmp_path: Pa
     assert complete(tmp_path, dry=True) == "pen"
 
 
+@pytest.mark.slow
 def test_options_that_were_rejected_need_no_call_again(server: Running, tmp_path: Path) -> None:
     server.script.unknown = {"mask", "background"}
     server.script.paint = fit
@@ -250,6 +254,7 @@ def top_view(session: Session) -> tuple[str, ...]:
     return Imager(session=session).top_view(reference(), instances(), {}, {}, VIEW).warnings
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("failure", "page", "check", "why"),
     [

@@ -16,6 +16,7 @@ from typing import Any
 import pytest
 import tiny_models as tiny
 import torch
+from bounded import LONG, at_once
 from safetensors.torch import load_file, save_file
 
 from generator.backends import Backends
@@ -87,6 +88,7 @@ def test_the_folder_is_given_or_the_environment_s_or_the_user_s(
     assert models_folder().parts[-2:] == ("tabletopgen", "models")
 
 
+@pytest.mark.slow
 def test_a_model_lies_as_in_hugging_face_s_cache_at_its_commit(folder: Path) -> None:
     from huggingface_hub import try_to_load_from_cache
 
@@ -145,6 +147,7 @@ def test_reading_asks_no_network_and_is_silent(
     assert capfd.readouterr() == ("", "")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["sam2", "sam3"])
 def test_models_published_with_their_tracker_are_read_without_it(
     name: str, tmp_path: Path, capfd: pytest.CaptureFixture[str]
@@ -259,14 +262,10 @@ def test_threads_that_ask_at_once_share_what_one_of_them_made() -> None:
     once, seen = Once(make), list[object]()
 
     def ask() -> None:
-        entered.wait()
+        entered.wait(LONG)
         seen.append(once())
 
-    threads = [threading.Thread(target=ask) for _ in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    at_once(*[ask] * 4)
     assert len(made) == 1
     assert len(set(map(id, seen))) == 1
 

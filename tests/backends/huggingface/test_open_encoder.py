@@ -65,6 +65,7 @@ def test_the_maps_are_dinov2_s_tokens_where_they_are(encoder: Encoder, tiny_mode
     torch.testing.assert_close(patches[0, :, 2, 1], unit[1 + 2 * 6 + 1])
 
 
+@pytest.mark.slow
 def test_a_batch_is_its_pictures_one_by_one(tiny_models: Path) -> None:
     images = pictures(5)
     whole = Encoder(side=56, folder=str(tiny_models)).features(images)
@@ -75,6 +76,7 @@ def test_a_batch_is_its_pictures_one_by_one(tiny_models: Path) -> None:
         torch.testing.assert_close(one, torch.cat([s[k] for s in singles]), atol=1e-5, rtol=1e-4)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("side", [40, 90])
 def test_gradients_agree_with_finite_differences(encoder: Encoder, side: int) -> None:
     """Along one direction over all pixels, enlarged to the network's size and reduced to it."""
@@ -106,6 +108,7 @@ def test_maps_have_the_type_of_the_images(encoder: Encoder) -> None:
     assert {m.dtype for m in encoder.features(pictures().double())} == {torch.float64}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("device", "exact", "fast"),
     [("cpu", False, False), ("cuda", False, True), ("cuda", True, False)],

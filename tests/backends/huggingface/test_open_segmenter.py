@@ -78,6 +78,7 @@ def asked(
 # ------------------------------------------------------------------------------------ the players
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_what_the_models_see_is_found_whole_and_once(desk: Desk, detector: str) -> None:
     """Every thing is in the whole picture and in one to four parts of it."""
@@ -95,6 +96,7 @@ def test_what_the_models_see_is_found_whole_and_once(desk: Desk, detector: str) 
     assert [d.box[3] for d in things] == sorted(d.box[3] for d in things)
 
 
+@pytest.mark.slow
 def test_small_things_are_masked_in_the_part_that_shows_them_large() -> None:
     image, shape = noise(480, 640), (480, 640)
     y, x = np.mgrid[:480, :640]
@@ -113,6 +115,7 @@ def test_what_a_part_cuts_is_found_in_the_whole() -> None:
     assert iou(found[1].mask, truth[1][1]) > 0.9
 
 
+@pytest.mark.slow
 def test_anything_is_called_as_the_catalogue_s_categories_where_it_looks_like_one() -> None:
     shape = (120, 160)
     mug, thing = block(shape, 20, 20, 50, 50), block(shape, 90, 60, 130, 100)
@@ -178,6 +181,7 @@ def test_a_model_that_fails_names_backend_and_question(
 # --------------------------------------------------------------------------------- the real classes
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("detector", DETECTORS)
 def test_tiny_models_of_the_real_classes_answer_and_repeat_themselves(
     tiny_models: Path, detector: str
@@ -200,6 +204,7 @@ def test_tiny_models_of_the_real_classes_answer_and_repeat_themselves(
         np.testing.assert_array_equal(one.box, mask_box(one.mask))
 
 
+@pytest.mark.slow
 def test_boxes_and_scores_are_those_of_transformers_own_processor(tiny_models: Path) -> None:
     network = load_model(pins()["grounding-dino-tiny"], tiny_models, "who:")
     image, words = noise(60, 80), ("table", "mug", "red book")
@@ -221,6 +226,7 @@ def test_boxes_and_scores_are_those_of_transformers_own_processor(tiny_models: P
         assert find.score <= float(right["scores"][k]) + 1e-5
 
 
+@pytest.mark.slow
 def test_many_boxes_at_once_are_masked_as_each_by_itself(
     tiny_models: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

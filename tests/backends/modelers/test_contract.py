@@ -98,6 +98,7 @@ def test_it_answers_the_protocol_and_is_a_value(modeler):
     assert KEY not in repr(modeler)
 
 
+@pytest.mark.slow
 def test_its_model_is_whole_light_and_textured(made):
     mesh = made.mesh
     assert made.label == "gizmo"
@@ -113,6 +114,7 @@ def test_its_size_is_the_prior_s(made):
     assert np.prod(longest) == pytest.approx(np.prod(np.sort(prior("gizmo").extent)[1:]), rel=1e-5)
 
 
+@pytest.mark.slow
 def test_the_same_question_has_the_same_answer(modeler, made):
     again = ask(modeler)
     assert again.mesh.vertices.tobytes() == made.mesh.vertices.tobytes()

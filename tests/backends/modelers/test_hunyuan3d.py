@@ -107,6 +107,7 @@ def test_an_answer_is_asked_for_once(tmp_path):
         assert len(served.calls) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "bad", [GOOD[: len(GOOD) // 2], b'{"status": "processing"}', b"", b"PK\x03\x04" + bytes(99)]
 )
@@ -217,6 +218,18 @@ def test_health():
     with (
         serving(lambda call: Answer.of({"detail": "Not Found"}, 404)) as served,
         pytest.raises(BackendError, match=r"hunyuan3d, health: .* answers 404"),
+    ):
+        Hunyuan3D(served.url, session=quick()).health()
+
+
+@pytest.mark.parametrize("body", [b"[" * 200_000, b'{"a":' * 9_000, b'{"status": [1]}', b"\xff"])
+@pytest.mark.parametrize("status", [200, 404])
+def test_an_answer_nested_without_end_is_told(body: bytes, status: int) -> None:
+    answer = Answer(status, body, "text/plain")
+    assert len(said(answer)) < 1000
+    with (
+        serving(lambda call: answer) as served,
+        pytest.raises(BackendError, match="hunyuan3d, health"),
     ):
         Hunyuan3D(served.url, session=quick()).health()
 

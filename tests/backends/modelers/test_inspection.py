@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import base64
 import io
+import re
 import struct
+import time
 from collections.abc import Callable
 
 import numpy as np
@@ -95,7 +97,8 @@ def test_no_faces_and_too_many_are_refused():
         header["meshes"][0]["primitives"][0]["mode"] = 0
 
     assert "has 0 triangles" in refusal(edited(GOOD, points))
-    assert "damaged (IndexError" in refusal(edited(GOOD, lambda header: header.update(meshes=[])))
+    nothing = edited(GOOD, lambda header: header.update(meshes=[]))
+    assert "names a mesh that is not there" in refusal(nothing)
     with pytest.raises(BackendError, match="has 12 triangles; 1 to 11"):
         inspect_glb(GOOD, "it", most_faces=11)
 
@@ -152,7 +155,7 @@ def test_accessors_that_claim_more_than_is_there_are_refused():
 
     assert "its views claim" in refusal(edited(GOOD, views))
     nonsense = edited(GOOD, lambda header: header.update(accessors=[7]))
-    assert "is damaged (TypeError" in refusal(nonsense)
+    assert "accessors are no list of objects" in refusal(nonsense)
 
 
 @pytest.mark.parametrize(
@@ -263,12 +266,113 @@ def test_obj_files_are_text_with_faces():
     corners = b"".join(b"v %d %d 0\n" % (k, k * k) for k in range(9))
     fan = corners + b"f " + b" ".join(b"%d" % (k + 1) for k in range(9)) + b"\n"
     assert len(read_surface(fan, "it", "obj", most_faces=7).faces) == 7
+    folded = fan.replace(b"f 1 2 ", b"f 1 \\\n2 ")
+    assert len(read_surface(folded, "it", "obj", most_faces=7).faces) == 7
     with pytest.raises(BackendError, match="has 7 triangles; 1 to 6 are read"):
         read_surface(fan, "it", "obj", most_faces=6)
     with pytest.raises(BackendError, match="not text"):
         inspect_obj(b"v\0\0", "it")
     with pytest.raises(BackendError, match="cannot be read"):
         read_surface(b"v 0 0 0\nf 1 2 99\n", "it", "obj")
+    with pytest.raises(BackendError, match="no points in space"):
+        read_surface(b"v 0 0\nv 1 0\nv 0 1\nf 1 2 3\n", "it", "obj")
+
+
+def chained(links: int) -> bytes:
+    """Return a GLB whose mesh hangs on a chain of nodes, each a millimetre above the other."""
+
+    def hang(header: dict) -> None:
+        lift = {"translation": [0, 0, 0.001]}
+        header["nodes"] = [{**lift, "children": [k + 1]} for k in range(links - 1)]
+        header["nodes"].append({**lift, "mesh": 0})
+        header["scenes"] = [{"nodes": [0]}]
+
+    return edited(GOOD, hang)
+
+
+def test_a_chain_of_nodes_takes_time_in_proportion_to_its_length():
+    began = time.monotonic()
+    surface = read_surface(chained(10_000), "it", "glb")
+    assert time.monotonic() - began < 10
+    plain = read_surface(GOOD, "it", "glb")
+    np.testing.assert_allclose(surface.vertices, plain.vertices + np.array([0, 0, 10]), atol=1e-6)
+    assert "has 100000 nodes; at most 20000" in refusal(chained(100_000))
+
+
+def test_nodes_put_meshes_where_they_always_did():
+    """The places that trimesh finds itself, of meshes turned, scaled and nested."""
+    rng = np.random.default_rng(3)
+
+    def nest(header: dict) -> None:
+        turn = rng.normal(size=(3, 4))
+        header["nodes"] = [
+            {"translation": [1, 2, 3], "rotation": turn[0].tolist(), "children": [1, 2]},
+            {"matrix": np.diag([2.0, 3.0, -1.0, 1.0]).ravel().tolist(), "children": [3]},
+            {"scale": [1, 2, 0.5], "rotation": turn[1].tolist(), "mesh": 0},
+            {"rotation": turn[2].tolist(), "translation": [0, 1, 0], "mesh": 0},
+            {"mesh": 0},
+        ]
+        header["scenes"] = [{"nodes": [0]}, {"nodes": [4]}]
+
+    raw = edited(GOOD, nest)
+    scene = trimesh.load_scene(io.BytesIO(raw), file_type="glb", process=False)
+    wanted = np.concatenate([part.vertices for part in scene.dump()])
+    found = read_surface(raw, "it", "glb").vertices
+    assert len(found) == len(wanted) == 2 * 36
+    order = [np.lexsort(np.round(points, 5).T) for points in (found, wanted)]
+    np.testing.assert_allclose(found[order[0]], wanted[order[1]], atol=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("name", "entries"),
+    [("materials", 5001), ("images", 5001), ("textures", 5001), ("accessors", 100_001),
+     ("bufferViews", 100_001), ("meshes", 20_001), ("buffers", 101), ("scenes", 5001)],
+)  # fmt: skip
+def test_lists_of_a_header_are_bounded(name, entries):
+    raw = edited(GOOD, lambda header: header.update({name: [{}] * entries}))
+    assert f"has {entries} {name}; at most" in refusal(raw)
+
+
+def test_pieces_of_meshes_that_are_not_shown_are_bounded_too():
+    def more(header: dict) -> None:
+        header["meshes"].append({"primitives": header["meshes"][0]["primitives"] * 20_001})
+
+    assert "meshes of more than 20000 pieces" in refusal(edited(GOOD, more))
+
+
+def test_lines_points_and_what_is_not_shown_are_never_parsed():
+    def more(header: dict) -> None:
+        piece = header["meshes"][0]["primitives"][0]
+        header["meshes"][0]["primitives"] += [{**piece, "mode": 1}, {**piece, "mode": 0}]
+        header["meshes"].append({"primitives": [{**piece, "material": 10**9}]})
+        nowhere = {"bufferView": 0, "byteOffset": 10**9, "componentType": 5126}
+        header["accessors"].append({**nowhere, "count": 1, "type": "MAT4"})
+        header["images"].append({"uri": "data:image/x-eps;base64,JSFQUw=="})
+        header["cameras"] = header["animations"] = header["skins"] = [7]
+        header["extras"] = {"a": [[]]}
+
+    assert len(read_surface(edited(GOOD, more), "it", "glb").faces) == 12
+
+
+def test_a_texture_in_a_rare_format_is_refused():
+    assert "cannot be read" in refusal(painted_with(GOOD, b"%!PS-Adobe-3.0 EPSF-3.0\n"))
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (b"v 0 0 0\n" * 3 + b"usemtl a\nf 1 2 3\nusemtl b\nf 1 2 3\n" * 10_000, "20000 times"),
+        (b"v 0 0 0\n" * 3 + b"use\\\nmtl a\nf 1 2 3\n" * 3000, "3000 times"),
+        (b"v 0 0 0\n" * 3 + b"o a\ng b\nf 1 2 3\n" * 1500, "3000 times"),
+        (b"v 0 0 0\nf 1 1 1\n#" + b"x" * 70_000, "a line of more than the 65536 bytes"),
+        (b"v 0 0 0\nf 1 1 1\n" + b"vn 0 0 1\n" * 301, "301 lines 'vn'; at most 300"),
+        (b"v 0 0 0\nf" + b" 1" * 103, "has 101 triangles; 1 to 100"),
+    ],
+    ids=["materials", "folded", "objects", "line", "normals", "corners"],
+)
+def test_an_obj_is_bounded_before_it_is_parsed(text, said):
+    with pytest.raises(BackendError, match=re.escape(said)):
+        inspect_obj(text, "it", most_faces=100 if said[:3] in ("301", "has") else 2_000_000)
 
 
 @pytest.mark.filterwarnings("ignore")

@@ -61,6 +61,7 @@ def test_drawing_follows_the_seed_alone() -> None:
     assert len(set(draws(0))) > 2
 
 
+@pytest.mark.slow
 def test_an_environment_plays_bundles(store) -> None:
     env = make_env("desk_*")
     seen = {env.reset(seed=seed)[1]["scene"] for seed in range(12)}
@@ -162,6 +163,7 @@ def test_an_emptied_store_is_an_error_that_names_a_bundle(store) -> None:
     assert one.reset()[1]["scene"] == "desk_0"
 
 
+@pytest.mark.slow
 def test_an_environment_goes_on_with_what_is_left(store) -> None:
     env = make_env("desk_*")
     env.reset(seed=0)
@@ -193,6 +195,7 @@ def test_sources_can_be_pickled_and_refer_to_the_same_bundles(store, monkeypatch
     assert keys[0][1] != keys[1][1]  # a copy in memory is another scene, as long as both live
 
 
+@pytest.mark.slow
 def test_an_environment_can_be_pickled(store) -> None:
     env = pickle.loads(pickle.dumps(make_env("desk_*")))
     assert env.reset(seed=0)[1]["scene"] == make_env("desk_*").reset(seed=0)[1]["scene"]

@@ -10,7 +10,6 @@ import signal
 import subprocess
 import sys
 import textwrap
-import time
 import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -18,6 +17,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bounded import LONG, line_of, until
 from toy import toy_scene
 
 import assets_cache
@@ -33,16 +33,6 @@ from tabletopgen_env.scenes import (
 from tabletopgen_env.scenes.crew import Crew
 from tabletopgen_env.scenes.finding import fixed_scenes
 from tabletopgen_env.scenes.pool import Pace
-
-LONG = 60.0
-"""Seconds after which something that should happen is given up; the machine may be busy."""
-
-
-def until(happened: Callable[[], Any]) -> None:
-    end = time.monotonic() + LONG
-    while not happened():
-        assert time.monotonic() < end, "it did not happen"
-        time.sleep(0.02)
 
 
 def initial(count: int = 3) -> FixedScenes:
@@ -122,6 +112,7 @@ def test_the_first_pool_is_given_or_made() -> None:
     assert len({ref.key for ref in source.refs}) == 4
 
 
+@pytest.mark.slow
 def test_scenes_are_made_of_what_is_asked_for() -> None:
     source = RefreshingScenes(
         SceneDistribution(themes=("tea",), objects=(1, 1)), size=2, every_resets=9, synchronous=True
@@ -187,6 +178,7 @@ def test_wrong_settings_are_explained(settings, message) -> None:
 # ---------------------------------------------------------------------------- in the background
 
 
+@pytest.mark.slow
 def test_new_scenes_come_while_old_ones_are_drawn(pool, tmp_path) -> None:
     source, rng = pool(workers=1), np.random.default_rng(0)
     given = {ref.key for ref in source.initial.refs}
@@ -261,6 +253,7 @@ def test_a_killed_process_is_replaced(pool) -> None:
     assert len(source.refs) == 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("making", "reason"),
     [
@@ -385,6 +378,7 @@ def test_a_forgotten_pool_ends_by_itself(pool, tmp_path) -> None:
     assert not any(map(alive, pids)) and not list(tmp_path.iterdir())
 
 
+@pytest.mark.slow
 def test_an_environment_closes_only_what_it_made(pool, tmp_path) -> None:
     source = pool()
     mine, yours = make_env(source), make_env("refreshing")
@@ -409,6 +403,7 @@ def test_a_copy_begins_anew(pool) -> None:
     assert source.pids
 
 
+@pytest.mark.slow
 def test_an_environment_with_a_running_pool_can_be_pickled(pool) -> None:
     env = make_env(pool())
     blank = pickle.dumps(env)
@@ -446,11 +441,11 @@ def run(tmp_path: Path, end: str, making: str = "slow") -> tuple[subprocess.Pope
         [sys.executable, str(script)], stdout=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": path},
     )  # fmt: skip
-    assert process.stdout is not None
-    *pids, folder = process.stdout.readline().split()
+    *pids, folder = line_of(process).split()
     return process, [int(pid) for pid in pids], Path(folder)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("end", "code"),
     [
@@ -476,9 +471,10 @@ def _child(source: RefreshingScenes, before: tuple[int, ...], told: Any) -> None
     """Draw in another process from a source that was handed over or forked."""
     source.draw(np.random.default_rng(1))
     told.send((source.pids, bool(set(source.pids) & set(before))))
-    told.recv()
+    told.poll(LONG)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_another_process_has_a_pool_of_its_own_even_a_daemon(pool, start) -> None:
     """Vector environments run in daemonic processes, which may have no multiprocessing children."""

@@ -23,6 +23,7 @@ def cube(name: str, x: float, y: float = -0.05, size=CUBE, **more) -> Object:
     return toy_object(name, size, (x, y), **more)
 
 
+@pytest.mark.slow
 def test_the_starters_spread_over_the_range() -> None:
     bundles = assets_cache.find("starter")
     found = {path.name: difficulty(load(path)) for path in bundles}

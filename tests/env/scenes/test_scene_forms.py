@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 from toy import toy_scene
 
@@ -11,14 +13,20 @@ import assets_cache
 from generator.distribution import SceneDistribution
 from generator.errors import BundleError, InputError, TabletopError
 from tabletopgen_env.env import make_env
+from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import (
     FixedScenes,
     FreshScenes,
+    Recipe,
     RefreshingScenes,
     SceneSource,
     resolve,
     split,
 )
+from tabletopgen_env.tasks import task_named
+from tabletopgen_env.tasks.tidy import Tidy
+from tabletopgen_env.vector import TabletopVectorEnv
+from tabletopgen_env.world import World
 
 
 def keys(source: SceneSource) -> list[str]:
@@ -44,6 +52,50 @@ def test_fresh_and_refreshing_with_and_without_a_prompt() -> None:
     assert keys(starters.initial) == keys(resolve("starter"))
     assert prompted.fresh == FreshScenes("a tea table") and prompted.initial is None
     assert not starters.pids and not starters.refs  # nothing begins before the first draw
+
+
+def test_fresh_tables_hold_what_the_task_needs_and_a_text_what_it_says() -> None:
+    tidy = FreshScenes(SceneDistribution(needs=Tidy.needs))
+    assert make_env("fresh", task="Tidy").source == tidy
+    several = TabletopVectorEnv(scenes="fresh", task="Tidy")
+    drawn = [source.draw(np.random.default_rng(0)).key for source in (several._source, tidy)]
+    assert drawn[0] == drawn[1]
+    several.close()
+    assert Tidy.needs and resolve("fresh:a desk", Tidy.needs) == FreshScenes("a desk")
+    assert make_env("fresh", task="Reach").source == FreshScenes()
+    asked = SceneDistribution(("lab",))
+    assert make_env(FreshScenes(asked), task="Tidy").source == FreshScenes(asked)
+
+
+def test_a_refreshing_pool_begins_with_the_tables_of_the_task() -> None:
+    source = make_env("refreshing", task="Tidy").source
+    assert isinstance(source, RefreshingScenes) and isinstance(source.initial, FixedScenes)
+    assert source.fresh == FreshScenes(SceneDistribution(needs=Tidy.needs))
+    assert keys(source.initial) == keys(resolve("tidy-task-*"))
+
+
+def test_a_side_with_none_of_the_first_tables_begins_with_new_ones() -> None:
+    sides = [split("refreshing", side, start="tidy-task-*") for side in ("train", "held_out")]
+    assert [getattr(s, "initial", 0) is None for s in sides].count(True) == 1
+
+
+def test_needs_tell_tables_apart_and_none_leave_them_what_they_were() -> None:
+    plain = Recipe(SceneDistribution(), 5)
+    assert plain.identity == (
+        'fresh:5:{"themes": [], "objects": [4, 8], "tables": [], "styles": ["plain"]}'
+    )
+    needing = Recipe(SceneDistribution(needs=Tidy.needs), 5)
+    assert needing.identity != plain.identity
+    for recipe in (plain, needing):
+        assert Recipe.from_json(json.loads(json.dumps(recipe.to_json()))) == recipe
+
+
+@pytest.mark.parametrize("name", ["Tidy", "Swap", "Stack"])
+def test_tables_drawn_for_a_task_offer_something(name: str) -> None:
+    task = task_named(name)
+    ref = resolve("fresh", task.needs).draw(np.random.default_rng(0))
+    world = World(ref.load(), Panda())
+    assert task.sample(world, np.random.default_rng(0)).goals
 
 
 def test_a_source_is_taken_as_it_is_and_a_side_of_the_starters_in_a_list() -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 import gymnasium as gym
 import numpy as np
 import pytest
+from bounded import until
 from toy import toy_scene
 
 from generator.bundle import save
@@ -107,14 +108,19 @@ def test_a_damaged_scene_is_an_error_still(tmp_path) -> None:
         env.reset(seed=0)
 
 
+@pytest.mark.slow
 def test_a_pool_that_is_renewed_at_every_draw_serves_all_slots(temporary) -> None:
     source = pool(workers=2)
     envs = TabletopVectorEnv(4, threads=4, task="Reach", scenes=source, cache=1)
     held = []
     try:
-        while source.renewals < 12:
+
+        def renewed() -> bool:
             envs.reset()
             held.append([ref.key for ref in source.refs])
+            return source.renewals >= 12
+
+        until(renewed)
     finally:
         envs.close()
         assert source.pids, "it was passed in"
@@ -131,6 +137,7 @@ def test_slots_renew_a_pool_together_in_step_with_their_draws() -> None:
     assert source.renewals == 2, "12 draws, of which the 5th and the 9th were due"
 
 
+@pytest.mark.slow
 def test_a_named_source_is_made_once_for_all_slots_and_closed_with_them(temporary) -> None:
     envs = gym.make_vec(
         "tabletopgen_env:TabletopGen/Reach-v0", num_envs=3, threads=1, scenes="refreshing"

@@ -1,0 +1,152 @@
+"""How many fresh tables offer a task something to do, drawn for it and for no task.
+
+    python benchmarks/fresh_tables.py --count 60 --workers 2
+
+For each task ``count`` tables are drawn of every theme with what the task needs (``Task.needs``),
+as ``scenes="fresh"`` draws them, and as many for no task in particular, at which all tasks are
+tried. A table offers a task something if its ``sample`` finds an instance that the expert's
+planners can grasp, put and push. Rows go to ``fresh_tables.csv`` as they come (a second run
+resumes), the summary to the ``.md`` beside it.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from posing import tables
+from posing.tables import Row
+
+from generator.distribution import SceneDistribution
+from generator.errors import SceneError
+from tabletopgen_env.robot.panda import Panda
+from tabletopgen_env.scenes import FreshScenes
+from tabletopgen_env.statistics import wilson
+from tabletopgen_env.tasks import NAMES, task_named
+from tabletopgen_env.tasks.sequence import PRESETS
+from tabletopgen_env.tasks.task import Task
+from tabletopgen_env.world import World
+
+HERE = Path(__file__).parent
+TASKS = (*NAMES, *(f"Sequence:{preset}" for preset in PRESETS))
+ANY = "any"
+"""What a table was drawn for that was drawn for no task."""
+
+KEY = ("drawn_for", "seed", "task")
+FIELDS = (*KEY, "rows", "offers", "things", "categories", "why")
+
+
+class Job(NamedTuple):
+    """One table: what it is drawn for, its seed, and the tasks that are tried at it."""
+
+    drawn_for: str
+    seed: int
+    tasks: tuple[str, ...]
+
+
+def named(name: str) -> Task:
+    """Return the task of a name, with its preset after a colon."""
+    return task_named(*name.split(":"))
+
+
+def work(job: Job) -> list[Row]:
+    """Draw the table of a job and try its tasks."""
+    needs = () if job.drawn_for == ANY else named(job.drawn_for).needs
+    recipe = FreshScenes(SceneDistribution(needs=needs)).recipe(np.random.default_rng(job.seed))
+    base = {"drawn_for": job.drawn_for, "seed": job.seed, "rows": len(job.tasks)}
+    try:
+        scene = recipe.make()
+    except SceneError as error:
+        lost = {"offers": 0, "things": 0, "categories": "", "why": tables.failure(error)}
+        return [base | {"task": name} | lost for name in job.tasks]
+    base |= {
+        "things": len(scene.objects),
+        "categories": " ".join(sorted({o.model.category for o in scene.objects})),
+    }
+    world = World(scene, Panda())
+    return [base | {"task": name} | tried(world, name, job.seed) for name in job.tasks]
+
+
+def tried(world: World, name: str, seed: int) -> Row:
+    """Return whether a table offers a task something, and why not."""
+    world.reset()
+    try:
+        named(name).sample(world, np.random.default_rng(seed))
+    except SceneError as error:
+        return {"offers": 0, "why": tables.failure(error)}
+    return {"offers": 1, "why": ""}
+
+
+def jobs(names: Sequence[str], count: int) -> list[Job]:
+    """Return the tables for no task, then those for each task that needs something."""
+    drawn = [Job(ANY, seed, tuple(names)) for seed in range(count)]
+    return drawn + [
+        Job(name, seed, (name,)) for name in names if named(name).needs for seed in range(count)
+    ]
+
+
+def summary(rows: Sequence[Row], names: Sequence[str], command: str) -> str:
+    """Return the table as Markdown."""
+    lines = [
+        "# Tables drawn for a task",
+        f"`{command}`, {tables.where()}",
+        "",
+        "Share of drawn tables that offer the task something to do: those drawn for no task in "
+        'particular, and those that `scenes="fresh"` draws for the task. A task that needs nothing '
+        "has the former. Interval: Wilson, 95 %. Categories: different ones among the latter.",
+        "",
+        "| task | for no task | for the task | interval | things | categories |",
+        "|---|---|---|---|---|---|",
+        *(_line(name, rows) for name in names),
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def _line(name: str, rows: Sequence[Row]) -> str:
+    before = [r for r in rows if r["task"] == name and r["drawn_for"] == ANY]
+    after = [r for r in rows if r["task"] == name and r["drawn_for"] == name] or before
+    low, high = wilson(_offering(after), len(after))
+    kinds = {word for r in after for word in str(r["categories"]).split()}
+    things = np.mean([int(r["things"]) for r in after])
+    return (
+        f"| {name} | {_offering(before)} of {len(before)} | {_offering(after)} of {len(after)} "
+        f"| {100 * low:.0f} to {100 * high:.0f} % | {things:.1f} | {len(kinds)} |"
+    )
+
+
+def _offering(rows: Sequence[Row]) -> int:
+    return sum(int(r["offers"]) for r in rows)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    parser.add_argument("--task", action="append", choices=TASKS, help="one task; may be repeated")
+    parser.add_argument("--count", type=int, default=60, help="how many tables of each kind")
+    parser.add_argument("--workers", type=int, default=1)
+    parser.add_argument("--out", type=Path, default=HERE / "results")
+    args = parser.parse_args()
+    names = tuple(args.task or TASKS)
+    args.out.mkdir(parents=True, exist_ok=True)
+    path = args.out / "fresh_tables.csv"
+    asked = {(job.drawn_for, job.seed): job for job in jobs(names, args.count)}
+    rows = tables.resume(path, FIELDS, ("drawn_for", "seed"), of="rows")
+    rows = [r for r in rows if (r["drawn_for"], int(r["seed"])) in asked]
+    done = {(r["drawn_for"], int(r["seed"])) for r in rows}
+    left = [job for key, job in asked.items() if key not in done]
+    rows = tables.run(path, FIELDS, KEY, rows, left, work, args.workers, say)
+    text = summary(rows, names, tables.command_line("--workers", "--out"))
+    path.with_suffix(".md").write_text(text, encoding="utf-8")
+    print(text)
+
+
+def say(rows: list[Row]) -> str:
+    """Return the line printed for a table."""
+    return f"for {rows[0]['drawn_for']}, seed {rows[0]['seed']}: {_offering(rows)} of {len(rows)}"
+
+
+if __name__ == "__main__":
+    main()

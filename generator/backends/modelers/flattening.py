@@ -1,0 +1,164 @@
+"""A foreign GLB reduced to what is looked at: meshes at their places, and their base colours.
+
+What a parser is never given cannot harm it: trees of nodes, animations, cameras, lines and points,
+pictures for other ends, and numbers that no shown mesh names.
+"""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+from scipy.spatial.transform import Rotation
+
+Header = Mapping[str, Any]
+
+JSON_CHUNK = 0x4E4F534A
+TRIANGLES, STRIP, FAN = 4, 5, 6
+
+_GLOSS = "KHR_materials_pbrSpecularGlossiness"
+_SHOWN = ("POSITION", "TEXCOORD_0", "COLOR_0")
+_NOTHING = {"componentType": 5121, "count": 0, "type": "SCALAR"}
+
+
+class Crooked(ValueError):
+    """The tree of a GLB's nodes is none; the message says why."""
+
+
+def flattened(raw: bytes, header: Header) -> bytes:
+    """Return an inspected GLB with nothing in it but what is looked at.
+
+    Each shown mesh hangs where its nodes put it, without any node between. Of each material the
+    base colour stays, so that no other picture is ever decoded; the old form by specular and
+    glossiness gives its diffuse colour.
+    """
+    places = [(mesh, matrix) for mesh, matrix in placed(header)]
+    meshes = [_plain_mesh(header, mesh) for mesh in header.get("meshes", ())]
+    shown = sorted({mesh for mesh, _ in places})
+    numbers = {mesh: k for k, mesh in enumerate(shown)}
+    nodes = [
+        {"mesh": numbers[mesh], "name": str(k), "matrix": matrix.T.ravel().tolist()}
+        for k, (mesh, matrix) in enumerate(places)
+        if meshes[mesh]["primitives"]
+    ]
+    small = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": list(range(len(nodes)))}],
+        "nodes": nodes,
+        "meshes": [meshes[mesh] for mesh in shown],
+        "materials": [_plain_material(material) for material in header.get("materials", ())],
+        **_columns(header, [meshes[mesh] for mesh in shown]),
+    }
+    text = json.dumps(small).encode()
+    text += b" " * (-len(text) % 4)
+    rest = memoryview(raw)[20 + struct.unpack_from("<I", raw, 12)[0] :]
+    start = struct.pack("<4sIIII", b"glTF", 2, 20 + len(text) + len(rest), len(text), JSON_CHUNK)
+    return b"".join([start, text, rest])
+
+
+def placed(header: Header) -> Iterator[tuple[int, Float[np.ndarray, "4 4"]]]:
+    """Yield each shown mesh's number with its place, once for each node that has it.
+
+    Raises:
+        Crooked: the nodes are no tree.
+    """
+    nodes, scenes = header.get("nodes", ()), header.get("scenes", ())
+    if not nodes:
+        yield from ((mesh, np.eye(4)) for mesh in range(len(header.get("meshes", ()))))
+        return
+    roots = scenes[header.get("scene", 0)].get("nodes", ()) if scenes else ()
+    if not any(scene.get("nodes") for scene in scenes):
+        below = {child for node in nodes for child in node.get("children", ())}
+        roots = [k for k in range(len(nodes)) if k not in below]
+    waiting = [(root, np.eye(4)) for root in roots]
+    seen: set[int] = set()
+    while waiting:
+        at, above = waiting.pop()
+        if at in seen:
+            raise Crooked("a node has two parents")
+        seen.add(at)
+        with np.errstate(all="ignore"):  # what overflows makes vertices that are refused
+            matrix = above @ _local(nodes[at])
+        if "mesh" in nodes[at]:
+            yield int(nodes[at]["mesh"]), matrix
+        waiting += [(child, matrix) for child in nodes[at].get("children", ())]
+
+
+def base_color(material: Header) -> Header:
+    """Return a material's base colour: its factor and texture, where it has them."""
+    plain = material.get("pbrMetallicRoughness", {})
+    found = {key: plain[key] for key in ("baseColorFactor", "baseColorTexture") if key in plain}
+    gloss = material.get("extensions", {}).get(_GLOSS, {})
+    old = {"baseColorFactor": "diffuseFactor", "baseColorTexture": "diffuseTexture"}
+    return found or {key: gloss[name] for key, name in old.items() if name in gloss}
+
+
+def picture_of(header: Header, material: Header) -> int | None:
+    """Return the number of the picture that a material's base colour shows; None for none."""
+    base = base_color(material)
+    if "baseColorTexture" not in base:
+        return None
+    texture = header["textures"][base["baseColorTexture"]["index"]]
+    other = texture.get("extensions", {}).get("EXT_texture_webp", {})
+    return other.get("source", texture.get("source"))
+
+
+def _local(node: Header) -> Float[np.ndarray, "4 4"]:
+    """Return the place of a node in its parent: matrix, then translation, rotation and scale."""
+    matrix = np.array(node.get("matrix", np.eye(4).ravel()), np.float64).reshape(4, 4).T
+    if not {"translation", "rotation", "scale"} & node.keys():
+        return matrix
+    own = np.eye(4)
+    turn = np.array(node.get("rotation", (0, 0, 0, 1)), np.float64).reshape(4)
+    if (turn != 0).any() and np.isfinite(turn).all():
+        own[:3, :3] = Rotation.from_quat(turn).as_matrix()
+    own[:3, :3] *= np.array(node.get("scale", (1, 1, 1)), np.float64).reshape(3)
+    own[:3, 3] = np.array(node.get("translation", (0, 0, 0)), np.float64).reshape(3)
+    return matrix @ own
+
+
+def _plain_mesh(header: Header, mesh: Header) -> dict[str, Any]:
+    """Return a mesh's pieces of triangles, with the numbers that are looked at."""
+    pieces = []
+    for primitive in mesh["primitives"]:
+        given = primitive["attributes"]
+        mode = primitive.get("mode", TRIANGLES)
+        if mode not in (TRIANGLES, STRIP) or "POSITION" not in given:
+            continue
+        plain = {"mode": mode, "attributes": {key: given[key] for key in _SHOWN if key in given}}
+        plain |= {key: primitive[key] for key in ("indices", "material") if key in primitive}
+        pieces.append(plain)
+    return {"primitives": pieces, "name": "mesh"}
+
+
+def _plain_material(material: Header) -> dict[str, Any]:
+    blend = "BLEND" if material.get("alphaMode") == "BLEND" else "OPAQUE"
+    return {"pbrMetallicRoughness": base_color(material), "alphaMode": blend}
+
+
+def _columns(header: Header, meshes: Sequence[Header]) -> dict[str, Any]:
+    """Return accessors, views, buffers, textures and pictures; those not looked at hold nothing."""
+    used: set[int] = set()
+    for mesh in meshes:
+        for primitive in mesh["primitives"]:
+            used.update(primitive["attributes"].values())
+            used.update([primitive["indices"]] if "indices" in primitive else ())
+    seen = {picture_of(header, material) for material in header.get("materials", ())}
+    images, accessors = header.get("images", ()), header.get("accessors", ())
+    read = {accessors[k].get("bufferView") for k in used}
+    read |= {images[k].get("bufferView") for k in seen if k is not None}
+    none = {"buffer": 0, "byteLength": 0}
+    kept: dict[str, Any] = {
+        "accessors": [a if k in used else _NOTHING for k, a in enumerate(accessors)],
+        "bufferViews": [
+            v if k in read else none for k, v in enumerate(header.get("bufferViews", ()))
+        ],
+        "images": [image if k in seen else {} for k, image in enumerate(images)],
+    }
+    kept |= {key: header[key] for key in ("buffers", "textures") if key in header}
+    return kept

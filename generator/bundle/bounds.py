@@ -1,0 +1,142 @@
+"""How large a bundle may be: one table, checked on counts and headers before anything is decoded.
+
+The shipped tables hold at most 7 models, 253 convex parts and 20,000 triangles a mesh. The bounds
+leave room for a crowded table of foreign models with textures of 2048 texels a side; the largest
+bundle within them loads in less than 20 seconds and 2 GB.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from ..errors import BundleError
+
+
+@dataclass(frozen=True)
+class Bounds:
+    """The most of everything. ``all_`` fields count the whole bundle.
+
+    Attributes:
+        files: listed files.
+        truth_bytes, file_bytes, all_bytes: of ``scene.json``, of one listed file, of all of them.
+        models, objects: of the scene.
+        parts, all_parts: convex parts of a model, an object or the table.
+        part_vertices, all_part_vertices: points of a convex part.
+        vertices, all_vertices: of a mesh; all counts a mesh once for each body that shows it.
+        faces, all_faces: likewise, triangles.
+        texels, all_texels: of a picture; all counts the textures of different models.
+    """
+
+    files: int = 4096
+    truth_bytes: int = 16 * 2**20
+    file_bytes: int = 128 * 2**20
+    all_bytes: int = 256 * 2**20
+    models: int = 201
+    objects: int = 200
+    parts: int = 1024
+    all_parts: int = 8192
+    part_vertices: int = 4096
+    all_part_vertices: int = 200_000
+    vertices: int = 300_000
+    all_vertices: int = 1_000_000
+    faces: int = 300_000
+    all_faces: int = 1_000_000
+    texels: int = 4096 * 4096
+    all_texels: int = 128 * 2**20
+
+    def check(self, name: str, count: int, what: str) -> None:
+        """Check a count.
+
+        Args:
+            name: the field with the bound.
+            count: of the bundle.
+            what: who has it, and of what: "scene.json has {} models".
+
+        Raises:
+            BundleError: it is out of bounds.
+        """
+        most = getattr(self, name)
+        if not 0 <= count <= most:
+            raise BundleError(f"{what.format(count)}; at most {most} are read.")
+
+
+BOUNDS = Bounds()
+"""Those that every bundle keeps."""
+
+
+def check_counts(payload: dict[str, Any], bounds: Bounds = BOUNDS) -> None:
+    """Check what the values of ``scene.json`` count, before arrays are made of them.
+
+    Raises:
+        BundleError: they count too much, or are not of the types that can be counted.
+    """
+    models = _of(payload, "models", dict, "scene.json")
+    objects = _of(payload, "objects", list, "scene.json")
+    table = _of(payload, "table", dict, "scene.json")
+    bounds.check("models", len(models), "scene.json has {} models")
+    bounds.check("objects", len(objects), "scene.json has {} objects")
+    parts: list[Any] = []
+    for body in (table, *objects, *models.values()):
+        own = _of(body, "parts", list, "a body of scene.json")
+        bounds.check("parts", len(own), "a body of scene.json has {} convex parts")
+        parts += own
+    bounds.check("all_parts", len(parts), "scene.json has {} convex parts")
+    counts = [len(_of(part, "vertices", list, "a convex part")) for part in parts]
+    bounds.check("part_vertices", max(counts, default=0), "a convex part has {} vertices")
+    bounds.check("all_part_vertices", sum(counts), "the convex parts have {} vertices")
+
+
+def check_listed(files: object, bounds: Bounds = BOUNDS) -> None:
+    """Check the list of a bundle's files: their number, and their sizes as they are stated.
+
+    Raises:
+        BundleError: there are too many or too large ones, or it is no such list.
+    """
+    if not isinstance(files, dict):
+        raise BundleError("scene.json must list the bundle's files.")
+    bounds.check("files", len(files), "scene.json lists {} files")
+    for name, entry in files.items():
+        size = entry.get("bytes") if isinstance(entry, dict) else None
+        if type(size) is not int:
+            raise BundleError(f"scene.json lists {name[:200]!r} without size and sha256.")
+        bounds.check("file_bytes", size, "a listed file has {} bytes")
+    total = sum(entry["bytes"] for entry in files.values())
+    bounds.check("all_bytes", total, "the files together have {} bytes")
+
+
+def check_drawn(
+    meshes: Iterable[tuple[int, int]],
+    shown: Iterable[tuple[int, int]],
+    texels: Iterable[int],
+    bounds: Bounds = BOUNDS,
+) -> None:
+    """Check what is drawn, by what the headers of meshes and textures say.
+
+    Args:
+        meshes: vertices and triangles of each mesh that is kept.
+        shown: those of each body's mesh.
+        texels: of each texture that is kept.
+        bounds: what they are checked against.
+
+    Raises:
+        BundleError: it is too much.
+    """
+    kept, shown = list(meshes), list(shown)
+    for name, at in (("vertices", 0), ("faces", 1)):
+        bounds.check(name, max((k[at] for k in kept), default=0), f"a mesh has {{}} {name}")
+        for counts in (kept, shown):
+            total = sum(count[at] for count in counts)
+            bounds.check(f"all_{name}", total, f"the meshes together have {{}} {name}")
+    texels = list(texels)
+    bounds.check("texels", max(texels, default=0), "a texture has {} pixels")
+    bounds.check("all_texels", sum(texels), "the textures together have {} pixels")
+
+
+def _of(entry: object, key: str, kind: type, who: str) -> Any:
+    """Return a field that is a list or an object."""
+    value = entry.get(key) if isinstance(entry, dict) else None
+    if type(value) is not kind:
+        raise BundleError(f"{who} needs {key!r} as a JSON {'list' if kind is list else 'object'}.")
+    return value

@@ -1,0 +1,113 @@
+"""Meshes and pictures of a bundle: what their headers count, and how they are decoded."""
+
+from __future__ import annotations
+
+import io
+import re
+import struct
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float, Int, UInt8
+
+from ..errors import BundleError
+from .bounds import BOUNDS, Bounds
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
+
+_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+_OBJ = re.compile(
+    rb"(?:v(?: -?[0-9]\.[0-9]{6}){3}\n)++"
+    rb"(?:vt(?: -?[0-9]{1,12}\.[0-9]{5}){2}\n)++"
+    rb"(?:f(?: ([0-9]{1,9})/\1){3}\n)++"
+)
+
+_LEAST_AREA = 1e-3  # of twice the surface of a mesh, whose box is the unit box
+
+
+def picture_size(raw: bytes, name: str, bounds: Bounds = BOUNDS) -> tuple[int, int]:
+    """Return width and height of a PNG called ``name``, by its header alone.
+
+    Raises:
+        BundleError: it is none, or is out of bounds.
+    """
+    if raw[:16] != _SIGNATURE + b"\0\0\0\rIHDR" or len(raw) < 33:
+        raise BundleError(f"{name} is not a PNG picture.")
+    width, height = struct.unpack(">II", raw[16:24])
+    bounds.check("texels", width * height, f"{name} has {{}} pixels")
+    if not width * height:
+        raise BundleError(f"{name} has no pixels.")
+    return width, height
+
+
+@contextmanager
+def opened_png(raw: bytes, name: str) -> Iterator[Image]:
+    """Open a PNG called ``name`` whose size is within bounds.
+
+    Raises:
+        BundleError: it is none, cannot be decoded, or is out of bounds.
+    """
+    from PIL import Image
+
+    size = picture_size(raw, name)
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            with Image.open(io.BytesIO(raw), formats=("PNG",)) as image:
+                if image.size != size:
+                    raise BundleError(f"{name} has two headers of different sizes.")
+                yield image
+    except (
+        OSError, SyntaxError, ValueError, EOFError, struct.error, Image.DecompressionBombError,
+    ) as error:  # fmt: skip
+        raise BundleError(f"{name} is not a PNG picture ({error!r}).") from error
+
+
+def decode_png(raw: bytes, name: str) -> UInt8[np.ndarray, "h w 3"]:
+    """Return the pixels of a PNG called ``name``.
+
+    Raises:
+        BundleError: it is none, or is out of bounds.
+    """
+    with opened_png(raw, name) as image:
+        return np.asarray(image.convert("RGB"))
+
+
+def mesh_counts(raw: bytes) -> tuple[int, int]:
+    """Return how many vertices and triangles a mesh's file has, counting its lines."""
+    return raw.count(b"\nv ") + raw.startswith(b"v "), raw.count(b"\nf ")
+
+
+def decode_obj(
+    raw: bytes, name: str
+) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"], Float[np.ndarray, "n 2"]]:
+    """Return vertices, triangles and texture coordinates of a mesh called ``name``.
+
+    It is read as ``mjcf.encode_obj`` writes it, and no other way.
+
+    Raises:
+        BundleError: it is written otherwise, or has no surface to draw.
+    """
+    found = _OBJ.fullmatch(raw)
+    if found is None:
+        raise BundleError(f"{name} is not a mesh as bundles hold them.")
+    start, end = raw.index(b"\nvt "), raw.index(b"\nf ")
+    vertices = _numbers(raw[:start], b"v").reshape(-1, 3)
+    uv = _numbers(raw[start:end], b"vt").reshape(-1, 2)
+    faces = _numbers(raw[end:].replace(b"/", b" "), b"f").reshape(-1, 6)[:, ::2].astype(np.int64)
+    faces -= 1
+    inside = faces.min() >= 0 and faces.max() < len(vertices)
+    if len(vertices) < 4 or len(uv) != len(vertices) or not inside:
+        raise BundleError(f"{name} is no mesh: its triangles and vertices do not fit together.")
+    a, b, c = (vertices[faces[:, corner]] for corner in range(3))
+    if np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() < _LEAST_AREA:
+        raise BundleError(f"{name} has no surface: its triangles are points and lines.")
+    return vertices, faces, uv
+
+
+def _numbers(text: bytes, kind: bytes) -> Float[np.ndarray, " n"]:
+    return np.fromstring(text.replace(kind, b" ").decode("ascii"), sep=" ")

@@ -1,0 +1,121 @@
+"""Values of a JSON text by the annotations of the dataclasses that they become: strictly typed."""
+
+from __future__ import annotations
+
+import dataclasses
+import types
+import typing
+from collections.abc import Mapping
+from functools import cache
+from typing import Any, Literal, TypeVar, Union, get_args, get_origin
+
+import numpy as np
+
+from ..errors import BundleError
+
+T = TypeVar("T")
+
+_MOST_INTEGER = 2**64
+
+
+def made(kind: type[T], entry: object, what: str) -> T:
+    """Return the dataclass of an object of JSON: known fields only, each of its own type.
+
+    Args:
+        kind: the dataclass.
+        entry: the parsed JSON value.
+        what: where it stands: "objects[3]".
+
+    Raises:
+        BundleError: a field is missing, unknown or of another type.
+        InputError: the value's own checks refuse it.
+    """
+    if not isinstance(entry, dict):
+        raise BundleError(f"{what} must be a JSON object, not {type(entry).__name__}.")
+    hints = _hints(kind)
+    unknown = sorted(entry.keys() - hints.keys())
+    if unknown:
+        raise BundleError(f"{what} has an unknown field {unknown[0][:80]!r}.")
+    missing = sorted(_needed(kind) - entry.keys())
+    if missing:
+        raise BundleError(f"{what} has no {missing[0]!r}.")
+    return kind(**{k: typed(hints[k], v, f"{what}.{k}") for k, v in entry.items()})
+
+
+def typed(kind: Any, value: Any, what: str) -> Any:
+    """Return a JSON value as ``kind``, an annotation of a dataclass's field.
+
+    Raises:
+        BundleError: it is of another type.
+        InputError: the value's own checks refuse it.
+    """
+    origin, inner = get_origin(kind), get_args(kind)
+    if kind is Any:
+        return value
+    if origin in (Union, types.UnionType):
+        plain = next(k for k in inner if k is not type(None))
+        return None if value is None and type(None) in inner else typed(plain, value, what)
+    if origin is Literal:
+        if not any(type(value) is type(known) and value == known for known in inner):
+            raise BundleError(f"{what} is {repr(value)[:80]}; known: {', '.join(map(str, inner))}.")
+        return value
+    if origin is tuple:
+        return _tuple(inner, value, what)
+    if origin is not None and issubclass(origin, Mapping):
+        if not isinstance(value, dict):
+            raise BundleError(f"{what} must be a JSON object, not {type(value).__name__}.")
+        return {k: typed(inner[1], v, f"{what}[{k[:40]!r}]") for k, v in value.items()}
+    if getattr(kind, "array_type", None) is np.ndarray:
+        return numbers(value, what)
+    if dataclasses.is_dataclass(kind):
+        return made(typing.cast(type, kind), value, what)
+    return _scalar(kind, value, what)
+
+
+def numbers(value: object, what: str) -> np.ndarray:
+    """Return nested lists of numbers as an array.
+
+    Raises:
+        BundleError: they hold something else, or are ragged.
+    """
+    try:
+        array = np.array(value) if isinstance(value, list) else None
+    except (ValueError, OverflowError):
+        array = None
+    if array is None or (array.size and array.dtype.kind not in "if"):
+        raise BundleError(f"{what} must be lists of numbers.")
+    return array.astype(np.float64)
+
+
+def _tuple(inner: tuple[Any, ...], value: Any, what: str) -> tuple[Any, ...]:
+    endless = len(inner) == 2 and inner[1] is Ellipsis
+    if not isinstance(value, list) or not (endless or len(value) == len(inner)):
+        raise BundleError(f"{what} must be a list{'' if endless else f' of {len(inner)}'}.")
+    kinds = [inner[0]] * len(value) if endless else inner
+    return tuple(
+        typed(k, v, f"{what}[{i}]") for i, (k, v) in enumerate(zip(kinds, value, strict=True))
+    )
+
+
+def _scalar(kind: type, value: Any, what: str) -> Any:
+    if kind is float and type(value) in (int, float) and abs(value) < 1e300:
+        return value
+    if type(value) is not kind or (kind is int and abs(value) >= _MOST_INTEGER):
+        raise BundleError(f"{what} must be {kind.__name__}, not {repr(value)[:80]}.")
+    return value
+
+
+@cache
+def _hints(kind: type) -> dict[str, Any]:
+    hints = typing.get_type_hints(kind)
+    return {field.name: hints[field.name] for field in dataclasses.fields(kind) if field.init}
+
+
+@cache
+def _needed(kind: type) -> frozenset[str]:
+    empty = dataclasses.MISSING
+    return frozenset(
+        f.name
+        for f in dataclasses.fields(kind)
+        if f.init and f.default is empty and f.default_factory is empty
+    )

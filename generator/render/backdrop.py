@@ -1,0 +1,68 @@
+"""What lies behind everything in a room: a checkered floor that fades into haze."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from ..geometry import Camera
+from .shading import Light, shade
+
+Color = tuple[float, float, float]
+"""Red, green and blue in [0, 1]."""
+
+Lit = Callable[[Float[np.ndarray, "p 3"], Float[np.ndarray, "p 3"]], Float[np.ndarray, "p"]]
+"""The sun's visible share at points with normals."""
+
+
+@dataclass(frozen=True)
+class Backdrop:
+    """A square floor at z = 0 about the origin, in two colours of tiles, in haze.
+
+    Args:
+        tiles: colours of a tile and of its neighbours; that at the origin's +x +y is the first.
+        tile: side of a tile, metres.
+        half: half the side of the floor, metres.
+        haze: colour of all that is no floor, and of the floor far away.
+        fade: distances along the optical axis at which the floor begins to fade, and has faded, m.
+        id: the instance id of the floor's pixels.
+    """
+
+    tiles: tuple[Color, Color]
+    tile: float
+    half: float
+    haze: Color
+    fade: tuple[float, float]
+    id: int
+
+    def seen(
+        self, camera: Camera, pixels: Float[np.ndarray, "p 2"], light: Light, lit: Lit | None
+    ) -> tuple[Float[np.ndarray, "p 3"], Float[np.ndarray, "p"]]:
+        """Return the colours in [0, 1] and the depths (metres, inf where no floor is) at pixels."""
+        points = camera.on_plane(pixels, 0.0)
+        on_floor = (np.abs(points[:, :2]) <= self.half).all(1)
+        color, depth = np.tile(self.haze, (len(pixels), 1)), np.full(len(pixels), np.inf)
+        floor = points[on_floor]
+        depth[on_floor] = camera.to_camera(floor)[:, 2]
+        up = np.broadcast_to([0.0, 0.0, 1.0], floor.shape)
+        share = np.ones(len(floor)) if lit is None else lit(floor, up)
+        matt = replace(light, gloss=0.0)
+        albedo = self._tiled(floor, depth[on_floor] / camera.focal)
+        near, far = self.fade
+        faded = np.clip((depth[on_floor] - near) / (far - near), 0, 1)[:, None]
+        shaded = shade(albedo, up, camera.position - floor, share, matt)
+        color[on_floor] = (1 - faded) * shaded + faded * np.asarray(self.haze)
+        return color, depth
+
+    def _tiled(
+        self, points: Float[np.ndarray, "p 3"], pixel: Float[np.ndarray, "p"]
+    ) -> Float[np.ndarray, "p 3"]:
+        """Return the tiles' colours at points; blended where a pixel (m) is large."""
+        odd: Int[np.ndarray, "p"] = np.floor(points[:, :2] / self.tile).astype(np.int64).sum(1) % 2
+        blended = np.clip(pixel / self.tile * 4, 0, 1)
+        share = (odd * (1 - blended) + 0.5 * blended)[:, None]
+        first, second = np.array(self.tiles)
+        return (1 - share) * first + share * second

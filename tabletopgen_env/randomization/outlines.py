@@ -1,0 +1,73 @@
+"""Convex outlines on the table, seen from above: carried about, and how far they are apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from generator.geometry import convex_outline
+
+Outline = Float[np.ndarray, "k 2"]
+"""A convex outline, counter-clockwise, metres."""
+
+
+def hull(outlines: Sequence[Outline]) -> Outline:
+    """Return the convex outline around outlines."""
+    return outlines[0] if len(outlines) == 1 else convex_outline(np.concatenate(outlines))
+
+
+def carried(
+    outline: Outline, centre: Float[np.ndarray, "2"], moves: Float[np.ndarray, "c 3"]
+) -> Float[np.ndarray, "c k 2"]:
+    """Return an outline turned about ``centre`` and moved, for each move (x, y, turn)."""
+    c, s = np.cos(moves[:, 2, None]), np.sin(moves[:, 2, None])
+    x, y = (outline - centre).T
+    turned = np.stack([c * x - s * y, s * x + c * y], -1)
+    return turned + centre + moves[:, None, :2]
+
+
+def keeps(
+    own: Float[np.ndarray, "c k 2"], other: Outline, was: Outline, others: Outline, room: float
+) -> Bool[np.ndarray, "c"]:
+    """Return which outlines stay ``room`` away from another, or as far as ``was`` from ``others``.
+
+    ``was`` and ``others`` are the same two outlines as the scene has them.
+    """
+    if not near(own, other, room):
+        return np.ones(len(own), bool)
+    far = apart(own, other)
+    if (far >= room).all():
+        return np.ones(len(own), bool)
+    return far >= min(room, float(apart(was[None], others)[0]))
+
+
+def near(own: Float[np.ndarray, "c k 2"], other: Outline, room: float) -> bool:
+    """Return whether the boxes around outlines come within ``room`` of the box of another."""
+    low, high = own.min((0, 1)) - room, own.max((0, 1)) + room
+    return bool((low <= other.max(0)).all() and (high >= other.min(0)).all())
+
+
+def apart(
+    own: Float[np.ndarray, "c k 2"], other: Float[np.ndarray, "m 2"]
+) -> Float[np.ndarray, "c"]:
+    """Return how far each convex outline is from another (or from a point), negative if they meet.
+
+    Along the best of their edges' normals, which is never more than the true distance.
+    """
+    normals = _normals(own)
+    ahead = np.einsum("cki,mi->ckm", normals, other) - (normals * own).sum(-1)[..., None]
+    found = ahead.min(2).max(1)
+    if len(other) < 3:
+        return found
+    normals = _normals(other[None])[0]
+    ahead = own @ normals.T - (normals * other).sum(-1)
+    return np.maximum(found, ahead.min(1).max(1))
+
+
+def _normals(outlines: Float[np.ndarray, "c k 2"]) -> Float[np.ndarray, "c k 2"]:
+    """Return the outward normals of counter-clockwise outlines' edges."""
+    edges = np.roll(outlines, -1, axis=1) - outlines
+    normals = np.stack([edges[..., 1], -edges[..., 0]], -1)
+    return normals / np.linalg.norm(normals, axis=-1, keepdims=True)

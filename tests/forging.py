@@ -1,0 +1,65 @@
+"""Bundles as a forger would write them: well written, digests fitting, in a folder without one."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import struct
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from generator.bundle.decoding import decode_scene
+from generator.bundle.encoding import dumps
+from generator.mjcf import document, mesh_path, texture_path
+
+
+def rewrite(path: Path, change: Callable[[dict[str, Any]], None]) -> Path:
+    """Change ``scene.json`` of a bundle, and its folder's name to "forged"."""
+    payload = json.loads((path / "scene.json").read_text())
+    change(payload)
+    (path / "scene.json").write_bytes(dumps(payload))
+    return path.rename(path.parent / "forged")
+
+
+def put(path: Path, name: str, content: bytes) -> Path:
+    """Put a file into a bundle, listed as it is; the folder's name becomes "forged"."""
+    (path / name).write_bytes(content)
+    entry = {"bytes": len(content), "sha256": hashlib.sha256(content).hexdigest()}
+    return rewrite(path, lambda payload: payload["files"].update({name: entry}))
+
+
+def put_mesh(path: Path, content: bytes) -> Path:
+    """Give every model of a bundle this file as its mesh."""
+    return _give(path, "mesh", mesh_path(content), content)
+
+
+def put_texture(path: Path, content: bytes) -> Path:
+    """Give every model of a bundle this file as its texture."""
+    return _give(path, "texture", texture_path(content), content)
+
+
+def derive(path: Path) -> Path:
+    """Write the ``scene.xml`` that the values of a forged bundle ask for."""
+    payload = json.loads((path / "scene.json").read_text())
+    made = decode_scene(payload, lambda name: (path / name).read_bytes())
+    return put(path, "scene.xml", document(made.scene, paths=made.paths).xml.encode())
+
+
+def png(width: int, height: int, packed: bytes = b"", mode: int = 0) -> bytes:
+    """Return a PNG that says it has this size, of grey pixels (mode 0) in this zlib stream."""
+    header = struct.pack(">IIBBBBB", width, height, 8, mode, 0, 0, 0)
+    chunks = {b"IHDR": header, b"IDAT": packed, b"IEND": b""}
+    return b"\x89PNG\r\n\x1a\n" + b"".join(
+        struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+        for kind, data in chunks.items()
+    )
+
+
+def _give(path: Path, what: str, name: str, content: bytes) -> Path:
+    def change(payload: dict[str, Any]) -> None:
+        for model in payload["models"].values():
+            model[what] = name
+
+    return rewrite(put(path, name, content), change)

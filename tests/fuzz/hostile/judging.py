@@ -1,0 +1,86 @@
+"""What a case may do: calls that are refused by errors of ours, and output that a terminal stands.
+
+Used by the targets, inside a worker.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import unicodedata
+from collections.abc import Callable
+from typing import Any
+
+from generator.errors import TabletopError
+
+MOST_MESSAGE = 20_000
+"""Characters that an error's message may have."""
+
+
+class Unfit(AssertionError):
+    """A text that must not reach a terminal, or a result that must not be."""
+
+
+def accepts(*calls: Callable[[], Any]) -> bool:
+    """Make every call; return whether none was refused.
+
+    Raises:
+        Exception: what no call may raise.
+    """
+    good = True
+    for call in calls:
+        try:
+            call()
+        except TabletopError as error:
+            check_printable(str(error), "a message")
+            good = False
+    return good
+
+
+def accepts_any(*calls: Callable[[], Any]) -> bool:
+    """Make every call; return whether one was not refused; see ``accepts``."""
+    taken = [accepts(call) for call in calls]
+    return any(taken)
+
+
+def command(*arguments: str) -> bool:
+    """Run a ``tabletopgen`` command; return whether it succeeded.
+
+    Raises:
+        Unfit: it prints what a terminal obeys.
+        Exception: what no command may raise.
+    """
+    from generator import cli
+
+    return _printed(lambda: cli.run(list(arguments)))
+
+
+def robot_command(*arguments: str) -> bool:
+    """Run a command of ``python -m tabletopgen_env``; as ``command``."""
+    from tabletopgen_env.__main__ import run
+
+    return _printed(lambda: run(list(arguments)))
+
+
+def _printed(run: Callable[[], int]) -> bool:
+    out = io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(out):
+        try:
+            code = run()
+        except SystemExit as stop:
+            code = stop.code if isinstance(stop.code, int) else 2
+    check_printable(out.getvalue(), "what is printed")
+    return not code
+
+
+def check_printable(text: str, what: str) -> None:
+    """Check that a text does nothing to a terminal, can be encoded, and is no novel.
+
+    Raises:
+        Unfit: it does.
+    """
+    for letter in text:
+        if letter not in "\n\t" and unicodedata.category(letter) in ("Cc", "Cs"):
+            raise Unfit(f"{what} holds {letter!r}: {text[:300]!r}")
+    if len(text) > 50 * MOST_MESSAGE:
+        raise Unfit(f"{what} has {len(text)} characters: {text[:300]!r}")

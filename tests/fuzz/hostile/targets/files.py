@@ -1,0 +1,406 @@
+"""Files of batches and of money: prompts, records, sums, ledgers, prices, kept answers."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import json
+import os
+import random
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from toy import toy_object, toy_scene
+
+from generator import batch, bundle
+from generator.batch import running as batch_running
+from generator.batch.place import PLACE
+from generator.batch.records import key_of
+from generator.errors import InputError, TabletopError
+from generator.physics.gate import judge
+from generator.running.account import Account
+from generator.running.entries import Entry
+from generator.running.prices import Prices
+from generator.running.purse import Purse
+from generator.running.spending import Spending
+from generator.running.store import Answer, CallStore
+from generator.scene import Provenance, Scene
+
+from ..judging import accepts, accepts_any, command
+from ..odd import put
+from ..streams import spoiled
+from ..values import TEXTS, mutate, number, text, written
+from . import Run
+
+_OUTSIDE = (
+    "../../precious", "../../../precious", "../beside.txt", "../../poetry", "../../../poetry", ".",
+    "..", "../..", "../precious", "../../inside/precious", ".batch",
+)  # fmt: skip
+
+
+def outside(folder: Path) -> tuple[str, ...]:
+    """Return names that lead out of a case's folder, to the canaries."""
+    root = folder.parents[1]
+    return (*_OUTSIDE, str(root / "precious"), str(root / "poetry"), str(root / "precious/poetry"))
+
+
+# ---------------------------------------------------------------------------------------- prompts
+
+
+def prompts(rng: random.Random, folder: Path) -> Run:
+    """Files of prompts, plain and JSON, and the command that reads them."""
+    told: Any = ["a desk", {"text": "a table", "seed": 3}, {"text": "x.png"}]
+    path = folder / rng.choice(("p.txt", "p.json", "p.json", "p.JSON", "\u202ep.json"))
+    content = written(mutate(told, rng, raw=True), rng)
+    if rng.random() < 0.3:
+        content = "\n".join(text(rng) for _ in range(rng.choice((1, 20)))).encode(
+            "utf-8", "surrogatepass"
+        )
+    if rng.random() < 0.1:
+        content = spoiled(content, rng)
+    if rng.random() < 0.03:
+        content = b"a mug\n" * 200_000 if rng.random() < 0.5 else b'["a"' + b',"a"' * 500_000 + b"]"
+    put(path, content, rng)
+    device = rng.random() < 0.02
+    seed, variants = number(rng), rng.choice((1, 2, number(rng)))
+
+    def run() -> bool:
+        chosen = Path("/dev/zero") if device else path
+        found: list[Any] = []
+        good = accepts(lambda: found.append(batch.read_prompts(chosen)))
+        accepts(lambda: batch.read_prompts(chosen, seed))
+        if found:
+            accepts(lambda: batch.jobs_of(found[0], variants=variants))
+        else:  # what cannot be read must end the command before any work
+            good |= command("batch", str(chosen), "--out", "out", "--route", "compose")
+        return good
+
+    return run
+
+
+# ----------------------------------------------------------------------------------------- batches
+
+
+@functools.cache
+def _scene() -> Scene:
+    scene = toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0.0, 0.0)),))
+    return scene.replace(report=judge(scene), provenance=Provenance("text", 0, "a cube"))
+
+
+@dataclass(frozen=True)
+class StubMaker:
+    """Makes the same small scene of any text."""
+
+    def identity(self) -> dict[str, Any]:
+        """Return what it is."""
+        return {"route": "stub"}
+
+    def __call__(self, job: batch.Job, folder: Path) -> Path:
+        """Publish the scene; "bad" texts cannot be made."""
+        if job.text == "bad":
+            raise InputError("It cannot be read.")
+        return bundle.save(_scene(), folder)
+
+
+class Done(list[Any]):
+    """What came of a task; told apart from others by being itself."""
+
+    __hash__ = object.__hash__  # type: ignore[assignment]
+
+
+class Inline:
+    """A worker pool without processes: tasks are done when they are given."""
+
+    width = 1
+
+    def __init__(self, width: int) -> None:
+        """Take any width."""
+
+    def give(self, task: Callable[[], Any]) -> Done:
+        """Do a task."""
+        return Done([task()])
+
+    def first(self, given: list[Done]) -> Done:
+        """Return the first."""
+        return given[0]
+
+    def result(self, given: Done) -> Any:
+        """Return what came of it."""
+        return given[0]
+
+    def renew(self) -> None:
+        """There is nothing to renew."""
+
+    def close(self, *, now: bool) -> None:
+        """There is nothing to end."""
+
+
+def batches(rng: random.Random, folder: Path) -> Run:
+    """Batch folders with records of others, met by a batch that goes on there."""
+    place = folder / "batch"
+    make = StubMaker()
+    texts = rng.sample(("a cube", "bad", "two", "x" * 300, "../../precious"), 2)
+    kept = f"{_scene().name}-{'0' * 12}"
+    for job in texts:
+        key = key_of(batch.Job(job, 0), make)
+        record: Any = {
+            "text": job, "seed": 0, "bundle": kept, "kind": None, "error": None,
+            "seconds": 1.0, "gate": {"objects": 1, "penetration_mm": 0.1},
+        }  # fmt: skip
+        if rng.random() < 0.3:
+            record |= {"bundle": None, "kind": "InputError", "error": text(rng)}
+        if rng.random() < 0.5:
+            record["bundle"] = text(rng, outside(folder))
+        else:
+            record = mutate(record, rng, (*outside(folder), "InputError", "SceneError"), raw=True)
+        put(place / PLACE / f"{key}.json", written(record, rng), rng)
+        _begun(place, key, record, rng)
+    _put_purse(place / PLACE, rng, folder, share=0.1)
+    retry = rng.random() < 0.3
+
+    def run() -> bool:
+        before = batch_running.Processes
+        batch_running.Processes = Inline  # type: ignore[assignment,misc]
+        try:
+            return accepts(
+                lambda: batch.run(texts, place, make, retry=retry),
+                lambda: batch.run(texts, place, make),
+            )
+        finally:
+            batch_running.Processes = before  # type: ignore[misc]
+
+    return run
+
+
+def _begun(place: Path, key: str, record: Any, rng: random.Random) -> None:
+    """Leave what a batch that died may have left: a bundle that is not yet in its place, a lock."""
+    own = place / PLACE / key
+    kind = rng.randrange(5)
+    named = record.get("bundle") if isinstance(record, dict) else None
+    if kind < 3:
+        own.mkdir(parents=True, exist_ok=True)
+        if kind == 0:
+            bundle.save(_scene(), own)
+        if kind == 1 and isinstance(named, str) and named.isprintable() and len(named) < 100:
+            inner = own / named.lstrip("/").replace("..", "up")
+            inner.mkdir(parents=True, exist_ok=True)
+    elif kind == 3:
+        own.symlink_to(rng.choice(("../..", "../../../precious", key)))
+    lock = place / PLACE / f"{key}.lock"
+    if rng.random() < 0.1:
+        put(lock, b"", rng, share=0.9)
+
+
+# ------------------------------------------------------------------------------------------- money
+
+
+def _put_purse(place: Path, rng: random.Random, folder: Path, share: float = 0.9) -> None:
+    if rng.random() > share:
+        return
+    held: Any = {"0123456789abcdef": [1.0, 2.0]}
+    if rng.random() < 0.5:
+        held = {text(rng, outside(folder)): rng.choice(([1.0], [number(rng)], number(rng)))}
+    told: Any = {"mark": "m", "currency": "USD", "money": 1.0, "unpriced": 0, "held": held}
+    if rng.random() < 0.6:
+        told = mutate(told, rng, outside(folder), raw=True)
+    content = written(told, rng)
+    if rng.random() < 0.1:
+        content = spoiled(content, rng)
+    put(place / "spent.json", content, rng)
+    spenders = place / "spenders"
+    if rng.random() < 0.1:
+        spenders.symlink_to(rng.choice(("../../precious", "../precious", "spenders")))
+    elif rng.random() < 0.3:
+        put(spenders / "0123456789abcdef.lock", b"", rng, share=0.5)
+    if rng.random() < 0.05:
+        put(place / "spent.lock", b"", rng, share=0.9)
+
+
+def purses(rng: random.Random, folder: Path) -> Run:
+    """Sums of money that several processes share."""
+    place = folder / "batch" / PLACE
+    place.mkdir(parents=True)
+    _put_purse(place, rng, folder)
+    budget = rng.choice((None, 5.0, 0.0))
+
+    def spend() -> None:
+        purse = Purse.open(place, "USD")
+        purse.sum()
+        with purse.spending() as spender:
+            if spender.hold(0.5, budget, "a call"):
+                spender.settle(0.5, 0.25)
+        purse.sum()
+
+    return lambda: accepts(spend, lambda: batch.purse_of(folder / "batch"))
+
+
+def ledgers(rng: random.Random, folder: Path) -> Run:
+    """What the calls of earlier runs cost, a line each."""
+    good: Any = {
+        "call": "c1", "key": "0" * 64, "at": 1.0, "currency": "USD", "server": "cloud",
+        "question": "plan_scene", "model": "m", "outcome": "answered", "seconds": 1.0,
+        "tokens_in": 5, "tokens_out": 6, "images": 0, "money": 0.5, "earlier": False,
+    }  # fmt: skip
+    lines = [written(mutate(good, rng, raw=True), rng) for _ in range(rng.choice((1, 3)))]
+    lines.append(json.dumps({**good, "call": "c2", "money": rng.choice((None, 1, 0.1))}).encode())
+    content = b"\n".join(rng.sample(lines, len(lines)))
+    if rng.random() < 0.1:
+        content = spoiled(content, rng)
+    spending = Spending.beside(folder / "calls", "scene")
+    put(spending.path, content, rng)
+    prices = Prices.shipped()
+
+    def read() -> None:
+        account = Account()
+        account.resume(spending, prices)
+        with account.reserving(0.1, 1e12, "a call", lambda: None) as enter:
+            enter(Entry("cloud", "plan_scene"))
+        account.text()
+        json.dumps(account.facts(prices))
+        account.save(folder, prices)
+
+    def write() -> None:
+        spending.write("c3", "0" * 64, Entry("cloud", "plan_scene"))
+
+    return lambda: accepts(read, write, read)
+
+
+def prices(rng: random.Random, folder: Path) -> Run:
+    """Tables of prices."""
+    table: Any = {
+        "date": "2026-01-01", "currency": "USD",
+        "models": {"m": {"input": 1.0, "output": 10.0, "picture": 100},
+                   "@host:80": {"call": 0.1, "image": 0.5}},
+    }  # fmt: skip
+    content = toml(mutate(table, rng)) if rng.random() < 0.8 else _bad_toml(rng)
+    if rng.random() < 0.1:
+        content = spoiled(content, rng)
+    path = folder / "prices.toml"
+    put(path, content, rng)
+
+    def read() -> None:
+        found = Prices.load(path)
+        for model in ("m", "x/m-2026-01-01", "other"):
+            price = found.price(model, "host:80")
+            if price is not None:
+                price.of(5, 6, 1)
+
+    return lambda: accepts(read)
+
+
+def toml(table: Any) -> bytes:
+    """Return values as TOML, whether or not it can have them."""
+    if not isinstance(table, dict):
+        return _toml_value(table).encode("utf-8", "surrogatepass")
+    lines = [f"{_toml_key(k)} = {_toml_value(v)}" for k, v in table.items()]
+    return "\n".join(lines).encode("utf-8", "surrogatepass")
+
+
+def _toml_key(key: Any) -> str:
+    return json.dumps(str(key))
+
+
+def _toml_value(found: Any) -> str:
+    if isinstance(found, dict):
+        inner = ", ".join(f"{_toml_key(k)} = {_toml_value(v)}" for k, v in found.items())
+        return "{" + inner + "}"
+    if isinstance(found, list | tuple):
+        return "[" + ", ".join(map(_toml_value, found)) + "]"
+    if isinstance(found, str):
+        return json.dumps(found).replace("\\ud800", "\\uD800")
+    if isinstance(found, bool):
+        return str(found).lower()
+    return "1979-05-27T07:32:00Z" if found is None else str(found)
+
+
+def _bad_toml(rng: random.Random) -> bytes:
+    size = rng.choice((100, 3000, 100_000))
+    return rng.choice((
+        b"a = " + b"[" * size, b"a = " + b"{a=" * size, b"[" * size, b"a." * size + b"b = 1",
+        b"a = 1\na = 2", b"[a]\n[a]", b"a = 1e400", b"a = nan", b"a = 0x" + b"f" * size,
+        b"a = 1" + b"0" * size, b'a = "\\ud800"', b"\xff\xfe", b"\x00", b"a = '''" + b"x" * size,
+        b"[models]\n" + b"".join(b'"%d" = {}\n' % k for k in range(size // 20)), b"[models.m]\n",
+        b"models = 1", b"models = []", b"[[models]]", b"a = 2026-13-45", b"=", b"a" * size,
+    ))  # fmt: skip
+
+
+def calls(rng: random.Random, folder: Path) -> Run:
+    """Answers that were kept: spoiled, forged with right sums, or no files at all."""
+    place = folder / "calls"
+    key = hashlib.sha256(b"question").hexdigest()
+    facts: Any = {"status": 200, "content_type": "application/json"}
+    head = written(mutate(facts, rng, raw=True), rng) if rng.random() < 0.8 else rng.randbytes(20)
+    content = head.replace(b"\n", b" ") + b"\n" + rng.randbytes(rng.choice((0, 10, 10_000)))
+    check = hashlib.sha256(key.encode() + b"\n" + content).hexdigest().encode()
+    raw = b"tabletopgen call 1 " + check + b"\n" + content
+    if rng.random() < 0.3:
+        raw = spoiled(raw, rng)
+    home = place / "answers" / key[:2]
+    put(home / key, raw, rng, share=0.15)
+    for _ in range(rng.randrange(3)):
+        name = rng.choice((f".partial-{key}-x", "x", "\x1b[2J", key[::-1], ".partial-old"))
+        if not os.path.lexists(home / name):
+            put(home / name, b"x", rng, share=0.5)
+    if rng.random() < 0.1:
+        put(place / "locks" / f"{key[:3]}.lock", b"", rng, share=0.9)
+    wrong = text(rng, outside(folder))
+    most = rng.choice((100, 10_000, 2**30))
+
+    def use() -> None:
+        store = CallStore(place, most)
+        with store.holding(key):
+            found = store.get(key)
+            if found is not None:
+                found.body.decode("latin-1")
+                assert isinstance(found.status, int) and isinstance(found.content_type, str)
+            store.put(key, Answer(200, "text/plain", b"x" * 50))
+            store.get(key)
+        len(store)
+        store.size()
+        store.forget(key)
+
+    return lambda: accepts_any(use, lambda: CallStore(place).get(wrong))
+
+
+# ------------------------------------------------------------------------------------------- store
+
+
+def stores(rng: random.Random, folder: Path) -> Run:
+    """Names of bundles as users give them: to find, to save as, to remove."""
+    import assets_cache
+
+    store = folder / "store"
+    bundle.save(_scene(), store)
+    extra = (*outside(folder), "toy", "toy-*", str(store), str(store / "*"), "starter", "0" * 12)
+    wanted = rng.choice((*TEXTS, *extra, *extra))
+    if rng.random() < 0.3:
+        wanted = mutate(rng.choice(extra), rng)
+        wanted = wanted if isinstance(wanted, str) else str(wanted)
+    scene = _scene().replace(name=wanted)
+    asked = rng.random() < 0.2
+
+    def run() -> bool:
+        good = accepts_any(
+            lambda: _quietly(lambda: assets_cache.find(wanted, store)),
+            lambda: bundle.save(scene, folder / "other"),
+            lambda: _quietly(lambda: bundle.load(wanted)),
+        )
+        bundle.verify(wanted)
+        if asked and wanted.isprintable():
+            os.environ["TABLETOPGEN_CACHE"] = str(store)
+            command("cache", "list", wanted)
+            command("inspect", wanted)
+        accepts(lambda: _quietly(lambda: assets_cache.remove(wanted, store)))
+        return good
+
+    return run
+
+
+def _quietly(call: Callable[[], Any]) -> None:
+    """Make a call whose error may repeat what the user typed, whatever that does to a terminal."""
+    try:
+        call()
+    except TabletopError:
+        raise InputError("refused") from None

@@ -1,0 +1,33 @@
+"""Hostile input of every kind ends in a result or in an error of ours, in time and in bounds.
+
+A failure names the case; ``benchmarks/fuzz.py --kind K --case N --seed S`` runs it again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+from hostile.harness import Worker, report, run_cases
+from hostile.targets import KINDS
+
+FEW, MANY = 30, 300
+
+
+@pytest.fixture(scope="module")
+def worker() -> Iterator[Worker]:
+    with Worker() as started:
+        yield started
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_hostile_input_ends_well(worker: Worker, kind: str) -> None:
+    said = report(run_cases(worker, kind, 0, range(FEW)))
+    assert not said, said
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", KINDS)
+def test_much_hostile_input_ends_well(worker: Worker, kind: str) -> None:
+    said = report(run_cases(worker, kind, 0, range(FEW, MANY)))
+    assert not said, said

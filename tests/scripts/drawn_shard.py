@@ -1,0 +1,36 @@
+"""A shard of one picture for the eye's benchmark, drawn without OpenGL."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from posing.truth import photograph
+
+from generator.catalogue import CATEGORIES
+from generator.compose import compose
+from generator.training.sample import BACKGROUND, OBJECT, TOP, Sample
+from generator.training.shards import ShardWriter
+
+
+def write_shard(path: Path) -> None:
+    """Write a shard that holds a composed table's picture and what is to be seen in it."""
+    keys = tuple(sorted(CATEGORIES))
+    truth = photograph("", compose("a mug and an apple on a desk", 0), np.random.default_rng(0))
+    things = truth.scene.objects
+    visible = np.maximum(truth.ids, 0).astype(np.uint8)
+    region = np.where(visible > 0, OBJECT, np.where(truth.ids == 0, TOP, BACKGROUND))
+    count = len(things)
+    sample = Sample(
+        image=truth.picture, visible=visible,
+        full=np.array([visible == k + 1 for k in range(count)]),
+        category=np.array([keys.index(o.model.category) for o in things], np.int16),
+        region=region.astype(np.uint8), top=np.asarray(region != BACKGROUND),
+        outline=np.zeros((0, 2), np.float32), view=truth.view, focal=1000.0,
+        yaw=np.zeros(count, np.float32), upright=np.ones(count, bool),
+        size=np.array([o.scale for o in things], np.float32),
+        position=np.array([o.pose.position for o in things], np.float32),
+        support=np.zeros(count, np.int16), depth=np.ones(visible.shape, np.float16),
+    )  # fmt: skip
+    with ShardWriter(path, keys) as writer:
+        writer.add(sample)

@@ -1,0 +1,142 @@
+"""How each script of ``benchmarks/``, ``docs/`` and ``examples/`` is tried: one entry a script.
+
+A new script needs an entry in ``SMOKES``: the least work that its own options allow, and what it
+leaves. It runs in an empty folder, its ``{out}``; nothing else may change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from drawn_shard import write_shard
+
+ROOT = Path(__file__).parents[2]
+
+
+@dataclass(frozen=True)
+class Smoke:
+    """One short run of a script.
+
+    Attributes:
+        arguments: as a shell takes them; ``{out}`` is the run's own folder, ``{root}`` the
+            repository.
+        leaves: globs below that folder; each has to match a file that is not empty, and
+            no row of a table may have an error.
+        prints: text that has to be in what it prints.
+        prepare: puts into the folder what the run needs.
+        codes: exit codes that are no failure: 1 of a script whose figure missed its mark.
+    """
+
+    arguments: str = ""
+    leaves: Sequence[str] = ()
+    prints: str = ""
+    prepare: Callable[[Path], None] | None = None
+    codes: Sequence[int] = (0,)
+
+
+def _texts(folder: Path) -> None:
+    (folder / "texts.json").write_text('["A die."]', encoding="utf-8")
+
+
+def _recipe(folder: Path) -> None:
+    (folder / "tiny.toml").write_text(
+        """
+        task = "Reach"
+        algorithm = "clone"
+        scenes = "coffee-square"
+        held_out = "lab"
+        network = { layers = [8] }
+        cloning = { rounds = 1, episodes = 1, steps = 2, last_steps = 2 }
+        """,
+        encoding="utf-8",
+    )
+
+
+def _table(stem: str) -> tuple[str, str]:
+    return f"{stem}.csv", f"{stem}.md"
+
+
+SMOKES: Mapping[str, Smoke] = MappingProxyType({
+    "benchmarks/ablation.py": Smoke(
+        "--cases 1 --text 'a bowl' --sheet 0 --out {out} --pictures {out}/pictures",
+        (*_table("ablation_dev_a_bowl"), "ablation_dev_a_bowl.png", "pictures/*/000.png"),
+    ),
+    "benchmarks/baselines.py": Smoke(
+        "--recipe {out}/tiny.toml --recipe rule-lift --seeds 0 --episodes 1 --validation 1 "
+        "--runs {out}/runs --out {out}",
+        (*_table("baselines"), "baselines.png", "runs/tiny-0/policy.safetensors"),
+        prepare=_recipe,
+    ),
+    "benchmarks/batch.py": Smoke(
+        "--texts {out}/texts.json --cases 1 --route compose --out {out}",
+        ("batch_compose.md",), prepare=_texts,
+    ),
+    "benchmarks/efficiency.py": Smoke(
+        "--cases 1 --out {out}", (*_table("efficiency_cpu"), "efficiency_cpu.png")
+    ),
+    "benchmarks/end_to_end.py": Smoke(
+        "--texts {out}/texts.json --seeds 1 --out {out}", _table("generate"), prepare=_texts
+    ),
+    "benchmarks/expert.py": Smoke(
+        "--scenes coffee-square --task Reach --episodes 1 --out {out}",
+        _table("expert_coffee-square"),
+    ),
+    "benchmarks/eye.py": Smoke(
+        "--data {out}/data --out {out}", ("eye.md",),
+        prepare=lambda out: write_shard(out / "data" / "eval.shard"),
+    ),
+    "benchmarks/modeler.py": Smoke(
+        "--cases 1 --only mug --pictures {out}", ("000_mug.png",), "| label withheld | 1 |"
+    ),
+    "benchmarks/pace/episodes.py": Smoke("gymnasium CartPole-v1 50", prints='"wall": '),
+    "benchmarks/parallel.py": Smoke("--delay 0.01 --out {out}", ("parallel.md",), codes=(0, 1)),
+    "benchmarks/pictures.py": Smoke(
+        "{root}/examples/pictures --out {out}", (*_table("pictures"), "coffee_table.png")
+    ),
+    "benchmarks/pose.py": Smoke(
+        "single --cases 1 --only mug --out {out}",
+        (*_table("pose_single_dev_mug"), "pose_single_dev_mug.png"),
+    ),
+    "benchmarks/rotation_speed.py": Smoke(
+        "--cases 1 --out {out}", ("rotation_speed_cpu.md",), "| wall | 1 |"
+    ),
+    "benchmarks/soak.py": Smoke(
+        "--steps 20 --scenes 1 --out {out}", _table("soak"), "# Soak: 20 random steps at 1 tables"
+    ),
+    "benchmarks/soundness.py": Smoke(
+        "--texts {out}/texts.json --seeds 1 --out {out}",
+        _table("soundness_compose"), "| published | 1 / 1 |", _texts,
+    ),
+    "benchmarks/speed.py": Smoke(
+        "--parts vector pixels resets --out {out}",
+        _table("speed_vector_pixels_resets"), "| vector | steps | 8 slots, 2 threads |",
+    ),
+    "docs/make_task_pictures.py": Smoke("reach --out {out}", ("reach.png",)),
+    "docs/make_tasks_page.py": Smoke("--out {out}", ("tasks.md",)),
+    "examples/demo.py": Smoke(
+        "--only text --text 'a die and a bowl' --out {out}",
+        ("report.md", "text.png", "text_panda.png", "scenes/*/scene.json", "text/*.png"),
+    ),
+    "examples/expert.py": Smoke(
+        "--episodes 1 --scenes coffee-square --out {out}/strip.png", ("strip.png",), " of 1; film"
+    ),
+    "examples/image_to_scene.py": Smoke(
+        "{root}/examples/pictures/coffee_table.png --out {out}",
+        ("side_by_side.png", "*/scene.json"), "bundle:",
+    ),
+    "examples/own_backend.py": Smoke(
+        "", ("out/own_backend/*/scene.json",), "answered by: "
+    ),
+    "examples/random_agent.py": Smoke("", prints="return "),
+    "examples/readme_pictures.py": Smoke(
+        "starters expert --out {out}", ("starters.png", "expert.png")
+    ),
+    "examples/text_to_scene.py": Smoke(
+        "'a die' --out {out}", ("figures/*.png", "*/scene.json"), "bundle:"
+    ),
+    "examples/train_lift.py": Smoke("1 1 2", ("out/lift.zip",)),
+})  # fmt: skip
+"""The run of each script, by its path from the repository's root."""

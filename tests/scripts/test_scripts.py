@@ -1,0 +1,72 @@
+"""Every script of the repository runs: nothing else would notice that one has come to fail."""
+
+from __future__ import annotations
+
+import csv
+import os
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from smokes import ROOT, SMOKES
+
+FOLDERS = ("benchmarks", "docs", "examples")
+LONG = 540.0
+"""Seconds after which a run is taken to hang; each takes a few, and 20 at most on an idle machine."""
+
+
+def scripts() -> list[str]:
+    """Return the files that are run, not imported, by their paths from the root."""
+    files = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.py"))]
+    guarded = [p for p in files if "__main__" in p.read_text(encoding="utf-8")]
+    return [path.relative_to(ROOT).as_posix() for path in guarded]
+
+
+def state() -> dict[str, tuple[int, int]]:
+    """Return the time and the size of each file that a script might change by mistake."""
+    places = (ROOT / folder for folder in (*FOLDERS, "out"))
+    found = (path for place in places for path in place.rglob("*") if path.is_file())
+    told = ((p, p.stat()) for p in found if "__pycache__" not in p.parts)
+    return {str(path): (stat.st_mtime_ns, stat.st_size) for path, stat in told}
+
+
+def errors_in(table: Path) -> list[str]:
+    """Return what the rows of a table say of cases that failed, which end no benchmark."""
+    with table.open(newline="", encoding="utf-8") as file:
+        return [row["error"] for row in csv.DictReader(file) if row.get("error")]
+
+
+def test_every_script_has_a_smoke_run() -> None:
+    without, gone = sorted({*scripts()} - {*SMOKES}), sorted({*SMOKES} - {*scripts()})
+    assert not without, f"Add an entry to tests/scripts/smokes.py for {without}."
+    assert not gone, f"Remove the entries of {gone} from tests/scripts/smokes.py."
+
+
+def test_modules_beside_the_scripts_are_no_scripts() -> None:
+    beside = [p for f in FOLDERS for p in (ROOT / f).glob("*.py")]
+    assert {p.relative_to(ROOT).as_posix() for p in beside} <= {*scripts()}
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(LONG + 60)
+@pytest.mark.parametrize("script", sorted(SMOKES))
+def test_a_script_runs(script: str, tmp_path: Path) -> None:
+    smoke, before = SMOKES[script], state()
+    if smoke.prepare is not None:
+        smoke.prepare(tmp_path)
+    words = [w.format(out=tmp_path, root=ROOT) for w in shlex.split(smoke.arguments)]
+    own = {"PYTHONPATH": str(ROOT), "TABLETOPGEN_CACHE": str(tmp_path / "store"),
+           "PYTHONDONTWRITEBYTECODE": "1", "TMPDIR": str(tmp_path)}  # fmt: skip
+    done = subprocess.run(
+        [sys.executable, str(ROOT / script), *words], cwd=tmp_path, env={**os.environ, **own},
+        stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=LONG,
+    )  # fmt: skip
+    assert done.returncode in smoke.codes, done.stdout[-1000:] + done.stderr[-3000:]
+    assert smoke.prints in done.stdout
+    for glob in smoke.leaves:
+        found = [path for path in tmp_path.glob(glob) if path.stat().st_size]
+        assert found, f"no {glob}"
+        assert [e for path in found if path.suffix == ".csv" for e in errors_in(path)] == []
+    assert state() == before

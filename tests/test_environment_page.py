@@ -1,0 +1,85 @@
+"""docs/environment.md: its table of ``info`` is what there is, and its examples run."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+from toy import toy_scene
+
+from generator.cores import torch_threads
+from tabletopgen_env.env import make_env
+from tabletopgen_env.tasks import NAMES
+
+PAGE = Path(__file__).parents[1] / "docs" / "environment.md"
+TEXT = PAGE.read_text(encoding="utf-8")
+EXAMPLES = re.findall(r"```python\n(.*?)```", TEXT, re.S)
+ROWS = re.findall(r"^\| `(\w+)` \| (reset(?:, step)?|step) \| ([^|]+) \|", TEXT, re.M)
+MODES = ("state", "goal", "pixels", "pixels+state", "point_cloud", "point_cloud+state")
+
+
+def fits(value: Any, kind: str) -> bool:
+    """Tell whether a value is of a type as the page calls it."""
+    known = {
+        "bool": lambda: isinstance(value, bool),
+        "str": lambda: isinstance(value, str),
+        "str or None": lambda: value is None or isinstance(value, str),
+        "(int, int)": lambda: isinstance(value, tuple) and [type(v) for v in value] == [int, int],
+        "tuple of str": lambda: isinstance(value, tuple) and all(isinstance(v, str) for v in value),
+        "dict of str to float": lambda: (
+            isinstance(value, Mapping)
+            and all(isinstance(k, str) and isinstance(v, float) for k, v in value.items())
+        ),
+        "dict": lambda: isinstance(value, dict),
+    }
+    return known[kind.strip()]()
+
+
+def check(info: dict[str, Any], when: str) -> None:
+    told = {key: kind for key, times, kind in ROWS if when in times}
+    assert set(info) == set(told)
+    for key, kind in told.items():
+        assert fits(info[key], kind), (key, info[key])
+    assert all(0 <= term <= 1 for term in info["reward_terms"].values())
+
+
+def check_episode(env: Any) -> None:
+    _, info = env.reset(seed=0)
+    check(info, "reset")
+    check(env.step(env.action_space.sample())[4], "step")
+    env.close()
+
+
+@pytest.mark.parametrize("task", NAMES)
+def test_the_table_has_every_key_of_info_at_every_task(task) -> None:
+    tidy = task == "Tidy"
+    check_episode(make_env("tidy-task-1" if tidy else toy_scene(), task=task))
+
+
+@pytest.mark.parametrize("mode", MODES)
+def test_the_table_has_every_key_of_info_in_every_mode(mode) -> None:
+    pictures = {} if mode in ("state", "goal") else {"renderer": "software", "image_size": 8}
+    check_episode(make_env(toy_scene(), observation=mode, randomization="light", **pictures))
+
+
+def test_there_are_two_examples() -> None:
+    assert ["RecordVideo" in code for code in EXAMPLES] == [True, False]
+    assert "SlotVecEnv" in EXAMPLES[1]
+
+
+def test_the_example_of_videos_writes_one(tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    exec(compile(EXAMPLES[0], str(PAGE), "exec"), {})
+    (video,) = tmp_path.glob("videos/*.mp4")
+    assert video.stat().st_size > 1000
+
+
+def test_the_example_of_sb3_learns(tmp_path, monkeypatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Any] = {}
+    with torch_threads(1):  # puts back what the example sets
+        exec(compile(EXAMPLES[1], str(PAGE), "exec"), names)
+    assert names["model"].num_timesteps == 256
