@@ -45,9 +45,9 @@ def measure(bundle: Path, seconds: float = 2.0) -> dict[str, Any]:
     """Simulate a bundle's ``scene.xml`` and return its soundness figures."""
     import mujoco
 
-    from generator.bundle import check
+    from generator.bundle import load_verified
 
-    check(bundle)  # the file says what the values say
+    load_verified(bundle)  # the file says what the values say
     model = mujoco.MjModel.from_xml_path(str(bundle / "scene.xml"))
     data = mujoco.MjData(model)
     mujoco.mj_resetDataKeyframe(model, data, 0)

@@ -84,9 +84,13 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     payload = _payload(place)
     up = payload.get("up", "y")
     if not isinstance(up, str) or up not in _Z_UP:
+<<<<<<< HEAD
         raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r:.80}.')
     name = printable(payload.get("name", place.name), f"{place}: 'name'", InputError)
     method = printable(payload.get("method", "unknown"), f"{place}: 'method'", InputError)
+=======
+        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r}.')
+>>>>>>> h/files
     entries = payload.get("objects")
     if not isinstance(entries, list) or len(entries) > MOST_OBJECTS:
         raise InputError(f"{place}: 'objects' must be a list of at most {MOST_OBJECTS} objects.")
@@ -99,7 +103,11 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
         "manual", 0, prompt=f"method: {method}",
         warnings=() if decompose else (warning,),
     )  # fmt: skip
+<<<<<<< HEAD
     return Scene(name, table, tuple(bodies), provenance)
+=======
+    return Scene(title, table, tuple(bodies), provenance)
+>>>>>>> h/files
 
 
 def _payload(place: Path) -> dict[str, Any]:
@@ -108,7 +116,7 @@ def _payload(place: Path) -> dict[str, Any]:
 
 def _read(place: Path, name: Any) -> bytes:
     if not isinstance(name, str):
-        raise InputError(f"{place}: a file's name must be a text, got {name!r:.80}.")
+        raise InputError(f"{place}: a file's name must be a text, got {name!r}.")
     try:
         return read_inside(place, name, MOST_BYTES)
     except BundleError as error:
@@ -132,7 +140,7 @@ def _table_mesh(
         )
     if "size" in entry:
         size = _numbers(entry["size"], (3,), f"{place}: the table's size")
-        if size.min() <= 0 or size.max() > _FARTHEST:
+        if size.min() <= 0:
             raise InputError(f"{place}: the table's size must be positive metres, got {size}.")
         top = _numbers(entry.get("top", [0, 0, size[2]]), (3,), f"{place}: the table's top")
         return _block(size), np.array([0.0, 0.0, size[2]]) - top
