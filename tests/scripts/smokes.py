@@ -74,6 +74,10 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--texts {out}/texts.json --cases 1 --route compose --out {out}",
         ("batch_compose.md",), prepare=_texts,
     ),
+    "benchmarks/certificates.py": Smoke(
+        "--bundles coffee-square --starts 1 --out {out}", _table("certificates"), codes=(0, 1)
+    ),
+    "benchmarks/concurrency.py": Smoke("--seconds 2 --out {out}", ("concurrency.md",)),
     "benchmarks/efficiency.py": Smoke(
         "--cases 1 --out {out}", (*_table("efficiency_cpu"), "efficiency_cpu.png")
     ),
@@ -88,6 +92,10 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--data {out}/data --out {out}", ("eye.md",),
         prepare=lambda out: write_shard(out / "data" / "eval.shard"),
     ),
+    "benchmarks/fresh_tables.py": Smoke(
+        "--task Tidy --count 1 --out {out}", _table("fresh_tables")
+    ),
+    "benchmarks/fuzz.py": Smoke("--kind glb --cases 5 --out {out}", ("fuzz.md",)),
     "benchmarks/modeler.py": Smoke(
         "--cases 1 --only mug --pictures {out}", ("000_mug.png",), "| label withheld | 1 |"
     ),
