@@ -77,7 +77,8 @@ def key_of(job: Job, make: Maker) -> str:
     picture = None
     if is_picture_name(job.text):
         with contextlib.suppress(InputError):  # who makes it tells of it
-            picture = fetch(job.text)
+            content = fetch(job.text)
+            picture = content if isinstance(content, bytes) else None
     return key(job, make.identity(), picture)
 
 
