@@ -27,6 +27,7 @@ def test_hostile_input_ends_well(worker: Worker, kind: str) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.timeout(1200)
 @pytest.mark.parametrize("kind", KINDS)
 def test_much_hostile_input_ends_well(worker: Worker, kind: str) -> None:
     said = report(run_cases(worker, kind, 0, range(FEW, MANY)))
