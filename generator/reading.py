@@ -13,6 +13,7 @@ import math
 import os
 import re
 import stat
+import tomllib
 from pathlib import Path
 from typing import Any, NoReturn
 from urllib.parse import SplitResult, urlsplit
@@ -34,6 +35,10 @@ MAX_NAME_LENGTH = 200
 """Characters of a name or a label."""
 
 _STRING = re.compile(rb'"[^"\\]*+(?:\\.[^"\\]*+)*+"?', re.DOTALL)  # possessive: linear in time
+_PART = rb'(?:[\w-]++|"[^"\n]*+"|\'[^\'\n]*+\')[ \t]*+'  # of a dotted key
+_DOTTED = re.compile(
+    rb"(?m:^|[\[{,])[ \t]*+" + _PART + rb"(?:\.[ \t]*+" + _PART + rb"){%d}" % MAX_DEPTH
+)
 _HOST = re.compile(r"[\w.:%-]+", re.ASCII)  # of an IPv6 address the colons, too
 _NOT_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 _STEP = {ord("["): 1, ord("{"): 1, ord("]"): -1, ord("}"): -1}
@@ -104,6 +109,25 @@ def parse_object(
     if not isinstance(payload, dict):
         raise error(f"{what} must be one JSON object, not {type(payload).__name__}.")
     return payload
+
+
+def parse_toml(raw: bytes, what: str, error: type[TabletopError]) -> dict[str, Any]:
+    """Parse a foreign TOML text; the caller bounds its length.
+
+    Args:
+        raw: the text, UTF-8.
+        what: begins the message of an error: "The price table".
+        error: what is raised.
+
+    Raises:
+        TabletopError: ``error``, if it is too deep, by brackets or by dotted keys, or no TOML.
+    """
+    if _depth(raw) > MAX_DEPTH or _DOTTED.search(raw):
+        raise error(f"{what} nests tables deeper than {MAX_DEPTH} levels.")
+    try:
+        return tomllib.loads(raw.decode("utf-8-sig"))
+    except (ValueError, RecursionError) as failure:
+        raise error(f"{what} is no TOML ({str(failure)[:200]!r}).") from failure
 
 
 def split_url(url: object, what: str, error: type[TabletopError]) -> SplitResult:

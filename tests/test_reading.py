@@ -11,7 +11,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from generator.errors import BackendError, BundleError, InputError
-from generator.reading import escaped, parse_json, parse_object, printable, read_regular, split_url
+from generator.reading import (
+    escaped,
+    parse_json,
+    parse_object,
+    parse_toml,
+    printable,
+    read_regular,
+    split_url,
+)
 
 TEXTS = st.text(st.characters(exclude_categories=("Cs",)))
 VALUES = st.recursive(
@@ -140,3 +148,35 @@ def test_names_that_cannot_be_shown_are_refused(text):
 def test_what_is_shown_holds_no_controls():
     shown = escaped("a\x1b[2Jb\x9bc\nd\u202ee\r\t\ud800 \u00e9 杯")
     assert shown == "a\\x1b[2Jb\\x9bc\nd\\u202ee\\r\\t\\ud800 \u00e9 杯"
+
+
+def test_toml_is_read():
+    raw = (
+        b'a.b = [0.1, 0.2, 0.3]\n[c]\n"d.e" = {f = "x.y", g = [[1]]}\nlong = "' + b"a." * 500 + b'"'
+    )
+    read = parse_toml(raw, "It", InputError)
+    assert read["a"] == {"b": [0.1, 0.2]} and read["c"]["d.e"]["g"] == [[1]]
+    assert len(read["c"]["long"]) == 1000
+    many = b"x = [" + b"0.1, " * 5000 + b"]"
+    assert len(parse_toml(many, "It", InputError)["x"]) == 5000
+
+
+@pytest.mark.parametrize(
+    "raw",
+    [
+        b"a." * 100_000 + b"b = 1", b"[" + b"a." * 1000 + b"b]", b"a = " + b"[" * 100_000,
+        b"a = {" * 500, b"a = 1\na = 2", b"\xff", b'a = "\\ud800"', b'"a" . ' * 90 + b"b = 1",
+        b"a" * 2**20,
+    ],
+    ids=range(9),
+)  # fmt: skip
+def test_toml_that_is_none_or_too_deep_is_refused(raw):
+    with pytest.raises(InputError, match=r"It nests|It is no TOML"):
+        parse_toml(raw, "It", InputError)
+
+
+def test_a_file_known_to_be_too_large_is_not_read(tmp_path: Path):
+    with (tmp_path / "sparse").open("wb") as file:
+        file.truncate(2**40)
+    with pytest.raises(InputError, match="larger than 1048576"):
+        read_regular(tmp_path / "sparse", "It", InputError, max_bytes=2**20)

@@ -15,6 +15,7 @@ from ..reading import parse_json, read_regular
 MOST = 100_000
 """No batch has more scenes."""
 
+_MOST_TEXT = 20_000  # letters of a prompt
 _MOST_BYTES = 64 * 2**20  # of a file of prompts
 
 
@@ -28,8 +29,12 @@ class Job:
     def __post_init__(self) -> None:
         if not isinstance(self.text, str):
             raise InputError(f"A prompt is a text, got {self.text!r:.80}.")
-        if any(0xD800 <= ord(c) < 0xE000 for c in self.text):  # as of file names that are no text
-            raise InputError(f"A prompt is a text in Unicode, got {self.text!r:.80}.")
+        if len(self.text) > _MOST_TEXT:
+            raise InputError(f"A prompt has at most {_MOST_TEXT} letters, got {len(self.text)}.")
+        try:
+            self.text.encode()
+        except UnicodeEncodeError as error:  # as of file names that are no text
+            raise InputError(f"A prompt is a text in Unicode, got {self.text!r:.80}.") from error
         require_seed(self.seed)
 
 
@@ -43,10 +48,14 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
     """
     require_number("A batch needs variants", variants, least=1, most=MOST, whole=True)
     first = [p if isinstance(p, Job) else Job(p, seed) for p in prompts]
-    jobs = tuple(dict.fromkeys(Job(j.text, j.seed + k) for j in first for k in range(variants)))
+    jobs: dict[Job, None] = {}
+    for job in first:
+        jobs |= dict.fromkeys(Job(job.text, job.seed + k) for k in range(variants))
+        if len(jobs) > MOST:
+            break
     if not 0 < len(jobs) <= MOST:
-        raise InputError(f"A batch needs 1 to {MOST:,} scenes, got {len(jobs):,}.")
-    return jobs
+        raise InputError(f"A batch needs 1 to {MOST:,} scenes, got {len(first) * variants:,}.")
+    return tuple(jobs)
 
 
 def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import fnmatch
+
 import tyro
 from tyro.conf import Positional
 
@@ -23,7 +25,7 @@ def listed(pattern: Positional[str] = "*", /, *, json: bool = False) -> int:
     """
     import assets_cache
 
-    entries = [p for p in assets_cache.entries() if p.match(pattern)]
+    entries = [p for p in assets_cache.entries() if fnmatch.fnmatchcase(p.name, pattern)]
     emit([str(p) for p in entries], json, lambda: [p.name for p in entries] or ["no bundles"])
     return 0
 

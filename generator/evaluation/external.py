@@ -84,13 +84,9 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     payload = _payload(place)
     up = payload.get("up", "y")
     if not isinstance(up, str) or up not in _Z_UP:
-<<<<<<< HEAD
         raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r:.80}.')
     name = printable(payload.get("name", place.name), f"{place}: 'name'", InputError)
     method = printable(payload.get("method", "unknown"), f"{place}: 'method'", InputError)
-=======
-        raise InputError(f'{place}: \'up\' is "y" or "z", got {up!r}.')
->>>>>>> h/files
     entries = payload.get("objects")
     if not isinstance(entries, list) or len(entries) > MOST_OBJECTS:
         raise InputError(f"{place}: 'objects' must be a list of at most {MOST_OBJECTS} objects.")
@@ -103,11 +99,7 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
         "manual", 0, prompt=f"method: {method}",
         warnings=() if decompose else (warning,),
     )  # fmt: skip
-<<<<<<< HEAD
     return Scene(name, table, tuple(bodies), provenance)
-=======
-    return Scene(title, table, tuple(bodies), provenance)
->>>>>>> h/files
 
 
 def _payload(place: Path) -> dict[str, Any]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import re
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,7 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 from ..errors import InputError, choices, require, require_number
-from ..reading import printable, read_regular
+from ..reading import parse_toml, printable, read_regular
 
 _DATED = re.compile(r"-(?:\d{4}-\d\d-\d\d|\d{6,8})$")
 _PORT = re.compile(r":\d+$")
@@ -77,13 +76,8 @@ class Prices:
         Raises:
             InputError: the file cannot be read, or says something that is not a price.
         """
-        try:
-            raw = read_regular(path, "The price table", InputError, max_bytes=_MOST_BYTES)
-            table = tomllib.loads(raw.decode())
-        except InputError:
-            raise
-        except (ValueError, RecursionError) as error:
-            raise InputError(f"The price table {path} cannot be read: {error!s:.200}.") from error
+        raw = read_regular(path, "The price table", InputError, max_bytes=_MOST_BYTES)
+        table = parse_toml(raw, f"The price table {path}", InputError)
         known = [f.name for f in dataclasses.fields(cls)]
         for name in table:
             if name not in known:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import io
 import os
+import struct
 import warnings
 from dataclasses import dataclass
 from pathlib import Path
@@ -129,11 +130,21 @@ def _decode(source: str | Path | bytes | np.ndarray, config: ReferenceConfig) ->
     return picture
 
 
+def _upright(picture: Image.Image) -> Image.Image:
+    """Return a picture turned as its EXIF data says; as it is, where they are damaged."""
+    from PIL import ImageOps
+
+    try:
+        return ImageOps.exif_transpose(picture)
+    except (SyntaxError, ValueError, OSError, EOFError, KeyError, TypeError, struct.error):
+        return picture
+
+
 def _prepared(picture: Image.Image, config: ReferenceConfig) -> UInt8[np.ndarray, "h w 3"]:
     """Return a picture upright, in sRGB on white, at most ``config.work_side`` long."""
-    from PIL import Image, ImageOps
+    from PIL import Image
 
-    picture = ImageOps.exif_transpose(picture)
+    picture = _upright(picture)
     if picture.mode.startswith("I;16"):  # Pillow would clip these to white; keep the upper byte
         picture = Image.fromarray((np.asarray(picture) >> 8).astype(np.uint8))
     if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:

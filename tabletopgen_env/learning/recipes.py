@@ -9,14 +9,13 @@ from __future__ import annotations
 import inspect
 import json
 import math
-import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
 from typing import Any, Literal, get_args
 
 from generator.errors import InputError, choices, require
-from generator.reading import read_regular
+from generator.reading import parse_toml, printable, read_regular
 
 from ..scenes.recipe import MOST_SEEDS
 from ..tasks import NAMES
@@ -212,7 +211,7 @@ def recipe_of(payload: Mapping[str, Any]) -> Recipe:
     Raises:
         InputError: an unknown or missing key, or a value of wrong type or out of range.
     """
-    name = str(payload.get("name", "recipe"))
+    name = printable(payload.get("name", "recipe"), "A recipe's name", InputError)
     known = {f.name for f in fields(Recipe)}
     for key in payload:
         if key not in known:
@@ -270,10 +269,7 @@ def _check_scenes(name: str, side: str, value: Any) -> None:
 
 def _read(path: Path) -> dict[str, Any]:
     raw = read_regular(path, "The recipe", InputError, max_bytes=MOST_BYTES)
-    try:
-        return tomllib.loads(raw.decode())
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is no TOML: {str(error)!r}.") from error
+    return parse_toml(raw, f"{path}", InputError)
 
 
 def _check_finite(name: str, value: Any) -> None:
@@ -292,13 +288,17 @@ def _change(text: str) -> dict[str, Any]:
         if not equals:
             raise ValueError("it lacks '='")
         try:
-            return tomllib.loads(f"{key} = {value}")
-        except tomllib.TOMLDecodeError:  # a bare word is a text
-            return tomllib.loads(f"{key} = {json.dumps(value.strip())}")
-    except (ValueError, RecursionError) as error:
+            return _toml(f"{key} = {value}")
+        except ValueError:  # a bare word is a text
+            return _toml(f"{key} = {json.dumps(value.strip())}")
+    except ValueError as error:
         raise InputError(
             f"A change is 'key=value' with a TOML value, got {text!r} ({error})."
         ) from error
+
+
+def _toml(text: str) -> dict[str, Any]:
+    return parse_toml(text.encode(), "It", InputError)
 
 
 def _merged(payload: Mapping[str, Any], change: Mapping[str, Any]) -> dict[str, Any]:

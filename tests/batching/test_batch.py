@@ -277,3 +277,12 @@ def test_ray_makes_the_same_bytes(
 
 def test_the_maker_of_the_tests_is_found_by_processes() -> None:
     assert toy_maker.__name__ == ToyMaker.__module__ == "toy_maker"
+
+
+def test_huge_batches_are_refused_before_they_are_laid_out() -> None:
+    texts = [f"{k} {'x' * 10_000}" for k in range(300)]
+    with pytest.raises(InputError, match="1 to 100,000 scenes, got 30,000,000"):
+        batch.jobs_of(texts, variants=100_000)
+    for text in ("x" * 30_000, "\ud800"):
+        with pytest.raises(InputError, match="A prompt"):
+            batch.Job(text)

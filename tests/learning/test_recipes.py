@@ -256,3 +256,9 @@ def test_tables_in_common_are_told_by_what_they_are(table: str, other: str, tmp_
     pool, starters = source_of("refreshing", "train"), source_of("starter:train", "train")
     assert shared(pool, starters) > 1, "what a pool begins with"
     assert shared(pool, source_of("starter:held_out", "held_out")) == 0
+
+
+def test_a_name_is_printable() -> None:
+    for name in ("\x1b[2J", 5, "x" * 300):
+        with pytest.raises(InputError, match="A recipe's name"):
+            recipe_of({"name": name, "task": "Reach", "algorithm": "sac"})

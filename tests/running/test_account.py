@@ -153,7 +153,7 @@ def test_the_shipped_prices_are_dated() -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("= 1", "cannot be read"),
+        ("= 1", "is no TOML"),
         ("modles = 1", "Did you mean 'models'"),
         ("models = 1", "is a table"),
         ('[models."m"]\nimput = 1', "Did you mean 'input'"),

@@ -60,7 +60,7 @@ class Guard:
         if event == "open":
             path, _, flags = args
             if isinstance(flags, int) and flags & _WRITES:
-                self._check(event, path, None, follow=True)
+                self._check(event, path, None, follow=not flags & os.O_NOFOLLOW)
             return
         for table, follow in ((_OF_NAMES, False), (_OF_FILES, True)):
             for place, descriptor in table.get(event, ()):

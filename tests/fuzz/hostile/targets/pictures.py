@@ -15,6 +15,7 @@ from generator.backends.cloud.pictures import NotAPicture, decoded
 from generator.backends.modelers.inspection import check_pictures
 from generator.bundle.contents import decode_png
 from generator.bundle.segments import decode_segments
+from generator.errors import InputError
 from generator.scene import Intrinsics
 from generator.stages.reference import read_image, refer
 
@@ -56,9 +57,15 @@ def pictures(rng: random.Random, folder: Path) -> Run:
 
     return lambda: accepts_any(
         lambda: read_image(path), lambda: read_image(raw), lambda: decode_png(raw, "x.png"),
-        of_cloud, lambda: check_pictures([raw]), lambda: decode_segments(names, raw),
+        of_cloud, lambda: _inspected(raw), lambda: decode_segments(names, raw),
         lambda: read_image(str(path)),
     )  # fmt: skip
+
+
+def _inspected(raw: bytes) -> None:
+    reason = check_pictures([raw])
+    if reason:
+        raise InputError(reason)
 
 
 def depths(rng: random.Random, folder: Path) -> Run:
@@ -114,9 +121,10 @@ def cameras(rng: random.Random, folder: Path) -> Run:
 
 def _odd(rng: random.Random) -> bytes:
     """A picture of many frames, or with a broken orientation."""
-    frames = [Image.new("P", (rng.choice((64, 300)), 64), k) for k in range(rng.choice((2, 200)))]
+    kind, count = rng.choice(("GIF", "TIFF", "WEBP", "PNG")), rng.choice((2, 200))
+    sizes = (64,) if kind == "WEBP" else (64, 300)
+    frames = [Image.new("P", (rng.choice(sizes), 64), k) for k in range(count)]
     file = io.BytesIO()
-    kind = rng.choice(("GIF", "TIFF", "WEBP", "PNG"))
     frames = [f.convert("RGB") for f in frames] if kind != "GIF" else frames
     frames[0].save(file, kind, save_all=True, append_images=frames[1:])
     return file.getvalue()
