@@ -52,8 +52,8 @@ def pictures(rng: random.Random, folder: Path) -> Run:
     def of_cloud() -> None:
         try:
             decoded(raw)
-        except NotAPicture:  # which the imager turns into an error of ours
-            return
+        except NotAPicture as error:  # which the imager turns into an error of ours
+            raise InputError("no picture") from error
 
     return lambda: accepts_any(
         lambda: read_image(path), lambda: read_image(raw), lambda: decode_png(raw, "x.png"),
