@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+import re
 import xml.etree.ElementTree as ET
 
 from ..errors import BundleError
 from ..mjcf import document
 from .decoding import Decoded
 
-_ROUNDING, _NEAR_ZERO = 1e-5, 1e-6
+_ROUNDING, _NEAR_ZERO = 1e-5, 1e-12
 """Numbers of two machines that write the same values differ by less."""
+
+_NUMBER = re.compile(r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[-+]?[0-9]+)?")
 
 
 def check_xml(decoded: Decoded, raw: bytes) -> str:
@@ -63,13 +66,15 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
 
 
 def _same(wanted: str, found: str) -> bool:
+    """Return whether two attributes are equal, or lists of numbers that are within rounding."""
     if wanted == found:
         return True
-    try:
-        pairs = zip(map(float, wanted.split()), map(float, found.split()), strict=True)
-        return (
-            all(math.isclose(a, b, rel_tol=_ROUNDING, abs_tol=_NEAR_ZERO) for a, b in pairs)
-            and found.isascii()
-        )
-    except ValueError:
-        return False
+    words, others = wanted.split(" "), found.split(" ")
+    return len(words) == len(others) and all(map(_is_close, words, others))
+
+
+def _is_close(wanted: str, found: str) -> bool:
+    """Return whether two words are equal, or plain decimal numbers within rounding."""
+    if wanted == found or not (_NUMBER.fullmatch(wanted) and _NUMBER.fullmatch(found)):
+        return wanted == found
+    return math.isclose(float(wanted), float(found), rel_tol=_ROUNDING, abs_tol=_NEAR_ZERO)

@@ -17,6 +17,7 @@ from toy import toy_object, toy_scene
 import assets_cache
 from generator import bundle
 from generator.bundle.encoding import dumps
+from generator.bundle.fields import numbers
 from generator.errors import BundleError, InputError
 from generator.mjcf import compiled, document, scene_spec
 from generator.physics.gate import judge
@@ -95,6 +96,15 @@ def test_values_out_of_bounds_or_of_another_type_are_refused(
     path: Path, change: Callable[[dict[str, Any]], None]
 ) -> None:
     refused(rewrite(path, change))
+
+
+def test_a_long_text_among_many_numbers_takes_no_memory() -> None:
+    """An array of texts would have room for a million characters at each of 100,000 places."""
+    with pytest.raises(BundleError, match="lists of numbers"):
+        numbers(["x" * 10**6, *[""] * 10**5], "outline")
+    with pytest.raises(BundleError, match="lists of numbers"):
+        numbers([[True, 1.0]], "outline")
+    assert numbers([[1, 2.5], [3, 4]], "outline").tolist() == [[1.0, 2.5], [3.0, 4.0]]
 
 
 def test_every_model_is_used(path: Path) -> None:
@@ -183,6 +193,9 @@ def test_names_of_objects_are_printable() -> None:
         lambda xml: xml.replace(b"<worldbody>", b'<worldbody><include file="/elsewhere.xml"/>'),
         lambda xml: xml.replace(b"<worldbody>", b"<worldbody>text"),
         lambda xml: xml.replace(b'timestep="0.002"', b'timestep="0.003"'),
+        lambda xml: xml.replace(b'timestep="0.002"', b'timestep="0.0_02"'),
+        lambda xml: xml.replace(b'timestep="0.002"', b'timestep="nan"'),
+        lambda xml: xml.replace(b'timestep="0.002"', b'timestep="0.002 0.002"'),
         lambda xml: xml.replace(b'timestep="0.002"', b""),
         lambda xml: xml.replace(b"<asset>", b"<!-- a --><asset>"),
         lambda xml: b'<!DOCTYPE m [<!ENTITY a "b">]>' + xml,
