@@ -74,7 +74,8 @@ def _same(wanted: str, found: str) -> bool:
 
 
 def _is_close(wanted: str, found: str) -> bool:
-    """Return whether two words are equal, or plain decimal numbers within rounding."""
-    if wanted == found or not (_NUMBER.fullmatch(wanted) and _NUMBER.fullmatch(found)):
+    """Return whether two words are equal, or decimals within rounding; integers are exact."""
+    integer = wanted.lstrip("-").isdecimal()
+    if wanted == found or integer or not (_NUMBER.fullmatch(wanted) and _NUMBER.fullmatch(found)):
         return wanted == found
     return math.isclose(float(wanted), float(found), rel_tol=_ROUNDING, abs_tol=_NEAR_ZERO)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import mujoco
+import numpy as np
 import pytest
 from command import command
 from forging import derive, put, rewrite
@@ -18,7 +19,8 @@ import assets_cache
 from generator import bundle
 from generator.bundle.encoding import dumps
 from generator.bundle.fields import numbers
-from generator.errors import BundleError, InputError
+from generator.bundle.segments import Segments
+from generator.errors import BundleError, InputError, SceneError
 from generator.mjcf import compiled, document, scene_spec
 from generator.physics.gate import judge
 from generator.scene import Provenance, View
@@ -173,6 +175,24 @@ def test_texts_of_ours_are_cleaned_as_they_are_saved(tmp_path: Path) -> None:
     assert again.warnings == (" [2J [Hx",)
 
 
+def test_what_is_saved_can_be_read(tmp_path: Path) -> None:
+    made = toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0, 0)),))
+    made = made.replace(report=judge(made))
+    for picture in (np.zeros((4097, 4097, 3), np.uint8), b"no PNG"):
+        with pytest.raises((SceneError, InputError)):
+            bundle.save(made, tmp_path / "store", images={"reference": picture})
+    assert not (tmp_path / "store").exists()
+    found = Segments(("cube_1",), (f"a{ESCAPE}",), np.ones((4, 4), np.uint8))
+    path = bundle.save(made, tmp_path / "store", segments=found)
+    assert bundle.verify(path) == []
+
+
+@pytest.mark.parametrize("change", [put_in("models", value=[]), put_in("objects", value=[{}, 5])])
+def test_kinds_of_nothing_are_refused(path: Path, change: Callable[[dict[str, Any]], None]) -> None:
+    with pytest.raises(BundleError):
+        bundle.load_kinds(rewrite(path, change))
+
+
 def test_names_of_objects_are_printable() -> None:
     with pytest.raises(InputError, match="called"):
         toy_scene((toy_object(ESCAPE, (0.05, 0.05, 0.05), (0, 0)),))
@@ -195,6 +215,8 @@ def test_names_of_objects_are_printable() -> None:
         lambda xml: xml.replace(b'timestep="0.002"', b'timestep="0.003"'),
         lambda xml: xml.replace(b'timestep="0.002"', b'timestep="0.0_02"'),
         lambda xml: xml.replace(b'timestep="0.002"', b'timestep="nan"'),
+        lambda xml: xml.replace(b'contype="0"', b'contype="1e-13"'),
+        lambda xml: xml.replace(b'contype="0"', b'contype="0.0"'),
         lambda xml: xml.replace(b'timestep="0.002"', b'timestep="0.002 0.002"'),
         lambda xml: xml.replace(b'timestep="0.002"', b""),
         lambda xml: xml.replace(b"<asset>", b"<!-- a --><asset>"),
