@@ -4,13 +4,19 @@ from __future__ import annotations
 
 import math
 import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+
+import numpy as np
 
 from ..errors import BundleError
-from ..mjcf import document
+from ..mjcf import Document, compiled, document, spec_of
+from ..png import encode_png
 from .decoding import Decoded
 
 _ROUNDING, _NEAR_ZERO = 1e-5, 1e-6
 """Numbers of two machines that write the same values differ by less."""
+
+_ONE_TEXTURE = '<mujoco><asset><texture name="t" type="2d" file="t.png"/></asset></mujoco>'
 
 
 def check_xml(decoded: Decoded, raw: bytes) -> str:
@@ -30,6 +36,28 @@ def check_xml(decoded: Decoded, raw: bytes) -> str:
                 f"scene.xml does not fit scene.json: {difference}. Make the bundle again."
             )
     return wanted
+
+
+def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> None:
+    """Check that MuJoCo builds all that a scene's document draws.
+
+    It keeps three copies of a texture meanwhile, so textures are built one by one, and the scene
+    with a single pixel for each.
+
+    Args:
+        decoded: the scene.
+        xml: its document.
+        contents: the files that it refers to, by path.
+
+    Raises:
+        SceneError: it does not.
+    """
+    name, files = decoded.scene.name, dict(contents)
+    pixel = encode_png(np.zeros((1, 1, 3), np.uint8))
+    for path in {texture for _, texture in decoded.paths.values()}:
+        compiled(spec_of(Document(_ONE_TEXTURE, {"t.png": files[path]}), name), name)
+        files[path] = pixel
+    compiled(spec_of(Document(xml, files), name), name)
 
 
 def _parsed(raw: bytes, most: int) -> ET.Element:
