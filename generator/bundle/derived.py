@@ -2,25 +2,34 @@
 
 from __future__ import annotations
 
-import math
 import re
 import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+
+import numpy as np
 
 from ..errors import BundleError
-from ..mjcf import document
+from ..mjcf import Document, compiled, document, spec_of
+from ..png import encode_png
 from .decoding import Decoded
 
-_ROUNDING, _NEAR_ZERO = 1e-5, 1e-12
-"""Numbers of two machines that write the same values differ by less."""
+_COMPUTED = frozenset(
+    {"fullinertia", "mass", "pos", "quat", "qpos", "scale", "size", "vertex", "xyaxes"}
+)
+"""Attributes whose numbers are computed, so that another machine may end them otherwise."""
+
+_ROUNDING = 1e-6
+"""They differ by less than this share of the attribute's largest number."""
 
 _NUMBER = re.compile(r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[-+]?[0-9]+)?")
+_ONE_TEXTURE = '<mujoco><asset><texture name="t" type="2d" file="t.png"/></asset></mujoco>'
 
 
 def check_xml(decoded: Decoded, raw: bytes) -> str:
     """Compare a bundle's ``scene.xml`` with its values; return the document of the values.
 
     The same bytes are what the same machine writes. Computed numbers may end in another digit
-    elsewhere: then elements, attributes and words must be the same, and numbers within rounding.
+    elsewhere: then all else must be the same, and they must be within rounding.
 
     Raises:
         BundleError: the document says something else.
@@ -33,6 +42,28 @@ def check_xml(decoded: Decoded, raw: bytes) -> str:
                 f"scene.xml does not fit scene.json: {difference}. Make the bundle again."
             )
     return wanted
+
+
+def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> None:
+    """Check that MuJoCo builds all that a scene's document draws.
+
+    It keeps three copies of a texture meanwhile, so textures are built one by one, and the scene
+    with a single pixel for each.
+
+    Args:
+        decoded: the scene.
+        xml: its document.
+        contents: the files that it refers to, by path.
+
+    Raises:
+        SceneError: it does not.
+    """
+    name, files = decoded.scene.name, dict(contents)
+    pixel = encode_png(np.zeros((1, 1, 3), np.uint8))
+    for path in {texture for _, texture in decoded.paths.values()}:
+        compiled(spec_of(Document(_ONE_TEXTURE, {"t.png": files[path]}), name), name)
+        files[path] = pixel
+    compiled(spec_of(Document(xml, files), name), name)
 
 
 def _parsed(raw: bytes, most: int) -> ET.Element:
@@ -56,7 +87,7 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
     if wanted.attrib.keys() != found.attrib.keys():
         return f"{where} has other attributes"
     for key, value in wanted.attrib.items():
-        if not _same(value, found.attrib[key]):
+        if not (value == found.attrib[key] or _close(key, value, found.attrib[key])):
             return f"{where} has {key}={found.attrib[key][:80]!r}, not {value[:80]!r}"
     if (found.text or "").strip() or (found.tail or "").strip():
         return f"{where} holds text"
@@ -65,17 +96,13 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
     return next(filter(None, map(_difference, wanted, found)), "")
 
 
-def _same(wanted: str, found: str) -> bool:
-    """Return whether two attributes are equal, or lists of numbers that are within rounding."""
-    if wanted == found:
-        return True
-    words, others = wanted.split(" "), found.split(" ")
-    return len(words) == len(others) and all(map(_is_close, words, others))
-
-
-def _is_close(wanted: str, found: str) -> bool:
-    """Return whether two words are equal, or decimals within rounding; integers are exact."""
-    integer = wanted.lstrip("-").isdecimal()
-    if wanted == found or integer or not (_NUMBER.fullmatch(wanted) and _NUMBER.fullmatch(found)):
-        return wanted == found
-    return math.isclose(float(wanted), float(found), rel_tol=_ROUNDING, abs_tol=_NEAR_ZERO)
+def _close(key: str, wanted: str, found: str) -> bool:
+    """Return whether an attribute is computed, and its numbers are within rounding."""
+    words = found.split(" ")
+    if key not in _COMPUTED or not all(map(_NUMBER.fullmatch, words)):
+        return False
+    numbers, others = [float(word) for word in wanted.split(" ")], [float(word) for word in words]
+    allowed = _ROUNDING * max(map(abs, numbers))
+    return len(numbers) == len(others) and all(
+        abs(a - b) <= allowed for a, b in zip(numbers, others, strict=True)
+    )

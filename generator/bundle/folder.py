@@ -20,13 +20,13 @@ import numpy as np
 from jaxtyping import UInt8
 
 from ..errors import BundleError, InputError, SceneError, StorageError
-from ..mjcf import Document, compiled, document, spec_of
+from ..mjcf import compiled, document, spec_of
 from ..png import encode_png
 from ..scene import Scene
 from .bounds import BOUNDS, check_listed
 from .contents import decode_png, picture_size
 from .decoding import decode_scene, loads
-from .derived import check_xml
+from .derived import check_builds, check_xml
 from .encoding import dumps, encode_scene
 from .publishing import publish, steady
 from .segments import PATH as SEGMENTS_PATH
@@ -294,8 +294,10 @@ def _read(folder: Path, visuals: bool = False) -> Scene:
         scene = decoded.scene
         check_name(scene.name)
         xml = check_xml(decoded, file("scene.xml"))
-        made = Document(xml, contents) if visuals else document(scene, visuals=False)
-        compiled(spec_of(made, scene.name), scene.name)
+        if visuals:
+            check_builds(decoded, xml, contents)
+        else:
+            compiled(spec_of(document(scene, visuals=False), scene.name), scene.name)
     except (BundleError, InputError, SceneError) as error:
         raise BundleError(f"{folder}: {error}") from error
     return scene

@@ -5,7 +5,12 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Float, Int
 
-_CHUNK = 2_000_000  # candidate pixels held at once
+from ..errors import SceneError
+
+_CHUNK = 2_000_000  # candidate pixels, or rows of triangles, held at once
+
+MOST_LAYERS = 40
+"""Surfaces that may lie behind one another, on average over a picture; tables have a few."""
 
 
 def _spans(
@@ -65,7 +70,11 @@ def rasterise(
 def nearest(
     corners: Float[np.ndarray, "m 3 3"], width: int, height: int
 ) -> tuple[Int[np.ndarray, "hw"], Float[np.ndarray, "hw"]]:
-    """Return the first and the last of what :func:`rasterise` returns."""
+    """Return the first and the last of what :func:`rasterise` returns.
+
+    Raises:
+        SceneError: the triangles lie in more than ``MOST_LAYERS`` layers.
+    """
     near = np.zeros(width * height)
     owner = np.full(width * height, -1, np.int64)
     xy, closeness = corners[..., :2], corners[..., 2]
@@ -76,21 +85,45 @@ def nearest(
     safe = np.where(np.abs(area) > 1e-12, area, 1.0)
     along_x = (d1 * e2[:, 1] - d2 * e1[:, 1]) / safe
     along_y = (d2 * e1[:, 0] - d1 * e2[:, 0]) / safe
-    triangle, row, first, end = _spans(xy[whole], width, height)
-    triangle = whole[triangle]
-    load = np.cumsum(end - first)
-    cuts = np.searchsorted(load, np.arange(_CHUNK, load[-1] if len(load) else 0, _CHUNK))
-    for chunk in np.split(np.arange(len(triangle)), np.unique(cuts)):
-        span, column = _expand(first[chunk], (end - first)[chunk])
-        t, y = triangle[chunk], row[chunk]
-        start = closeness[t, 0] + along_x[t] * (0.5 - xy[t, 0, 0])
-        start += along_y[t] * (y + 0.5 - xy[t, 0, 1])
-        close = start[span] + along_x[t][span] * column
-        pixel = (y * width)[span] + column
-        np.maximum.at(near, pixel, close)
-        front = close >= near[pixel]
-        owner[pixel[front]] = t[span[front]]
+    for some in _portions(xy[whole], area[whole], width, height):
+        triangle, row, first, end = _spans(xy[whole[some]], width, height)
+        triangle = whole[some][triangle]
+        load = np.cumsum(end - first)
+        cuts = np.searchsorted(load, np.arange(_CHUNK, load[-1] if len(load) else 0, _CHUNK))
+        for chunk in np.split(np.arange(len(triangle)), np.unique(cuts)):
+            span, column = _expand(first[chunk], (end - first)[chunk])
+            t, y = triangle[chunk], row[chunk]
+            start = closeness[t, 0] + along_x[t] * (0.5 - xy[t, 0, 0])
+            start += along_y[t] * (y + 0.5 - xy[t, 0, 1])
+            close = start[span] + along_x[t][span] * column
+            pixel = (y * width)[span] + column
+            np.maximum.at(near, pixel, close)
+            front = close >= near[pixel]
+            owner[pixel[front]] = t[span[front]]
     return owner, near
+
+
+def _portions(
+    xy: Float[np.ndarray, "m 3 2"], area: Float[np.ndarray, "m"], width: int, height: int
+) -> list[Int[np.ndarray, "k"]]:
+    """Return the triangles, in order, in portions that cross few rows each.
+
+    Raises:
+        SceneError: they cross too many rows, or cover too many pixels, to be drawn.
+    """
+    size = np.array([width, height])
+    low, high = np.clip(xy.min(1), 0, size), np.clip(xy.max(1), 0, size)
+    box = np.ceil(high) - np.floor(low)
+    covered = np.minimum(np.abs(area) / 2, box.prod(1)).sum()
+    rows = np.cumsum(box[:, 1])
+    most = MOST_LAYERS * width * height
+    if len(rows) and max(covered, rows[-1] - len(rows)) > most:
+        raise SceneError(
+            f"Its triangles lie in more than {MOST_LAYERS} layers: that is too much to draw. "
+            "Use meshes without so many surfaces behind one another."
+        )
+    cuts = np.arange(_CHUNK, rows[-1] if len(rows) else 0, _CHUNK)
+    return np.split(np.arange(len(xy)), np.unique(np.searchsorted(rows, cuts)))
 
 
 def _weights(

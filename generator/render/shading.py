@@ -10,6 +10,8 @@ from jaxtyping import Float, Int, UInt8
 from ..scene import frozen_array
 
 _CREASE = np.cos(np.deg2rad(40.0))
+_MOST_PAIRS = 64  # of corners in the same place, for each corner on average; solids have about 6
+_PIECE = 1 << 20  # such pairs held at once
 
 
 def _unit(v: np.ndarray) -> np.ndarray:
@@ -44,7 +46,8 @@ def corner_normals(
 ) -> Float[np.ndarray, "m 3 3"]:
     """Return a unit normal per face corner, smooth across edges flatter than 40 degrees.
 
-    Vertices that share a position (seams of the texture) are smoothed together.
+    Vertices that share a position (seams of the texture) are smoothed together. Where far more
+    faces meet in points than in any solid, all normals are those of the faces.
     """
     a, b, c = (vertices[faces[:, k]] for k in range(3))
     scaled = np.cross(b - a, c - a)
@@ -57,17 +60,21 @@ def corner_normals(
     counts = np.bincount(corner)
     starts = np.cumsum(counts) - counts
     repeats = counts[corner]
-    left = np.repeat(np.arange(len(corner)), repeats)
-    offset = np.arange(repeats.sum()) - np.repeat(np.cumsum(repeats) - repeats, repeats)
-    right = order[starts[corner[left]] + offset]
-    alike = (flat[left // 3] * flat[right // 3]).sum(1) > _CREASE
-    total = np.stack(
-        [
-            np.bincount(left[alike], scaled[right[alike] // 3, k], minlength=len(corner))
-            for k in range(3)
-        ],
-        1,
-    )
+    pairs = np.cumsum(repeats)
+    if pairs[-1] > _MOST_PAIRS * len(corner):
+        return np.repeat(flat[:, None], 3, axis=1)
+    cuts = np.searchsorted(pairs, np.arange(_PIECE, pairs[-1], _PIECE))
+    total = np.empty((len(corner), 3))
+    for some in np.split(np.arange(len(corner)), np.unique(cuts)):
+        own = np.repeat(np.arange(len(some)), repeats[some])
+        offset = np.arange(len(own)) - np.repeat(
+            np.cumsum(repeats[some]) - repeats[some], repeats[some]
+        )
+        right = order[starts[corner[some]][own] + offset]
+        alike = (flat[some[own] // 3] * flat[right // 3]).sum(1) > _CREASE
+        for k in range(3):
+            weights = scaled[right[alike] // 3, k]
+            total[some, k] = np.bincount(own[alike], weights, minlength=len(some))
     return _unit(total).reshape(-1, 3, 3)
 
 

@@ -29,6 +29,9 @@ from ..reading import parse_object, read_regular
 MOST_BYTES = 4 * 2**30
 """Size of a store unless its owner says otherwise."""
 
+MOST_ANSWER_BYTES = 257 * 2**20
+"""Size of one kept answer: more than the largest that a server is read for."""
+
 _MAGIC = b"tabletopgen call 1"
 _KEY = re.compile(r"[0-9a-f]{64}")
 _PARTIAL = ".partial-"
@@ -64,6 +67,7 @@ class CallStore:
         require_number("CallStore needs most_bytes", most_bytes, least=1, whole=True)
         self.folder = Path(folder)
         self.most_bytes = most_bytes
+        self._most_answer = min(most_bytes, MOST_ANSWER_BYTES)
         self._broken = False
         self._lock_room = threading.Lock()
         self._room = 0  # bytes that may be written before the folder is looked at again
@@ -76,7 +80,7 @@ class CallStore:
         answer = None
         with contextlib.suppress(StorageError):
             if not path.is_symlink():
-                raw = read_regular(path, "An answer", StorageError, max_bytes=self.most_bytes)
+                raw = read_regular(path, "An answer", StorageError, max_bytes=self._most_answer)
                 answer = _decoded(key, raw)
         with contextlib.suppress(OSError):
             if answer is None:
@@ -91,16 +95,17 @@ class CallStore:
         Call it while ``holding`` the question, where others may do so.
 
         Raises:
-            StorageError: it is larger than the store. Or the disk refuses: that is said once, and
-                from then on nothing is kept.
+            StorageError: it is larger than the store, or than any answer. Or the disk refuses: that
+                is said once, and from then on nothing is kept.
         """
         if self._broken:
             return
         path, raw = self._path(key), _encoded(key, answer)
-        if len(raw) > self.most_bytes:
+        if len(raw) > self._most_answer:
             raise StorageError(
                 f"An answer of {len(raw)} bytes does not fit the call store {self.folder}, "
-                f"which holds {self.most_bytes}. Raise its most_bytes."
+                f"which holds {self.most_bytes}, and {MOST_ANSWER_BYTES} an answer. Raise its "
+                "most_bytes, or ask for less."
             )
         try:
             self._write(path, raw)

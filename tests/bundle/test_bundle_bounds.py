@@ -13,6 +13,7 @@ from toy import toy_scene
 
 import assets_cache
 from generator import bundle
+from generator.bundle import derived
 from generator.bundle.bounds import BOUNDS, Bounds, check_counts
 from generator.bundle.contents import decode_obj, decode_png, mesh_counts, picture_size
 from generator.errors import BundleError
@@ -119,10 +120,25 @@ def test_textures_count_together_and_are_decoded_once(path: Path, monkeypatch) -
     assert not decoded
 
 
+def test_textures_are_built_one_by_one(path: Path, monkeypatch) -> None:
+    """MuJoCo keeps several copies of each: together they would take more than all else."""
+    seen = []
+    real = derived.spec_of
+    monkeypatch.setattr(
+        derived, "spec_of", lambda made, name: seen.append(made) or real(made, name)
+    )
+    assert bundle.verify(path) == []
+    *single, whole = seen
+    pictures = {p.name: p.read_bytes() for p in (path / "textures").iterdir()}
+    assert sorted(made.files["t.png"] for made in single) == sorted(pictures.values())
+    sizes = {picture_size(raw, n) for n, raw in whole.files.items() if n.startswith("textures/")}
+    assert sizes == {(1, 1)}
+
+
 def test_meshes_count_for_every_body_that_shows_them(path: Path) -> None:
     mesh = encode_obj(toy_scene().table.model.mesh)
-    many = mesh.replace(b"\nvt ", b"\n" + LINE * 200_000 + b"vt ", 1)
-    assert mesh_counts(many) == (200_008, 12)
+    many = mesh.replace(b"\nvt ", b"\n" + LINE * 100_000 + b"vt ", 1)
+    assert mesh_counts(many) == (100_008, 12)
     forged = put_mesh(path, many)
     refused(rewrite(forged, lambda p: repeat(p, 20)), "meshes together have")
 

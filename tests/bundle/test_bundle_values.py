@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from toy import toy_object, toy_scene
 
 import assets_cache
 from generator import bundle
+from generator.bundle import derived
 from generator.bundle.encoding import dumps
 from generator.bundle.fields import numbers
 from generator.bundle.segments import Segments
@@ -232,9 +234,37 @@ def test_an_xml_that_says_something_else_is_refused(
 
 
 def test_another_machines_last_digits_are_the_same_document(path: Path) -> None:
-    xml = (path / "scene.xml").read_bytes()
-    forged = put(path, "scene.xml", xml.replace(b'gpos="0.01 1"', b"").replace(b"0.002", b".002"))
-    assert bundle.verify(forged) == []
+    xml = (path / "scene.xml").read_text()
+    (pose,) = re.findall(r'<body name="cube_1" pos="([^"]*)"', xml)
+    x, *rest = pose.split()
+    assert float(x) == 0
+    for word in ("4.440892e-16", "-0", "1e-10"):
+        forged = put(path, "scene.xml", xml.replace(pose, " ".join([word, *rest]), 1).encode())
+        assert bundle.verify(forged) == []
+        path = forged
+
+
+@pytest.mark.parametrize(
+    ("key", "wanted", "found", "close"),
+    [
+        ("pos", "0 0.5", "4.440892e-16 0.5", True),
+        ("pos", "4.440892e-16 0.5", "0 0.5", True),
+        ("quat", "1 0 0 0", "0.9999999 1e-9 0 0", True),
+        ("quat", "1 0 0 0", "0.9999 0 0 0", False),
+        ("mass", "1e-9", "2e-9", False),
+        ("mass", "0", "1e-300", False),
+        ("fullinertia", "1.958e-7 1e-8", "-7.9e-7 1e-8", False),
+        ("size", "0.1", "0_0.1", False),
+        ("size", "0.1", "nan", False),
+        ("size", "0.1 0.1", "0.1", False),
+        ("contype", "1", "1.0000001", False),
+        ("name", "100000", "1e5", False),
+    ],
+)
+def test_only_computed_numbers_may_end_otherwise(
+    key: str, wanted: str, found: str, close: bool
+) -> None:
+    assert derived._close(key, wanted, found) == close
 
 
 def test_the_viewer_opens_what_was_checked(path: Path, monkeypatch) -> None:

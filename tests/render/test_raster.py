@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 import trimesh
 
+from generator.errors import SceneError
 from generator.geometry import Camera
 from generator.render.picture import framing_camera
 from generator.render.raster import BACKGROUND, Item, render
-from generator.render.scanlines import rasterise
+from generator.render.scanlines import MOST_LAYERS, rasterise
 from generator.render.shading import Light, corner_normals, sample_texture
 from generator.scene import View
 
@@ -122,3 +123,35 @@ def test_the_same_bytes_however_pixels_are_cut_up(monkeypatch, piece):
     usual = render(things, camera()).image
     monkeypatch.setattr(raster, "_PIECE", piece)
     np.testing.assert_array_equal(render(things, camera()).image, usual)
+
+
+def test_triangles_are_drawn_alike_in_portions_of_any_size(monkeypatch) -> None:
+    mesh = trimesh.creation.icosphere(3, 0.3)
+    whole = render([item(mesh, 0)], camera(60))
+    monkeypatch.setattr("generator.render.scanlines._CHUNK", 500)
+    monkeypatch.setattr("generator.render.shading._PIECE", 500)
+    portions = render([item(mesh, 0)], camera(60))
+    assert (portions.image == whole.image).all()
+    assert (portions.depth == whole.depth).all()
+
+
+@pytest.mark.parametrize("corner", [(64.0, 0.0), (0.01, 64.0)], ids=["wide", "thin"])
+def test_what_lies_in_too_many_layers_is_not_drawn(corner: tuple[float, float]) -> None:
+    one = np.array([[0.0, 0.0, 1.0], [*corner, 1.0], [0.0, 64.0, 1.0]])
+    sheet = np.array([[0.0, 0.0, 1.0], [64.0, 0.0, 1.0], [0.0, 64.0, 1.0]])
+    few = np.concatenate([np.repeat(sheet[None], 2 * MOST_LAYERS - 2, 0), one[None]])
+    assert (rasterise(few, 64, 64)[0] >= 0).any()
+    many = np.repeat(one[None], 70 * MOST_LAYERS, 0)
+    with pytest.raises(SceneError, match="layers"):
+        rasterise(many, 64, 64)
+
+
+def test_a_fan_of_very_many_faces_is_shaded_flat() -> None:
+    """Its corners would be compared with each other: 4e8 pairs."""
+    angles = np.linspace(0, 2 * np.pi, 20_000)
+    rim = np.column_stack([np.cos(angles), np.sin(angles), 0.1 * np.sin(9 * angles)])
+    k = np.arange(len(rim) - 1)
+    faces = np.column_stack([np.full(len(k), len(rim)), k, k + 1])
+    normals = corner_normals(np.vstack([rim, [[0, 0, 1]]]), faces)
+    assert (normals[:, 0] == normals[:, 1]).all()
+    assert np.linalg.norm(normals, axis=-1) == pytest.approx(np.ones((len(k), 3)))

@@ -14,7 +14,7 @@ import pytest
 from bounded import LONG, at_once, line_of, running
 
 from generator.errors import InputError, StorageError
-from generator.running.store import Answer, CallStore
+from generator.running.store import MOST_ANSWER_BYTES, Answer, CallStore
 
 ANSWER = Answer(200, "application/json", b'{"a": 1}\n\x00\xff')
 
@@ -135,6 +135,22 @@ def test_an_answer_larger_than_the_store_is_refused(tmp_path: Path) -> None:
     assert store.get(key("q")) is None and store.get(key("r")) == ANSWER
     with pytest.raises(InputError, match="most_bytes"):
         CallStore(tmp_path, most_bytes=0)
+
+
+def test_one_answer_is_bounded_in_a_store_of_any_size(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A forged file is not read into memory because the store may hold as much."""
+    store = CallStore(tmp_path)
+    store.put(key("q"), ANSWER)
+    (file,) = (tmp_path / "answers").glob("*/*")
+    with file.open("r+b") as opened:
+        opened.truncate(MOST_ANSWER_BYTES + 1)  # sparse
+    monkeypatch.setattr("generator.reading._read", lambda *_: pytest.fail("it was read"))
+    assert store.get(key("q")) is None and not file.exists()
+    monkeypatch.setattr("generator.running.store.MOST_ANSWER_BYTES", 300)
+    with pytest.raises(StorageError, match="300 an answer"):
+        CallStore(tmp_path).put(key("q"), Answer(200, "", bytes(300)))
 
 
 def test_a_disk_that_refuses_is_told_once(tmp_path: Path) -> None:

@@ -3,68 +3,45 @@
 from __future__ import annotations
 
 import hashlib
-import os
+from collections.abc import Callable
 from pathlib import Path
 
 import safetensors
 
 from ...errors import BackendError, StorageError
 from ..installing import module
+from .downloading import HOW, download_apart
 from .folder import PICKLES, missing, snapshot
 from .pins import WEIGHTS, Pin
 
-_HOW = "Run: pip install 'tabletopgen[huggingface]'"
 
-
-def pull(pin: Pin, folder: Path) -> Path:
+def pull(pin: Pin, folder: Path, fetch: Callable[[Pin, Path], None] = download_apart) -> Path:
     """Fetch what is missing of a model at its commit; return the folder it lies in.
 
-    An interrupted download goes on where it stopped. ``HF_ENDPOINT`` names a mirror, ``HF_TOKEN``
-    is sent if it is set, as huggingface_hub does.
+    An interrupted download goes on where it stopped; one that stands still is ended.
+    ``HF_ENDPOINT`` names a mirror, ``HF_TOKEN`` is sent if it is set, as huggingface_hub does.
+
+    Args:
+        pin: the model.
+        folder: see ``models_folder``.
+        fetch: does the download.
 
     Raises:
-        BackendError: huggingface_hub is not installed, the server refuses or cannot be reached, or
-            what it sent is not the pinned model.
+        BackendError: huggingface_hub is not installed, the server refuses, cannot be reached
+            or stands still, or what it sent is not the pinned model.
         StorageError: the folder cannot be written.
     """
     what = f"huggingface, pull of {pin.name}:"
-    hub = module("huggingface_hub", "huggingface", _HOW)
+    module("huggingface_hub", "huggingface", HOW)
     if any(Path(name).suffix in PICKLES for name in pin.files):
         raise BackendError(f"{what} its files name a pickle; only safetensors are fetched.")
     _writable(folder)
-    try:
-        hub.snapshot_download(
-            pin.repository, revision=pin.revision, cache_dir=folder,
-            allow_patterns=list(pin.files), endpoint=os.environ.get("HF_ENDPOINT") or None,
-        )  # fmt: skip
-    except hub.errors.GatedRepoError as error:
-        raise BackendError(
-            f"{what} its licence ({pin.licence}) has to be accepted at "
-            f"https://huggingface.co/{pin.repository} first; then set HF_TOKEN to a token of that "
-            "account."
-        ) from error
-    except Exception as error:  # of huggingface_hub, its client, or the disk
-        if _of_the_disk(error):
-            raise StorageError(
-                f"{what} {folder} cannot be written: {error}. What was fetched is kept; make room, "
-                "or choose another --folder."
-            ) from error
-        said = " ".join(str(error).split())[:300]
-        raise BackendError(
-            f"{what} {pin.repository} could not be fetched ({type(error).__name__}: {said}). What "
-            "was fetched is kept; run it again."
-        ) from error
+    fetch(pin, folder)
     home = snapshot(pin, folder)
     if absent := missing(pin, folder):
         raise BackendError(f"{what} the server has no {', '.join(absent)} at {pin.revision}.")
     _check(pin, home, what)
     return home
-
-
-def _of_the_disk(error: Exception) -> bool:
-    """Tell the disk's errors from the network's, some of which are OSErrors, too."""
-    network = isinstance(error, ConnectionError | TimeoutError)
-    return isinstance(error, OSError) and (error.errno or 0) > 0 and not network
 
 
 def _writable(folder: Path) -> None:

@@ -6,8 +6,10 @@ import dataclasses
 import errno
 import hashlib
 import json
+import os
 import re
 import shutil
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import IO, Any
@@ -19,6 +21,7 @@ from huggingface_hub import file_download
 from local_server import local_server
 
 from generator.backends.huggingface import pins as pins_module
+from generator.backends.huggingface.downloading import download, watched
 from generator.backends.huggingface.encoder import Encoder
 from generator.backends.huggingface.folder import missing, snapshot
 from generator.backends.huggingface.loading import load_model
@@ -58,7 +61,7 @@ def test_the_named_files_are_fetched_at_the_pinned_commit_and_no_others(
     assert home == snapshot(model, tmp_path)
     assert sorted(p.name for p in home.iterdir()) == sorted(model.files)
     assert (home / WEIGHTS).read_bytes() == hub.files[WEIGHTS]
-    assert all(model.revision in path for path in hub.asked)
+    assert all(model.revision in path for path in hub.asked), hub.asked
     assert not any(name in " ".join(hub.asked) for name in ("pytorch_model", "modeling", "README"))
 
 
@@ -143,7 +146,7 @@ def test_a_download_that_breaks_off_leaves_no_model_and_goes_on(
     hub.cut = 100
     monkeypatch.setattr("time.sleep", lambda _: None)
     with pytest.raises(BackendError, match="could not be fetched"):
-        pull(model, tmp_path)
+        pull(model, tmp_path, download)
     assert missing(model, tmp_path)
     hub.cut = 0
     pull(model, tmp_path)
@@ -154,7 +157,7 @@ def test_no_server_at_all(model: Pin, tmp_path: Path, monkeypatch: pytest.Monkey
     monkeypatch.setenv("HF_ENDPOINT", "http://127.0.0.1:9")
     monkeypatch.setattr("time.sleep", lambda _: None)
     with pytest.raises(BackendError, match="could not be fetched"):
-        pull(model, tmp_path)
+        pull(model, tmp_path, download)
 
 
 def test_a_pin_of_a_pickle_is_refused(hub: Hub, model: Pin, tmp_path: Path) -> None:
@@ -192,13 +195,61 @@ def test_a_full_disk_keeps_what_is_there(
     with monkeypatch.context() as patch:
         patch.setattr(file_download, "http_get", full)
         with pytest.raises(StorageError, match="No space left on device"):
-            pull(model, tmp_path)
+            pull(model, tmp_path, download)
     left = missing(model, tmp_path)
     assert len(begun) == 2 and len(left) == len(model.files) - 1, "one is whole, no half one counts"
     hub.asked.clear()
     pull(model, tmp_path)
     (whole,) = set(model.files) - set(left)
     assert missing(model, tmp_path) == () and not any(whole in path for path in hub.asked)
+
+
+def fake(tmp_path: Path, code: str, seconds: float = 60.0, least: int = 1) -> None:
+    """Watch a downloader that runs this code; what it fetches goes to ``tmp_path``."""
+    head = f"import json, os, sys, time\nplace = {str(tmp_path / 'file')!r}\n"
+    watched([sys.executable, "-c", head + code], tmp_path, "toy", seconds=seconds, least=least)
+
+
+def test_a_download_that_stands_still_is_ended(tmp_path: Path) -> None:
+    code = "open(place, 'w').write(str(os.getpid()))\ntime.sleep(600)"
+    with pytest.raises(BackendError, match=r"pull of toy: less than 1 bytes .* run it again"):
+        fake(tmp_path, code, seconds=1.0)
+    with pytest.raises(ProcessLookupError):
+        os.kill(int((tmp_path / "file").read_text()), 0)
+
+
+def test_a_download_that_only_trickles_stands_still(tmp_path: Path) -> None:
+    code = "while True:\n open(place, 'a').write('x' * 4096)\n time.sleep(0.1)"
+    with pytest.raises(BackendError, match="less than 1073741824 bytes"):
+        fake(tmp_path, code, seconds=1.0, least=2**30)
+
+
+def test_a_download_that_goes_on_is_waited_for(tmp_path: Path) -> None:
+    code = "for k in range(20):\n open(place, 'a').write('x' * 8192)\n time.sleep(0.1)"
+    fake(tmp_path, code, seconds=1.0)
+    assert (tmp_path / "file").stat().st_size == 20 * 8192
+
+
+@pytest.mark.parametrize(
+    ("code", "kind", "told"),
+    [
+        ("print(json.dumps({'kind': 'storage', 'message': 'disk full'}))\nsys.exit(1)",
+         StorageError, "disk full"),
+        ("print('noise')\nprint(json.dumps({'kind': 'x', 'message': 'no'}))\nsys.exit(1)",
+         BackendError, "no"),
+        ("print('[' * 9000)\nsys.exit(1)", BackendError, "exit code 1"),
+        ("os.kill(os.getpid(), 9)", BackendError, "exit code -9"),
+    ],
+)  # fmt: skip
+def test_what_a_download_ends_with_is_told(
+    tmp_path: Path, code: str, kind: type[Exception], told: str
+) -> None:
+    with pytest.raises(kind, match=told):
+        fake(tmp_path, code)
+
+
+def test_the_transport_without_limits_of_time_is_off(tmp_path: Path) -> None:
+    fake(tmp_path, "sys.exit(os.environ['HF_HUB_DISABLE_XET'] != '1')")
 
 
 # ------------------------------------------------------------------------------------ the command
