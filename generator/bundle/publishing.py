@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Concatenate, ParamSpec, TypeVar
 
 from ..errors import BundleError, MissingError, StorageError
-from ..files import remove_tree
+from ..files import remove_file, remove_tree
 
 STAGING = ".staging-"
 """How the names of staging folders begin."""
@@ -30,6 +30,11 @@ STALE = 60.0
 """Seconds after which a staging folder that nobody locks is removed."""
 
 _RANDOM = re.compile(re.escape(STAGING) + r"[a-z0-9_]{8}")  # as ``tempfile.mkdtemp`` names it
+_MARKER = ".tabletopgen-staging"
+"""A file in each staging folder: those of other programs, of whatever name, are left alone."""
+
+_INNER = "new"  # the folder in it that is renamed in the end
+
 _TRIES = 200  # more than any number of processes at one bundle needs
 _OCCUPIED = frozenset({errno.ENOTEMPTY, errno.EEXIST, errno.ENOTDIR})
 _ABSENT = frozenset({errno.ENOENT, errno.ENOTDIR})
@@ -107,7 +112,7 @@ def discard(path: Path) -> bool:
 
 @contextlib.contextmanager
 def staging_in(folder: Path) -> Iterator[Path]:
-    """Yield a new folder in ``folder`` that in the end is removed, unless it was renamed.
+    """Yield a new folder, inside one in ``folder``, that in the end is removed or was renamed.
 
     Raises:
         OSError: it cannot be made or removed.
@@ -115,11 +120,14 @@ def staging_in(folder: Path) -> Iterator[Path]:
     sweep(folder)
     staging, lock = _make_staging(folder)
     try:
-        yield staging
+        (staging / _MARKER).touch()
+        inner = staging / _INNER
+        inner.mkdir()
+        yield inner
     finally:
         try:
             if _is_at(staging, lock):
-                remove_tree(folder, staging.name)
+                _remove(staging)
         finally:
             os.close(lock)
 
@@ -207,9 +215,18 @@ def _remove_if_stale(folder: Path, name: str) -> None:
     try:
         if time.time() - os.fstat(lock).st_mtime > STALE:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            remove_tree(folder, name)
+            held = os.listdir(lock)
+            if _MARKER in held or not held:  # none yet: its maker died before it was marked
+                _remove(folder / name)
     finally:
         os.close(lock)
+
+
+def _remove(staging: Path) -> None:
+    """Remove a staging folder; its marker last, so that one who dies meanwhile leaves it marked."""
+    remove_tree(staging, _INNER)
+    remove_file(staging, _MARKER)
+    staging.rmdir()
 
 
 @contextlib.contextmanager

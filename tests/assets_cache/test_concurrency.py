@@ -159,7 +159,7 @@ from pathlib import Path
 from generator.bundle.publishing import staging_in
 with staging_in(Path(sys.argv[1])) as staging:
     (staging / "half").write_text("x")
-    print(staging.name, flush=True)
+    print(staging.parent.name, flush=True)
     time.sleep(60)
 """
 
@@ -176,7 +176,7 @@ def test_what_a_killed_saver_leaves_is_removed_and_what_a_live_one_needs_is_not(
             hour_ago = time.time() - 3600
             os.utime(staging, (hour_ago, hour_ago))
             put(scene, tmp_path)
-            assert (staging / "half").exists(), "its maker is alive"
+            assert (staging / "new" / "half").exists(), "its maker is alive"
         finally:
             other.send_signal(signal.SIGKILL)
     os.utime(staging, None)
@@ -196,13 +196,20 @@ def test_only_staging_folders_are_swept(tmp_path: Path) -> None:
     (tmp_path / ".staging-notes").mkdir()
     (tmp_path / ".staging-abcd1234").write_text("a file")
     (tmp_path / ".staging-abcd_123").mkdir()
+    (tmp_path / ".staging-releases").mkdir()  # another program's, with a name like ours
+    (tmp_path / ".staging-releases" / "file").write_text("x")
+    (tmp_path / ".staging-left_123" / "new").mkdir(parents=True)
+    (tmp_path / ".staging-left_123" / ".tabletopgen-staging").touch()
     for path in tmp_path.iterdir():
         os.utime(path, (hour_ago, hour_ago), follow_symlinks=False)
     os.utime(kept, (hour_ago, hour_ago))
     publishing.sweep(tmp_path)
     publishing.sweep(tmp_path / "nowhere")
     names = {p.name for p in tmp_path.iterdir()}
-    assert names == {"kept", ".staging-abcdefgh", ".staging-notes", ".staging-abcd1234"}
+    assert names == {
+        "kept", ".staging-abcdefgh", ".staging-notes", ".staging-abcd1234", ".staging-releases",
+    }  # fmt: skip
+    assert (tmp_path / ".staging-releases" / "file").exists()
     assert (kept / "file").exists()
 
 
