@@ -21,6 +21,9 @@ MAX_ARRAYS = 4096
 """A file has no more."""
 
 
+_COMPRESSIONS = {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}
+
+
 def read_arrays(
     path: str | Path, what: str, error: type[TabletopError], *, max_bytes: int
 ) -> dict[str, np.ndarray]:
@@ -39,6 +42,8 @@ def read_arrays(
     try:
         with zipfile.ZipFile(io.BytesIO(raw)) as packed:
             members = [m for m in packed.infolist() if m.filename.endswith(".npy")]
+            if not {m.compress_type for m in members} <= _COMPRESSIONS:
+                raise error(f"{what} {str(path)!r} is compressed in a way that NumPy never does.")
             if len(members) > MAX_ARRAYS or sum(m.file_size for m in members) > max_bytes:
                 raise error(f"{what} {str(path)!r} holds more than {max_bytes} bytes of arrays.")
             return {m.filename.removesuffix(".npy"): _array(packed.read(m)) for m in members}

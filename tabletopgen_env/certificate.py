@@ -22,7 +22,7 @@ FILE = "certificate.json"
 """The certificate's name in a bundle's folder."""
 
 SCHEMA = 3
-"""Version of the file; others are refused. Before 3 starts hardly differed."""
+"""Version of the file. Older ones certify nothing: before 3 starts hardly differed."""
 
 STARTS = 10
 """An instance played from fewer starts is not certified."""
@@ -140,10 +140,10 @@ def certified_instances(path: str | Path) -> tuple[Instance, ...]:
 
 
 def read_certificate(path: str | Path) -> Certificate | None:
-    """Return a bundle's certificate, checked; None if it has none.
+    """Return a bundle's certificate, checked; None if it has none, or one of an older schema.
 
     Raises:
-        BundleError: it is damaged, too large, of another schema, or another scene's.
+        BundleError: it is damaged, too large, of an unknown schema, or another scene's.
     """
     folder = Path(path)
     if not os.path.lexists(folder / FILE):
@@ -151,8 +151,11 @@ def read_certificate(path: str | Path) -> Certificate | None:
     raw = read_inside(folder, FILE, _MOST_FILE)
     try:
         payload = parse_object(raw, "It", BundleError, max_bytes=_MOST_FILE, max_depth=_DEPTH)
-        if type(payload.get("schema")) is not int or payload["schema"] != SCHEMA:
-            raise ValueError(f"it is not of schema {SCHEMA}")
+        schema = typed(payload.get("schema"), int)
+        if 1 <= schema < SCHEMA:
+            return None
+        if schema != SCHEMA:
+            raise ValueError(f"it is of schema {schema}, not {SCHEMA}")
         found = _decoded(payload)
     except (ValueError, TypeError, KeyError, BundleError) as error:
         raise BundleError(

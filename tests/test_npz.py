@@ -57,6 +57,17 @@ def test_headers_that_lie_are_refused(tmp_path: Path, shape: str, kind: str) -> 
     assert read(claiming(tmp_path / "y.npz", "(10,)"))["a"].shape == (10,)
 
 
+@pytest.mark.parametrize("how", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_only_what_numpy_writes_is_unpacked(tmp_path: Path, how: int) -> None:
+    np.savez(tmp_path / "x.npz", a=np.arange(6.0))
+    with zipfile.ZipFile(tmp_path / "x.npz") as plain:
+        body = plain.read("a.npy")
+    with zipfile.ZipFile(tmp_path / "y.npz", "w", how) as packed:
+        packed.writestr("a.npy", body)
+    with pytest.raises(InputError, match="NumPy never does"):
+        read(tmp_path / "y.npz")
+
+
 def test_small_files_of_large_arrays_are_refused(tmp_path: Path) -> None:
     np.savez_compressed(tmp_path / "x.npz", a=np.zeros(2**20))
     with pytest.raises(InputError, match="more than 65536 bytes"):

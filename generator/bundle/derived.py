@@ -5,13 +5,20 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import BundleError
+from ..errors import BundleError, SceneError
 from ..mjcf import Document, compiled, document, spec_of
 from ..png import encode_png
 from .decoding import Decoded
+
+if TYPE_CHECKING:
+    import mujoco
+
+MAX_CONTACTS = 4096
+"""At the start of a scene; a crowded table has some hundreds."""
 
 _COMPUTED = frozenset(
     {"fullinertia", "mass", "pos", "quat", "qpos", "scale", "size", "vertex", "xyaxes"}
@@ -44,8 +51,8 @@ def check_xml(decoded: Decoded, raw: bytes) -> str:
     return wanted
 
 
-def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> None:
-    """Check that MuJoCo builds all that a scene's document draws.
+def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> mujoco.MjModel:
+    """Return what MuJoCo builds of all that a scene's document draws, textures aside.
 
     It keeps three copies of a texture meanwhile, so textures are built one by one, and the scene
     with a single pixel for each.
@@ -63,7 +70,39 @@ def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> N
     for path in {texture for _, texture in decoded.paths.values()}:
         compiled(spec_of(Document(_ONE_TEXTURE, {"t.png": files[path]}), name), name)
         files[path] = pixel
-    compiled(spec_of(Document(xml, files), name), name)
+    return compiled(spec_of(Document(xml, files), name), name)
+
+
+def check_starts(model: mujoco.MjModel, name: str) -> None:
+    """Check that MuJoCo can compute the forces at the start of the scene called ``name``.
+
+    Bodies that overlap all over have more contacts than it has memory for.
+
+    Raises:
+        SceneError: it cannot.
+    """
+    import mujoco
+
+    said: list[str] = []
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(said.append)  # else it writes a log into the working directory
+    try:
+        data = mujoco.MjData(model)
+        mujoco.mj_resetDataKeyframe(model, data, 0)
+        mujoco.mj_forward(model, data)
+        if data.ncon > MAX_CONTACTS:
+            said.append(f"{data.ncon} contacts; at most {MAX_CONTACTS} are simulated")
+        if not np.isfinite(data.qacc).all():
+            said.append("forces that are not finite")
+    except mujoco.FatalError as error:
+        said.append(str(error))
+    finally:
+        mujoco.set_mju_user_warning(before)
+    if said:
+        raise SceneError(
+            f"MuJoCo cannot simulate the scene {name!r} from its start: "
+            f"{' '.join(said[0].split())[:200]!r}. Make the scene again: its bodies overlap."
+        )
 
 
 def _parsed(raw: bytes, most: int) -> ET.Element:

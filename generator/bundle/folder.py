@@ -26,7 +26,7 @@ from ..scene import Scene
 from .bounds import BOUNDS, check_listed
 from .contents import decode_png, picture_size
 from .decoding import decode_scene, loads
-from .derived import check_builds, check_xml
+from .derived import check_builds, check_starts, check_xml
 from .encoding import dumps, encode_scene
 from .publishing import publish, steady
 from .segments import PATH as SEGMENTS_PATH
@@ -295,9 +295,10 @@ def _read(folder: Path, visuals: bool = False) -> Scene:
         check_name(scene.name)
         xml = check_xml(decoded, file("scene.xml"))
         if visuals:
-            check_builds(decoded, xml, contents)
+            model = check_builds(decoded, xml, contents)
         else:
-            compiled(spec_of(document(scene, visuals=False), scene.name), scene.name)
+            model = compiled(spec_of(document(scene, visuals=False), scene.name), scene.name)
+        check_starts(model, scene.name)
     except (BundleError, InputError, SceneError) as error:
         raise BundleError(f"{folder}: {error}") from error
     return scene

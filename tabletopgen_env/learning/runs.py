@@ -143,7 +143,7 @@ class Run:
         Raises:
             StorageError: it cannot be written.
         """
-        older = list(self.path.glob(f"{_CHECKPOINT}*"))
+        older = [path for path in self.path.iterdir() if _STEPS.fullmatch(path.name)]
         final = self.path / f"{_CHECKPOINT}{counts.steps}"
         part = self.path / f"{_CHECKPOINT}part"
         try:

@@ -131,6 +131,20 @@ def test_a_hull_that_mujoco_cannot_build_does_not_load(path: Path) -> None:
     refused(derive(rewrite(path, put_in("objects", 0, "parts", value=flat))), "cannot build")
 
 
+def test_bodies_that_overlap_all_over_do_not_load(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """MuJoCo has no memory for so many contacts; it ends in an error of its own, and logs it."""
+    monkeypatch.chdir(tmp_path)
+    cups = [
+        toy_object(f"cup_{k}", (0.09, 0.09, 0.09), (0, 0), wall=0.006, mass=0.3) for k in range(20)
+    ]
+    path = bundle.save(toy_scene(tuple(cups)), tmp_path / "store", allow_failed=True)
+    refused(path, "cannot simulate the scene")
+    assert [p.name for p in tmp_path.iterdir()] == ["store"]
+    assert capfd.readouterr().err == ""
+
+
 def test_numbers_too_small_for_mujoco_are_zero() -> None:
     scene = toy_scene().replace(view=View(1e-320, 0.9, 0.6))
     assert compiled(scene_spec(scene), "toy").ncam == 2

@@ -145,8 +145,9 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
     ("spoil", "reason"),
     [
         (lambda p: p | {"scene": "0" * 64}, "another scene"),
-        (lambda p: p | {"schema": 1}, "not of schema 3.*certify the bundle again"),
-        (lambda p: p | {"schema": True}, "no sound certificate"),
+        (lambda p: p | {"schema": 4}, "of schema 4, not 3.*certify the bundle again"),
+        (lambda p: p | {"schema": True}, "type int"),
+        (lambda p: p | {"schema": 0}, "of schema 0"),
         (lambda p: p | {"versions": ["mujoco"]}, "type dict"),
         (lambda p: spoilt(p, successes=9), "9 of 2"),
         (lambda p: spoilt(p, successes=True), "type int"),
@@ -158,7 +159,6 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
         (lambda p: p | {"terms": p["terms"] | {"tasks": ["Juggle"]}}, "Unknown task 'Juggle'"),
         (lambda p: spoilt(p, goal=[0.1, 0.2]), "must be a text, not list"),
         (lambda p: spoilt(p, target="cube\x1b[2J"), "cannot be printed"),
-        (lambda p: p | {"schema": True}, "not of schema 3"),
         (lambda p: p | {"versions": {"mujoco": "3" * 500}}, "500 characters"),
         (lambda p: p | {"more": [[[[[[]]]]]]}, "deeper than 4"),
         (lambda p: p | {"instances": p["instances"] * 3000}, "too many|bytes|more than"),
@@ -169,6 +169,12 @@ def test_what_is_not_sound_is_refused(bundle: Path, spoil: Any, reason: str) -> 
     (bundle / FILE).write_text(json.dumps(spoil(payload)))
     with pytest.raises(BundleError, match=reason):
         certified_instances(bundle)
+
+
+def test_a_certificate_of_an_older_schema_certifies_nothing(bundle: Path) -> None:
+    payload = json.loads((bundle / FILE).read_text())
+    (bundle / FILE).write_text(json.dumps(payload | {"schema": 2}))
+    assert read_certificate(bundle) is None
 
 
 @pytest.mark.parametrize("raw", [b"{", b'{"schema": NaN}', b"\xff", b"[" * 5000])

@@ -57,6 +57,19 @@ def test_counts_of_wrong_types_are_refused(run: Run, counts: str) -> None:
         run.restore(model)
 
 
+def test_only_checkpoints_of_the_run_are_deleted(run: Run) -> None:
+    class Model:
+        def save(self, path: Path) -> None:
+            path.write_bytes(b"x")
+
+    model: Any = Model()
+    (run.path / "checkpoint-best-backup").mkdir()
+    for steps in (1, 2):
+        run.save(model, Counts(steps), replay=False)
+    left = sorted(path.name for path in run.path.glob("checkpoint*"))
+    assert left == ["checkpoint-2", "checkpoint-best-backup"]
+
+
 def test_pipes_are_not_waited_for(run: Run) -> None:
     for name in ("recipe.json", "evaluations.csv"):
         (run.path / name).unlink()
