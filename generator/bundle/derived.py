@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Mapping
 
@@ -13,10 +14,11 @@ from ..mjcf import Document, compiled, document, spec_of
 from ..png import encode_png
 from .decoding import Decoded
 
-_ROUNDING, _NEAR_ZERO = 1e-5, 1e-6
+_ROUNDING, _NEAR_ZERO = 1e-5, 1e-12
 """Numbers of two machines that write the same values differ by less."""
 
 _ONE_TEXTURE = '<mujoco><asset><texture name="t" type="2d" file="t.png"/></asset></mujoco>'
+_NUMBER = re.compile(r"-?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:e[-+]?[0-9]+)?")
 
 
 def check_xml(decoded: Decoded, raw: bytes) -> str:
@@ -91,13 +93,16 @@ def _difference(wanted: ET.Element, found: ET.Element) -> str:
 
 
 def _same(wanted: str, found: str) -> bool:
+    """Return whether two attributes are equal, or lists of numbers that are within rounding."""
     if wanted == found:
         return True
-    try:
-        pairs = zip(map(float, wanted.split()), map(float, found.split()), strict=True)
-        return (
-            all(math.isclose(a, b, rel_tol=_ROUNDING, abs_tol=_NEAR_ZERO) for a, b in pairs)
-            and found.isascii()
-        )
-    except ValueError:
-        return False
+    words, others = wanted.split(" "), found.split(" ")
+    return len(words) == len(others) and all(map(_is_close, words, others))
+
+
+def _is_close(wanted: str, found: str) -> bool:
+    """Return whether two words are equal, or decimals within rounding; integers are exact."""
+    integer = wanted.lstrip("-").isdecimal()
+    if wanted == found or integer or not (_NUMBER.fullmatch(wanted) and _NUMBER.fullmatch(found)):
+        return wanted == found
+    return math.isclose(float(wanted), float(found), rel_tol=_ROUNDING, abs_tol=_NEAR_ZERO)

@@ -95,15 +95,15 @@ def _encode_model(model: Model, files: dict[str, bytes]) -> dict[str, Any]:
     shape, picture = mesh_path(obj), texture_path(png)
     files[shape], files[picture] = obj, png
     return {
-        "name": _word(model.name),
-        "label": _word(model.label),
+        "name": one_line(model.name),
+        "label": one_line(model.label),
         "mesh": shape,
         "texture": picture,
         "opacity": float(model.mesh.opacity),
         "size": _numbers(model.size, _LENGTH),
         "physics": plain(model.physics),
         "parts": [_encode_part(p, _UNIT) for p in model.parts],
-        "category": _word(model.category),
+        "category": one_line(model.category),
         "container": bool(model.container),
     }
 
@@ -137,7 +137,7 @@ def _compact(value: Any) -> str:
     )
 
 
-def _word(text: str) -> str:
+def one_line(text: str) -> str:
     """Return a name or a label on one line, without what cannot be printed."""
     return "".join(c if c.isprintable() else " " for c in text)[:MAX_NAME_LENGTH]
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
+import itertools
 import types
 import typing
 from collections.abc import Mapping
@@ -78,13 +80,17 @@ def numbers(value: object, what: str) -> np.ndarray:
     Raises:
         BundleError: they hold something else, or are ragged.
     """
-    try:
-        array = np.array(value) if isinstance(value, list) else None
-    except (ValueError, OverflowError):
-        array = None
-    if array is None or (array.size and array.dtype.kind not in "if"):
+    leaves: Any = value
+    while type(leaves) is list and set(map(type, leaves)) == {list}:
+        leaves = list(itertools.chain.from_iterable(leaves))
+    # The types come first: an array of texts has room for the longest at every place.
+    array = None
+    if type(leaves) is list and set(map(type, leaves)) <= {int, float}:
+        with contextlib.suppress(ValueError, OverflowError):
+            array = np.array(value, np.float64)
+    if array is None:
         raise BundleError(f"{what} must be lists of numbers.")
-    return array.astype(np.float64)
+    return array
 
 
 def _tuple(inner: tuple[Any, ...], value: Any, what: str) -> tuple[Any, ...]:

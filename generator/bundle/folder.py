@@ -64,7 +64,7 @@ def save(
         allow_failed: publish although the scene's report failed or is missing.
 
     Raises:
-        SceneError: the report failed or is missing.
+        SceneError: the report failed or is missing, or a picture is none or too large to be read.
         StorageError: the folder cannot be written, or the disk is full.
     """
     _check_publishable(scene, allow_failed)
@@ -72,6 +72,8 @@ def save(
         f"{_checked_stem(stem)}.png": image if isinstance(image, bytes) else encode_png(image)
         for stem, image in (images or {}).items()
     }
+    for name, content in files.items():
+        _check_picture(name, content)
     payload, meshes = encode_scene(scene)
     files |= meshes
     if segments is not None:
@@ -231,6 +233,14 @@ def _checked_stem(stem: str) -> str:
     if not _PICTURE.fullmatch(stem):
         raise SceneError(f"A picture cannot be called {stem!r}; use small letters, digits and '_'.")
     return stem
+
+
+def _check_picture(name: str, content: bytes) -> None:
+    """Check that a picture to be published can be read again."""
+    try:
+        picture_size(content, name)
+    except BundleError as error:
+        raise SceneError(f"{error} Pass a smaller picture, or a PNG.") from error
 
 
 def _fingerprint(content: bytes) -> dict[str, Any]:

@@ -60,7 +60,7 @@ def load_kinds(path: str | Path) -> list[tuple[str, str]]:
     try:
         models = [payload["models"][entry["model"]] for entry in payload["objects"]]
         return [(str(model["category"]), str(model["label"])) for model in models]
-    except (TypeError, KeyError) as error:
+    except (TypeError, LookupError) as error:
         raise BundleError(
             f"{path}: scene.json does not list its objects ({type(error).__name__}: {error}). "
             "Make the bundle again."
@@ -77,7 +77,7 @@ def load_report(path: str | Path) -> dict[str, Any]:
     payload = read_truth(Path(path))
     try:
         return {**payload["report"], "objects": len(payload["objects"])}
-    except (TypeError, KeyError) as error:
+    except (TypeError, LookupError) as error:
         raise BundleError(f"{path}: scene.json holds no report. Make the bundle again.") from error
 
 

@@ -14,6 +14,7 @@ from ..errors import BundleError, InputError
 from ..reading import printable
 from ..scene import TABLE, Instance, frozen_array
 from .contents import opened_png
+from .encoding import one_line
 
 PATH = "stages/instances.png"
 """Where a bundle keeps it."""
@@ -75,7 +76,8 @@ def encode_segments(segments: Segments) -> tuple[list[dict[str, str]], bytes]:
     buffer = io.BytesIO()
     picture.save(buffer, "PNG", compress_level=9)
     pairs = zip(segments.names, segments.labels, strict=True)
-    return [{"name": name, "label": label} for name, label in pairs], buffer.getvalue()
+    words = [{"name": one_line(name), "label": one_line(label)} for name, label in pairs]
+    return words, buffer.getvalue()
 
 
 def decode_segments(entries: Any, raw: bytes) -> Segments:

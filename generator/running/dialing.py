@@ -305,8 +305,9 @@ def _secured(
 def _connected(places: list[Any], until: float) -> socket.socket:
     """Return a socket that is connected to the first of some addresses that takes it."""
     last: OSError = TimeoutError("no address")
-    for family, kind, protocol, _, place in places:
-        left = until - time.monotonic()
+    for k, (family, kind, protocol, _, place) in enumerate(places):
+        # One that takes no call leaves the others time to.
+        left = (until - time.monotonic()) / (len(places) - k)
         if left <= 0:
             break
         sock = socket.socket(family, kind, protocol)

@@ -13,7 +13,7 @@ import json
 import math
 import re
 import secrets
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -30,6 +30,7 @@ FILE = "spent.json"
 _SPENDERS = "spenders"
 _NAME = re.compile(r"[0-9a-f]{16}")  # of a spender, see ``Purse.spending``
 _MOST_BYTES = 2**20  # of the file
+_MOST_SPENDERS = 1024  # that hold money at once
 _PATIENCE = 60.0  # seconds: nobody holds the sum for long
 
 
@@ -117,10 +118,8 @@ class Purse:
             before = _read(self.folder)
             if before is None or before.mark != self.mark:
                 raise self._elsewhere()
-            known = [before]
-            for name in before.held:
-                if name != own and self._dead(name):
-                    known[0] = _buried(known[0], name)
+            dead = {name for name in before.held if name != own and self._dead(name)}
+            known = [_buried(before, dead)]
             yield known
             if known[0] != before:
                 _write(self.folder, known[0])
@@ -209,10 +208,10 @@ def _life(name: str) -> str:
     return f"{name}.lock"
 
 
-def _buried(known: Sum, name: str) -> Sum:
-    """Return the sum with what one spender had set aside spent."""
-    rest = {k: v for k, v in known.held.items() if k != name}
-    left = math.fsum(known.held.get(name, ()))
+def _buried(known: Sum, names: Collection[str]) -> Sum:
+    """Return the sum with what some spenders had set aside spent."""
+    rest = {k: v for k, v in known.held.items() if k not in names}
+    left = math.fsum(amount for name in names for amount in known.held[name])
     return dataclasses.replace(known, money=known.money + left, held=rest)
 
 
@@ -273,6 +272,8 @@ def _sum_of(told: dict[str, Any]) -> Sum:
     held, unpriced = told.get("held", {}), told.get("unpriced", 0)
     if not isinstance(held, dict) or not all(isinstance(v, list) for v in held.values()):
         raise StorageError("Its 'held' has to list the amounts of each spender.")
+    if len(held) > _MOST_SPENDERS:
+        raise StorageError(f"It has {len(held)} spenders; at most {_MOST_SPENDERS} are read.")
     if wrong := [name for name in held if not _NAME.fullmatch(name)]:
         raise StorageError(f"{wrong[0]!r:.80} is no spender: their names are 16 hex digits.")
     amounts = [told.get("money", 0.0), *(a for own in held.values() for a in own)]

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import mujoco
+import numpy as np
 import pytest
 from command import command
 from forging import derive, put, rewrite
@@ -17,7 +18,9 @@ from toy import toy_object, toy_scene
 import assets_cache
 from generator import bundle
 from generator.bundle.encoding import dumps
-from generator.errors import BundleError, InputError
+from generator.bundle.fields import numbers
+from generator.bundle.segments import Segments
+from generator.errors import BundleError, InputError, SceneError
 from generator.mjcf import compiled, document, scene_spec
 from generator.physics.gate import judge
 from generator.scene import Provenance, View
@@ -97,6 +100,15 @@ def test_values_out_of_bounds_or_of_another_type_are_refused(
     refused(rewrite(path, change))
 
 
+def test_a_long_text_among_many_numbers_takes_no_memory() -> None:
+    """An array of texts would have room for a million characters at each of 100,000 places."""
+    with pytest.raises(BundleError, match="lists of numbers"):
+        numbers(["x" * 10**6, *[""] * 10**5], "outline")
+    with pytest.raises(BundleError, match="lists of numbers"):
+        numbers([[True, 1.0]], "outline")
+    assert numbers([[1, 2.5], [3, 4]], "outline").tolist() == [[1.0, 2.5], [3.0, 4.0]]
+
+
 def test_every_model_is_used(path: Path) -> None:
     def add(payload: dict[str, Any]) -> None:
         payload["models"]["more"] = copy.deepcopy(next(iter(payload["models"].values())))
@@ -163,6 +175,24 @@ def test_texts_of_ours_are_cleaned_as_they_are_saved(tmp_path: Path) -> None:
     assert again.warnings == (" [2J [Hx",)
 
 
+def test_what_is_saved_can_be_read(tmp_path: Path) -> None:
+    made = toy_scene((toy_object("cube_1", (0.05, 0.05, 0.05), (0, 0)),))
+    made = made.replace(report=judge(made))
+    for picture in (np.zeros((4097, 4097, 3), np.uint8), b"no PNG"):
+        with pytest.raises((SceneError, InputError)):
+            bundle.save(made, tmp_path / "store", images={"reference": picture})
+    assert not (tmp_path / "store").exists()
+    found = Segments(("cube_1",), (f"a{ESCAPE}",), np.ones((4, 4), np.uint8))
+    path = bundle.save(made, tmp_path / "store", segments=found)
+    assert bundle.verify(path) == []
+
+
+@pytest.mark.parametrize("change", [put_in("models", value=[]), put_in("objects", value=[{}, 5])])
+def test_kinds_of_nothing_are_refused(path: Path, change: Callable[[dict[str, Any]], None]) -> None:
+    with pytest.raises(BundleError):
+        bundle.load_kinds(rewrite(path, change))
+
+
 def test_names_of_objects_are_printable() -> None:
     with pytest.raises(InputError, match="called"):
         toy_scene((toy_object(ESCAPE, (0.05, 0.05, 0.05), (0, 0)),))
@@ -183,6 +213,11 @@ def test_names_of_objects_are_printable() -> None:
         lambda xml: xml.replace(b"<worldbody>", b'<worldbody><include file="/elsewhere.xml"/>'),
         lambda xml: xml.replace(b"<worldbody>", b"<worldbody>text"),
         lambda xml: xml.replace(b'timestep="0.002"', b'timestep="0.003"'),
+        lambda xml: xml.replace(b'timestep="0.002"', b'timestep="0.0_02"'),
+        lambda xml: xml.replace(b'timestep="0.002"', b'timestep="nan"'),
+        lambda xml: xml.replace(b'contype="0"', b'contype="1e-13"'),
+        lambda xml: xml.replace(b'contype="0"', b'contype="0.0"'),
+        lambda xml: xml.replace(b'timestep="0.002"', b'timestep="0.002 0.002"'),
         lambda xml: xml.replace(b'timestep="0.002"', b""),
         lambda xml: xml.replace(b"<asset>", b"<!-- a --><asset>"),
         lambda xml: b'<!DOCTYPE m [<!ENTITY a "b">]>' + xml,

@@ -19,6 +19,7 @@ from local_server import raw_server
 from paid_server import CHAT, Says, ask, serving, session
 
 from generator.errors import BackendError, TabletopError, UnusableError
+from generator.running import dialing
 from generator.running.dialing import proxy_for
 
 TIMEOUT = 0.5
@@ -120,6 +121,31 @@ def test_a_name_that_is_looked_up_for_ever_is_left_in_time(
         done.set()
     assert asked.is_set()
     assert time.monotonic() - began < TIMEOUT + 2
+
+
+def test_an_address_that_takes_no_call_leaves_time_to_the_next(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """As where a network has no IPv6, and the host is listed with such an address first."""
+    waited = []
+
+    class Deaf(socket.socket):
+        def connect(self, address: tuple[str, int]) -> None:
+            if address[1] == 1:
+                waited.append(self.gettimeout())
+                time.sleep(self.gettimeout() or 60)
+                raise TimeoutError
+            super().connect(address)
+
+    with socket.create_server(("127.0.0.1", 0)) as heard:
+        places = [
+            (socket.AF_INET, socket.SOCK_STREAM, 0, "", ("127.0.0.1", port))
+            for port in (1, heard.getsockname()[1])
+        ]
+        monkeypatch.setattr("socket.socket", Deaf)
+        with dialing._connected(places, time.monotonic() + TIMEOUT):
+            pass
+    assert 0 < waited[0] <= TIMEOUT / 2
 
 
 def test_a_redirect_is_bounded_by_the_time_of_the_call() -> None:

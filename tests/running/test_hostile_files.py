@@ -64,6 +64,16 @@ def test_what_a_dead_spender_held_is_spent(tmp_path: Path) -> None:
     assert list((folder / "spenders").iterdir()) == []
 
 
+def test_many_spenders_are_dead_at_once_and_too_many_are_refused(tmp_path: Path) -> None:
+    held = {f"{k:016x}": [0.25] for k in range(1024)}
+    folder = sum_file(tmp_path / "place", held=held)
+    (folder / "spenders").mkdir()
+    assert Purse(folder, "m").sum().money == 256
+    sum_file(folder, held=held | {"f" * 16: [0.25]})
+    with pytest.raises(StorageError, match="1025 spenders; at most 1024"):
+        Purse(folder, "m").sum()
+
+
 def test_spenders_elsewhere_are_refused(tmp_path: Path) -> None:
     folder = sum_file(tmp_path / "place", held={SPENDER: [0.5]})
     (tmp_path / "other").mkdir()
