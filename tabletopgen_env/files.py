@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, NoReturn
+from typing import Any
 
 
 def typed(value: Any, kind: type) -> Any:
@@ -14,12 +14,3 @@ def typed(value: Any, kind: type) -> Any:
     if type(value) is not kind:
         raise TypeError(f"{value!r} should be of type {kind.__name__}")
     return value
-
-
-def no_constant(constant: str) -> NoReturn:
-    """Refuse NaN and infinities; the ``parse_constant`` of ``json.loads``.
-
-    Raises:
-        ValueError: always.
-    """
-    raise ValueError(f"{constant} is not a finite number")

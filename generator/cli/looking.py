@@ -13,6 +13,7 @@ from tyro.conf import Positional
 
 from ..errors import InputError, MissingError, TabletopError
 from ..files import check_target
+from ..reading import escaped
 from .printing import emit, print_scene
 from .store import find, one, some
 
@@ -87,7 +88,7 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
 
     target = picture or Path(f"{path.name}.png")
     write_picture(preview(scene), target)
-    print(target if picture else f"No screen here; wrote {target}.")
+    print(escaped(str(target) if picture else f"No screen here; wrote {target}."))
     return 0
 
 

@@ -11,6 +11,7 @@ from tyro.conf import Positional
 from ..backends.huggingface.folder import missing, models_folder, snapshot
 from ..backends.huggingface.pins import Pin, pin, pins
 from ..errors import InputError
+from ..reading import escaped
 from .printing import emit
 
 app = tyro.extras.SubcommandApp()
@@ -56,7 +57,7 @@ def fetch(names: Positional[tuple[str, ...]], /, *, folder: Path | None = None) 
         raise InputError("Name at least one model; `tabletopgen models list` shows what there is.")
     home = models_folder(folder)
     for model in [pin(name) for name in names]:
-        print(f"{model.name}: {pull(model, home)}")
+        print(escaped(f"{model.name}: {pull(model, home)}"))
     return 0
 
 

@@ -9,6 +9,8 @@ from ..errors import SceneError
 
 _CHUNK = 2_000_000  # candidate pixels, or rows of triangles, held at once
 
+_ROW = 3  # candidate pixels that take as long as a row of a triangle
+
 MOST_LAYERS = 40
 """Surfaces that may lie behind one another, on average over a picture; tables have a few."""
 
@@ -117,7 +119,8 @@ def _portions(
     covered = np.minimum(np.abs(area) / 2, box.prod(1)).sum()
     rows = np.cumsum(box[:, 1])
     most = MOST_LAYERS * width * height
-    if len(rows) and max(covered, rows[-1] - len(rows)) > most:
+    # Two rows are every triangle's, however small.
+    if len(rows) and max(covered, _ROW * (rows[-1] - 2 * len(rows))) > most:
         raise SceneError(
             f"Its triangles lie in more than {MOST_LAYERS} layers: that is too much to draw. "
             "Use meshes without so many surfaces behind one another."

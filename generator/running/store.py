@@ -254,8 +254,9 @@ def _decoded(key: str, raw: bytes) -> Answer | None:
     head, _, body = content.partition(b"\n")
     facts = parse_object(head, "An answer's head", StorageError, max_bytes=_MOST_HEAD)
     status, kind = facts.get("status"), facts.get("content_type")
-    sound = type(status) is int and 100 <= status <= 599 and isinstance(kind, str)
-    return Answer(status, kind, body) if sound and kind.isprintable() else None
+    if not isinstance(status, int) or isinstance(status, bool) or not 100 <= status <= 599:
+        return None
+    return Answer(status, kind, body) if isinstance(kind, str) and kind.isprintable() else None
 
 
 def _checksum(key: str, content: bytes) -> bytes:

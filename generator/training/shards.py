@@ -87,7 +87,7 @@ class ShardReader:
             self._zip = zipfile.ZipFile(self.path)
             head = json.loads(self._zip.read("shard.json"))
             self._count, self.keys = int(head["count"]), tuple(map(str, head["keys"]))
-            known = head["format"] == FORMAT
+            known = type(head["format"]) is int and head["format"] == FORMAT
         except (OSError, KeyError, ValueError, zipfile.BadZipFile, zlib.error) as error:
             raise self._damaged(error) from error
         if not known:

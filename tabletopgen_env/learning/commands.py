@@ -13,6 +13,7 @@ from tyro.conf import Positional, arg
 
 from generator.errors import InputError, TabletopError, require_number, require_seed
 from generator.files import check_folder, check_target
+from generator.reading import escaped
 
 from .extra import need_sb3
 
@@ -82,7 +83,7 @@ def train(
     check_folder(folder)
     plan = Plan(seed, evaluate_every, episodes, keep_replay, sys.stdout.isatty())
     done = trained(chosen, folder, plan, resume, _say)
-    print(f"{done.steps:,} steps of {chosen.name} in {folder}")
+    _say(f"{done.steps:,} steps of {chosen.name} in {folder}")
     return 130 if done.interrupted else 0
 
 
@@ -139,14 +140,14 @@ def enjoy(
             frames: list[Any] | None = [] if video_strip and not number else None
             played.append(play(env, own.actor, of_episode, frames))
             done = played[-1]
-            print(f"{'solved' if done.solved else 'failed'} in {done.steps:3d} steps: "
-                  f"{done.instruction}")  # fmt: skip
+            how = "solved" if done.solved else "failed"
+            _say(f"{how} in {done.steps:3d} steps: {done.instruction}")
             if video_strip and frames:
                 _write_strip(frames, video_strip)
     finally:
         env.close()
         close(source)
-    print(f"{own.task} at {', '.join(scenes)}: {summed(played)}")
+    _say(f"{own.task} at {', '.join(scenes)}: {summed(played)}")
 
 
 def plot(
@@ -178,8 +179,8 @@ def plot(
     for name, band in found.items():
         mean, least, most = (100 * v[-1] for v in (band.mean, band.least, band.most))
         told = f"{name}: {mean:.0f} % after {number(band.at[-1])} {by}"
-        print(told + (f", {least:.0f} to {most:.0f} % of {band.runs} runs" * (band.runs > 1)))
-    print(f"drawn in {out}")
+        _say(told + (f", {least:.0f} to {most:.0f} % of {band.runs} runs" * (band.runs > 1)))
+    _say(f"drawn in {out}")
 
 
 def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
@@ -192,7 +193,8 @@ def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
             what = "1 of these tables was" if both == 1 else f"{both} of these tables were"
             print(f"{what} trained at: this says little of others.", file=sys.stderr)
     except TabletopError as error:
-        print(f"Whether it was trained at these tables cannot be told: {error}", file=sys.stderr)
+        told = escaped(f"Whether it was trained at these tables cannot be told: {error}")
+        print(told, file=sys.stderr)
 
 
 def _loaded(name: str, trust: bool, recipe: str | None) -> _Loaded:
@@ -214,7 +216,7 @@ def _loaded(name: str, trust: bool, recipe: str | None) -> _Loaded:
     card, seen = policy.card, policy.card.validation
     told = (f"; validation: {seen['solved']} of {seen['episodes']} at {seen['scenes']} "
             f"(tables: {seen['tables']})") if seen else ""  # fmt: skip
-    print(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{told}")
+    _say(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{told}")
     return _Loaded(policy, card.task, card.env, card.scenes)
 
 
@@ -253,4 +255,4 @@ def _one(scenes: tuple[str, ...]) -> str | tuple[str, ...]:
 
 
 def _say(line: str) -> None:
-    print(line, flush=True)
+    print(escaped(line), flush=True)

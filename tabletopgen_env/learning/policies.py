@@ -26,8 +26,9 @@ from torch import Tensor
 
 from generator.errors import InputError, choices
 from generator.files import write_whole
+from generator.reading import parse_object
 
-from ..files import no_constant, typed
+from ..files import typed
 from ..tasks import NAMES
 from .actor import Actor, Squash, actor_of, inputs_of, tensors_of
 from .recipes import Network, Recipe, listed, network_of
@@ -277,10 +278,10 @@ def _card(notes: Mapping[str, str]) -> tuple[Card, list[float]]:
         raise ValueError(f"its header has no {KEY!r}")
     if len(notes[KEY]) > _MOST_CARD:
         raise ValueError(f"its card has more than {_MOST_CARD} characters")
-    payload = typed(json.loads(notes[KEY], parse_constant=no_constant), dict)
+    payload = parse_object(notes[KEY], "its card", InputError)
     _check_printable(payload)
     version = payload.pop("format", None)
-    if version != FORMAT:
+    if type(version) is not int or version != FORMAT:
         raise ValueError(f"it is of version {version!r}, this package reads {FORMAT}")
     if set(payload) != {*(f.name for f in fields(Card)), "answers"}:
         raise ValueError(f"its card has the keys {', '.join(sorted(payload))}")

@@ -103,6 +103,22 @@ def test_weights_go_to_disk_and_back(tmp_path):
     assert not (tmp_path / "eye.partial").exists()
 
 
+@pytest.mark.parametrize(
+    ("categories", "temperature", "why"),
+    [
+        ("[" * 9000, "1", "deeper"), ("[1]", "1", "a text"), ('{"mug": 1}', "1", "no list"),
+        (r'["mug\u001b[2J"]', "1", "cannot be printed"), ('["mug"]', "nan", "temperature"),
+        (f'["{"x" * 70_000}"]', "1", "bytes of JSON"), ('["mug"]', "-1", "temperature"),
+    ],
+)  # fmt: skip
+def test_notes_beside_weights_are_checked(tmp_path, categories, temperature, why):
+    path = tmp_path / "eye.safetensors"
+    notes = {"categories": categories, "temperature": temperature}
+    weights.save_weights(path, {"heat": torch.zeros(2)}, notes)
+    with pytest.raises(BackendError, match=f"cannot be used .*{why}"):
+        weights.load_weights(path)
+
+
 def test_missing_and_damaged_weights_say_how_to_restore_them(tmp_path):
     with pytest.raises(BackendError, match=r"generator\.training\.train"):
         weights.load_weights(tmp_path / "gone.safetensors")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import warnings
 from pathlib import Path
@@ -14,7 +15,7 @@ from toy import toy_scene
 
 from generator.errors import InputError, StorageError
 from tabletopgen_env.env import make_env
-from tabletopgen_env.learning import policies
+from tabletopgen_env.learning import commands, policies
 from tabletopgen_env.learning.actor import inputs_of, tensors_of
 from tabletopgen_env.learning.making import new_model, single_env, source_of
 from tabletopgen_env.learning.policies import (
@@ -158,10 +159,11 @@ def test_a_card_that_is_not_sound_is_refused(policy, tmp_path: Path, changes, wh
         (None, "has no 'tabletopgen_policy'"),
         ({"format": "pt"}, "has no 'tabletopgen_policy'"),
         ({KEY: json.dumps({"format": FORMAT + 1})}, "version 2, this package reads 1"),
+        ({KEY: json.dumps({"format": True})}, "version True, this package reads 1"),
         ({KEY: json.dumps({"format": FORMAT})}, "has the keys"),
         ({KEY: "[" * 5000}, "no sound policy"),
         ({KEY: "[NaN]"}, "NaN"),
-        ({KEY: "[1]"}, "type dict"),
+        ({KEY: "[1]"}, "one JSON object"),
         ({KEY: " " * 10**5}, "more than"),
     ],
 )
@@ -250,10 +252,10 @@ def test_what_is_too_large_is_not_written(small, tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_card_that_cannot_be_shown_is_not_written(small, tmp_path: Path) -> None:
-    policy = trained(small, name="mine\x1b[2J")[2]
+def test_a_card_that_cannot_be_shown_is_not_written(policy, tmp_path: Path) -> None:
+    card = dataclasses.replace(policy.card, recipe="mine\x1b[2J")
     with pytest.raises(InputError, match="text that can be shown"):
-        save_policy(policy, tmp_path / "p.safetensors")
+        save_policy(dataclasses.replace(policy, card=card), tmp_path / "p.safetensors")
     assert list(tmp_path.iterdir()) == []
 
 
@@ -282,3 +284,9 @@ def test_a_policy_says_which_detector_it_learned_with(small, tmp_path: Path, mon
     with pytest.warns(UserWarning, match="another grasp detector"):
         load_policy(path)
     assert "grasp-detector" not in trained(small)[2].card.versions
+
+
+def test_what_is_said_of_a_policy_suits_a_terminal(policy, tmp_path: Path, capsys) -> None:
+    path = save_policy(policy, tmp_path / "p\x1b[2J.safetensors")
+    commands._loaded(str(path), trust=False, recipe=None)
+    assert capsys.readouterr().out.startswith(r"p\x1b[2J.safetensors: ")

@@ -11,7 +11,7 @@ import pytest
 
 from generator.errors import InputError
 from tabletopgen_env.learning.recipes import recipe
-from tabletopgen_env.learning.runs import COLUMNS, Run, begin, opened, read_rows
+from tabletopgen_env.learning.runs import COLUMNS, Counts, Run, begin, opened, read_rows
 
 
 @pytest.fixture

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -128,3 +129,12 @@ def test_latitude_is_the_elevation_at_the_middle_and_grows_downwards() -> None:
 def test_no_outline_fills_nothing() -> None:
     empty = dataclasses.replace(sample(0), outline=np.zeros((0, 2), np.float32))
     assert not filled(empty.outline, 8, 8).any()
+
+
+@pytest.mark.parametrize("version", ["true", "2"])
+def test_shards_of_another_format_are_refused(tmp_path: Path, version: str) -> None:
+    path = tmp_path / "shard.zip"
+    with zipfile.ZipFile(path, "w") as file:
+        file.writestr("shard.json", f'{{"format": {version}, "count": 0, "keys": []}}')
+    with pytest.raises(StorageError, match="shard format"):
+        ShardReader(path)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+import math
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -11,6 +11,7 @@ import torch
 from torch import nn
 
 from ....errors import BackendError
+from ....reading import parse_json, printable
 from .judge import Judge
 from .network import Eye
 
@@ -19,6 +20,8 @@ PATH = Path(__file__).with_name("eye.safetensors")
 
 JUDGE_PATH = Path(__file__).with_name("judge.safetensors")
 """The weights of the judge of what the eye finds, half precision."""
+
+_MOST_NOTE = 2**16  # bytes of the list of categories
 
 _RESTORE = (
     "Install the package again, restore the file from the repository "
@@ -49,12 +52,14 @@ def load_weights(path: Path = PATH) -> Weights:
     restore = _RESTORE.format("train")
     state, notes = _read(path, restore)
     try:
-        categories, temperature = tuple(json.loads(notes["categories"])), notes["temperature"]
+        categories, temperature = _categories(notes["categories"]), float(notes["temperature"])
+        if not 0 < temperature < math.inf:
+            raise ValueError(f"its temperature is {temperature}")
         eye = Eye(len(categories) + 1)
         _fill(eye, state)
         eye.to(memory_format=torch.channels_last)  # pyright: ignore[reportCallIssue]
-        return Weights(eye, categories, float(temperature))
-    except (KeyError, ValueError, RuntimeError) as error:
+        return Weights(eye, categories, temperature)
+    except (KeyError, ValueError, RuntimeError, BackendError) as error:
         raise _useless(path, error, restore) from error
 
 
@@ -100,6 +105,14 @@ def _read(path: Path, restore: str) -> tuple[dict[str, torch.Tensor], dict[str, 
             return state, file.metadata() or {}
     except (SafetensorError, ValueError, OSError) as error:
         raise _useless(path, error, restore) from error
+
+
+def _categories(text: str) -> tuple[str, ...]:
+    """Return the names that the eye knows, from the notes beside its weights."""
+    names = parse_json(text, "its list of categories", BackendError, max_bytes=_MOST_NOTE)
+    if not isinstance(names, list):
+        raise ValueError("its categories are no list")
+    return tuple(printable(name, "a category", BackendError) for name in names)
 
 
 def _fill(network: nn.Module, state: dict[str, torch.Tensor]) -> None:
