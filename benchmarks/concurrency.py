@@ -23,6 +23,7 @@ import time
 import traceback
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 
 from posing import tables
@@ -164,8 +165,8 @@ def only_first(scene: Scene) -> Scene:
 
 
 def _late(
-    crew: Sequence[multiprocessing.process.BaseProcess],
-) -> Iterator[multiprocessing.process.BaseProcess]:
+    crew: Sequence[BaseProcess],
+) -> Iterator[BaseProcess]:
     """Wait for processes; yield those that did not end well."""
     for process in crew:
         process.join(60)

@@ -215,7 +215,7 @@ def _remove_if_stale(folder: Path, name: str) -> None:
     try:
         if time.time() - os.fstat(lock).st_mtime > STALE:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            held = os.listdir(lock)
+            held = os.listdir(lock)  # noqa: PTH208 - a descriptor
             if _MARKER in held or not held:  # none yet: its maker died before it was marked
                 _remove(folder / name)
     finally:
