@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import shutil
 from collections.abc import Callable, Iterator
@@ -154,14 +155,29 @@ def test_a_dry_run_says_what_each_role_is(
     assert "weights=dinov2" in roles[4]
 
 
+@pytest.fixture
+def failing(generate: Callable[..., int], monkeypatch: pytest.MonkeyPatch) -> Callable[[], None]:
+    """A run whose bundle cannot be written: what it asked was paid for by then."""
+
+    def full(*given: object, **more: object) -> Path:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    def run() -> None:
+        with monkeypatch.context() as patched:
+            patched.setattr("generator.bundle.folder.publish", full)
+            assert generate() == 5
+
+    return run
+
+
 def test_a_failure_after_a_paid_call_says_what_it_cost(
     server: Served,
     generate: Callable[..., int],
+    failing: Callable[[], None],
     capsys: pytest.CaptureFixture[str],
     tmp_path: Path,
 ) -> None:
-    (tmp_path / "file").write_text("")
-    assert generate("--out", str(tmp_path / "file")) == 5
+    failing()
     told = capsys.readouterr().err
     assert "plan_scene" in told and "0.0200" in told and "kept" in told
     (ledger,) = (tmp_path / "usual" / "spending").glob("*.jsonl")
@@ -172,11 +188,11 @@ def test_a_failure_after_a_paid_call_says_what_it_cost(
 def test_a_run_that_failed_counts_for_the_next_ones_budget_and_ledger(
     server: Served,
     generate: Callable[..., int],
+    failing: Callable[[], None],
     capsys: pytest.CaptureFixture[str],
     tmp_path: Path,
 ) -> None:
-    (tmp_path / "file").write_text("")
-    assert generate("--out", str(tmp_path / "file")) == 5
+    failing()
     for answer in (tmp_path / "usual" / "answers").glob("*/*"):
         answer.unlink()  # so that it has to be paid for again
     assert generate("--budget", "0.05") == 3
@@ -190,11 +206,11 @@ def test_a_run_that_failed_counts_for_the_next_ones_budget_and_ledger(
 def test_what_a_failed_run_had_answered_is_in_the_next_ones_ledger(
     server: Served,
     generate: Callable[..., int],
+    failing: Callable[[], None],
     capsys: pytest.CaptureFixture[str],
     tmp_path: Path,
 ) -> None:
-    (tmp_path / "file").write_text("")
-    assert generate("--out", str(tmp_path / "file")) == 5
+    failing()
     capsys.readouterr()
     assert generate() == 0 and len(server.asked) == 1
     path = Path(capsys.readouterr().out.splitlines()[0])
