@@ -153,6 +153,11 @@ def _made(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
     outcome = Outcome(job, "made", made.name, seconds=spent, gate=_figures(report))
     _write(outcome, folder, name)
     _put_in_place(folder, name)
+    if not _sound(folder / made.name):
+        raise StorageError(
+            f"The scene of {job.text!r:.80} was made, but its record or its bundle "
+            f"{made.name!r:.80} cannot be read again in {folder}. Check the disk, and the name."
+        )
     return outcome
 
 

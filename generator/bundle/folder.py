@@ -9,10 +9,13 @@ the same scene gives the same folder, byte for byte.
 
 from __future__ import annotations
 
+import contextlib
+import errno
 import hashlib
+import os
 import re
 import stat
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any
 
@@ -335,19 +338,36 @@ def read_inside(folder: Path, name: str, limit: int) -> bytes:
         raise BundleError(f"{folder}: {name!r} is not a file's name.")
     if path.is_absolute() or ".." in path.parts or "\\" in name or ":" in name or not path.parts:
         raise BundleError(f"{folder}: the path {name!r} leaves the bundle; it was not opened.")
-    place = folder
     try:
-        for part in path.parts:
-            place = place / part
-            status = place.lstat()
-            if stat.S_ISLNK(status.st_mode):
-                raise BundleError(f"{folder}: {name} is a link; a bundle holds plain files only.")
-        if not stat.S_ISREG(status.st_mode):
-            raise BundleError(f"{folder}: {name} is not a plain file.")
-        if status.st_size > limit:
-            raise BundleError(f"{folder}: {name} is {status.st_size} bytes, not {limit}.")
-        return place.read_bytes()
+        with _opened_inside(folder, path) as descriptor:
+            status = os.fstat(descriptor)
+            if not stat.S_ISREG(status.st_mode):
+                raise BundleError(f"{folder}: {name} is not a plain file.")
+            if status.st_size > limit:
+                raise BundleError(f"{folder}: {name} is {status.st_size} bytes, not {limit}.")
+            with open(descriptor, "rb", closefd=False) as file:
+                return file.read(limit + 1)
     except FileNotFoundError as error:
         raise BundleError(f"{folder}: {name} is missing. Make or copy the bundle again.") from error
     except OSError as error:
+        if error.errno == errno.ELOOP or (error.errno == errno.ENOTDIR and folder.is_dir()):
+            raise BundleError(
+                f"{folder}: {name} is a link, or in no plain folder; a bundle has plain files only."
+            ) from error
         raise BundleError(f"{folder}: {name} cannot be read: {error.strerror}.") from error
+
+
+@contextlib.contextmanager
+def _opened_inside(folder: Path, path: PurePosixPath) -> Iterator[int]:
+    """Open a file inside ``folder`` step by step, so that nothing on the way can become a link."""
+    with contextlib.ExitStack() as opened:
+        place = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+        opened.callback(os.close, place)
+        for part in path.parts[:-1]:
+            flags = os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC
+            place = os.open(part, flags, dir_fd=place)
+            opened.callback(os.close, place)
+        flags = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+        last = os.open(path.name, flags, dir_fd=place)
+        opened.callback(os.close, last)
+        yield last

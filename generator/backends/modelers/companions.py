@@ -40,7 +40,7 @@ def companions(raw: bytes, what: str, folder: Path | None) -> Mapping[str, bytes
             shown[picture] = found[picture]
     reason = check_pictures(shown.values())
     if reason:
-        raise BackendError(f"{what} {reason} It names {', '.join(shown)}.")
+        raise BackendError(f"{what} {reason} It names {', '.join(shown):.300}.")
     return found
 
 
