@@ -63,6 +63,7 @@ def test_a_script_runs(script: str, tmp_path: Path) -> None:
         [sys.executable, str(ROOT / script), *words], cwd=tmp_path, env={**os.environ, **own},
         stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=LONG,
     )  # fmt: skip
+    assert "Traceback" not in done.stderr, done.stderr[-3000:]
     assert done.returncode in smoke.codes, done.stdout[-1000:] + done.stderr[-3000:]
     assert smoke.prints in done.stdout
     for glob in smoke.leaves:
