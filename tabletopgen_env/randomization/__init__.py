@@ -9,7 +9,8 @@ and "strong" randomise everything else, a little and much, and a ``Randomization
 for.
 
 Each switch is off until its settings say otherwise, and draws from a random stream of its own, so
-that turning one on or changing it leaves the draws of the others as they were. ``reset`` applies
+that turning one on or changing it leaves the draws of the others as they were; which of the draws
+of "start" has room depends on where "poses" and "table" have put things. ``reset`` applies
 the draws to the compiled world, after putting back what the last episode changed, exactly.
 
 ===============  ==================================================================================
