@@ -57,7 +57,20 @@ class Pace:
             raise httpcore2.ReadError("more came than an answer has")
 
 
-class Line(httpcore2.NetworkStream):
+class _Stream(httpcore2.NetworkStream):
+    """A connection that can be encrypted: once, or again behind a proxy that speaks TLS itself."""
+
+    def start_tls(
+        self,
+        ssl_context: ssl.SSLContext,
+        server_hostname: str | None = None,
+        timeout: float | None = None,
+    ) -> httpcore2.NetworkStream:
+        """Return the connection encrypted."""
+        return _secured(self, ssl_context, server_hostname, timeout)
+
+
+class Line(_Stream):
     """A TCP connection that keeps to a pace."""
 
     def __init__(self, sock: socket.socket, pace: Pace) -> None:
@@ -83,21 +96,12 @@ class Line(httpcore2.NetworkStream):
         """Hang up."""
         self._sock.close()
 
-    def start_tls(
-        self,
-        ssl_context: ssl.SSLContext,
-        server_hostname: str | None = None,
-        timeout: float | None = None,
-    ) -> httpcore2.NetworkStream:
-        """Return the connection encrypted."""
-        return _secured(self, ssl_context, server_hostname, timeout)
-
     def get_extra_info(self, info: str) -> Any:
         """Return what ``httpcore2`` asks of a connection."""
         return self._sock if info == "socket" else None
 
 
-class Secured(httpcore2.NetworkStream):
+class Secured(_Stream):
     """TLS over another connection, whose pace it keeps to in each round of its handshake."""
 
     def __init__(
@@ -149,15 +153,6 @@ class Secured(httpcore2.NetworkStream):
     def close(self) -> None:
         """Hang up."""
         self._under.close()
-
-    def start_tls(
-        self,
-        ssl_context: ssl.SSLContext,
-        server_hostname: str | None = None,
-        timeout: float | None = None,
-    ) -> httpcore2.NetworkStream:
-        """Return the connection encrypted once more, as behind a proxy that is spoken to by TLS."""
-        return _secured(self, ssl_context, server_hostname, timeout)
 
     def get_extra_info(self, info: str) -> Any:
         """Return what ``httpcore2`` asks of a connection."""
