@@ -12,8 +12,9 @@ first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as so
   about;
 - marked spots, the ways of pushes, and the room at a place where a thing is to go stay free.
 
-With no such draw it stays. Where the expert finds no stroke for what is to be pushed, ``LESS`` of
-all draws is tried, then none. All moves keep what rests on the flat top at rest, so nothing is
+With no such draw it stays. Where the expert then finds no stroke for what is to be pushed, or no
+grasp that the arm reaches of what is to be taken (``feasible``), ``LESS`` of all draws is tried,
+then none. All moves keep what rests on the flat top at rest, so nothing is
 simulated. Goals that say where a thing stood follow it (``tasks.goals.begun``), marked spots stay.
 """
 
@@ -29,11 +30,11 @@ from jaxtyping import Bool, Float
 from generator.geometry import inside_margin
 from generator.scene import TABLE, Scene
 
-from ..expert.strokes import plan_stroke
 from ..robot.mount import CLEARANCE, TALL, obstacle
 from ..tasks.goals import Goal, OnSpot, Pushed, named_by
 from ..workspace import FREE_MARGIN
 from .arranging import bundles, moved
+from .feasible import Feasible, touches_robot
 from .outlines import Outline, apart, carried, hull, keeps, near
 
 if TYPE_CHECKING:
@@ -44,7 +45,7 @@ SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])
 """What share of the largest move and turn each draw of a bundle may be."""
 
 LESS = 0.3
-"""What share of its draws is taken where they leave no way to push what is to be pushed."""
+"""What share of all draws is taken where they leave no way to push or take what is asked for."""
 
 ROOM, HAND_ROOM, PALM_ROOM, EDGE = 0.01, 0.04, 0.08, 0.01
 """Least room between things, about those of the goals, and to the table's edge, metres."""
@@ -78,17 +79,18 @@ def start_off(
     most = np.array([settings.start_move, settings.start_move, settings.start_turn])
     tries = most * rng.uniform(-1, 1, (len(world.names), len(SHARES), 3)) * SHARES[:, None]
     before, home = world.scene, world.data.qpos[world.arm_qpos].copy()
+    feasible = Feasible(world, goals)
     for share in (1.0, LESS) if most.any() else ():
         moves = _displaced(world, goals, share * tries)
         world.place_arm(home + joints)
-        if _can_begin(world, goals):
+        if feasible.now():
             break
         world.rearrange(before)
         world.reset()
     else:
         moves = {}
         world.place_arm(home + joints)
-    if _touches_robot(world):
+    if touches_robot(world):
         joints = np.zeros(7)
         world.place_arm(home)
     return {"joints": joints.tolist(), "moved": moves}
@@ -105,20 +107,6 @@ def _displaced(
         world.rearrange(table.scene)
         world.reset()
     return table.moves
-
-
-def _can_begin(world: World, goals: Sequence[Goal]) -> bool:
-    """Return whether nothing touches the robot, and there is a stroke for what is to be pushed."""
-    return not _touches_robot(world) and all(
-        plan_stroke(world, goal.target, goal.spot[:2]) is not None
-        for goal in goals
-        if isinstance(goal, Pushed)
-    )
-
-
-def _touches_robot(world: World) -> bool:
-    """Return whether a thing touches the robot."""
-    return any(world.touched(name)[2] for name in world.names)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,85 @@
+"""Whether an episode can be played from where its things start: what is to be moved can be."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.geometry import rotation_yaw, wrap
+
+from ..expert.arm import stretch
+from ..expert.choosing import HOVER, Plan, choose
+from ..expert.driver import up
+from ..expert.grasps import grasps_along, is_like
+from ..expert.strokes import plan_stroke
+from ..tasks.goals import Goal, Pushed
+
+if TYPE_CHECKING:
+    from ..world import World
+
+
+class Feasible:
+    """What is asked of a start: made at the start of a scene, asked once things are moved.
+
+    Args:
+        world: the world, at the start of its scene.
+        goals: what the episode asks for.
+    """
+
+    def __init__(self, world: World, goals: Sequence[Goal]) -> None:
+        self._world = world
+        self._pushed = tuple(goal for goal in goals if isinstance(goal, Pushed))
+        taken = [g.target for g in goals if g.target is not None and not isinstance(g, Pushed)]
+        found = ((name, world.first_plan(name, choose)) for name in dict.fromkeys(taken))
+        self._taken = tuple(
+            _Taken(name, plan, world.position(name).copy(), world.rotation(name).copy())
+            for name, plan in found
+            if plan is not None
+        )
+
+    def now(self) -> bool:
+        """Return whether it can be done from where things are now.
+
+        Nothing touches the robot, what is to be pushed has a stroke, and of what is to be taken
+        and had a grasp that the arm reaches, the arm reaches one still.
+        """
+        world = self._world
+        return (
+            not touches_robot(world)
+            and all(taken.has_grasp(world) for taken in self._taken)
+            and all(
+                plan_stroke(world, goal.target, goal.spot[:2]) is not None for goal in self._pushed
+            )
+        )
+
+
+def touches_robot(world: World) -> bool:
+    """Return whether a thing touches the robot."""
+    return any(world.touched(name)[2] for name in world.names)
+
+
+@dataclass(frozen=True, eq=False)
+class _Taken:
+    """A thing to take, with a grasp of it at a place (metres) and rotation, world frame."""
+
+    name: str
+    plan: Plan
+    position: Float[np.ndarray, "3"]
+    rotation: Float[np.ndarray, "3 3"]
+
+    def has_grasp(self, world: World) -> bool:
+        """Return whether the arm reaches this grasp where the thing is now, or another."""
+        turned = world.rotation(self.name) @ self.rotation.T
+        point = world.position(self.name) + turned @ (self.plan.grasp.point - self.position)
+        turn = rotation_yaw(turned)
+        along = replace(self.plan.grasp, point=point, angle=self.plan.grasp.angle + turn)
+        if any(is_like(found, along) for found in grasps_along(world, self.name, [along.angle])):
+            ends = (point, point + up(HOVER))
+            yaws = (wrap(self.plan.yaw + turn), wrap(self.plan.yaw + turn + np.pi))
+            if any(stretch(world, ends, yaw) is not None for yaw in yaws):
+                return True
+        return choose(world, self.name) is not None
