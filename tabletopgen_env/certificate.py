@@ -21,17 +21,14 @@ from .tasks import NAMES, TaskName, task_named
 FILE = "certificate.json"
 """The certificate's name in a bundle's folder."""
 
-SCHEMA = 3
-"""Version of the file. Older ones certify nothing: before 3 starts hardly differed."""
+SCHEMA = 4
+"""Version of the file. Older ones certify nothing: before 3 starts hardly differed, and before 4
+an instance was certified that had failed from one of its starts."""
 
-STARTS = 10
-"""An instance played from fewer starts is not certified."""
+STARTS = 30
+"""An instance played from fewer starts is not certified, nor is one that failed from any.
 
-LEAST = 0.95
-"""Share of the starts that the expert solved from which an instance is certified.
-
-Stricter than the 9 of 10 that a certified instance is to show from any other starts: what is
-solved from 19 of 20 starts seldom fails twice in ten more.
+What would fail from more than one start in ten is solved from 30 with a chance below 5 %.
 """
 
 MOST_INSTANCES = 4096
@@ -77,8 +74,8 @@ class Instance:
 
     @property
     def certified(self) -> bool:
-        """Whether the expert solved a share of ``LEAST`` of at least ``STARTS`` starts."""
-        return self.episodes >= STARTS and self.share >= LEAST
+        """Whether the expert solved it from each of at least ``STARTS`` starts."""
+        return self.successes == self.episodes >= STARTS
 
 
 @dataclass(frozen=True)
@@ -87,8 +84,9 @@ class Terms:
 
     Args:
         tasks: names of tasks, kept in the order of ``NAMES``; Sequence goes with its presets.
-        episodes: how many of each instance, at most ``MOST_EPISODES``, each from a start of its
-            own; fewer where it fails. Less than ``STARTS`` certify nothing.
+        episodes: how many of each instance, at most ``MOST_EPISODES``: the first from where the
+            scene has things, each other from a perturbed start of its own; none after a failure.
+            Less than ``STARTS`` certify nothing.
         most: how many instances of each task, and of each preset, at most.
         seed: draws instances and starts.
 
@@ -97,7 +95,7 @@ class Terms:
     """
 
     tasks: tuple[str, ...] = NAMES
-    episodes: int = 20
+    episodes: int = STARTS
     most: int = 8
     seed: int = 0
 

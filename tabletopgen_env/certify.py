@@ -1,13 +1,12 @@
 """Certificates: what the scripted expert has been seen to do at a table.
 
 For each *instance* (a task, its preset, target and goal) that a bundle's scene offers, up to a
-bound, the expert plays some episodes from the perturbed starts that ``randomization="starts"``
-makes, each from one of its own: arm and things are off as ``randomization.starting`` says. What it
-solves from a share of ``LEAST`` of at least ``STARTS`` starts is certified.
-``certificate.json``, beside the bundle's own files, keeps how many it solved, with the digest of
-the scene, the terms and the versions it was made with. Bundles do not list it, so that they stay
-what they were. An instance that can no longer come to a share of ``LEAST`` is played no further:
-each failure is slow.
+bound, the expert plays one episode from where the scene has things, as environments do by default,
+and others from perturbed starts (``randomization="starts"``), each from one of its own: arm and
+things are off as ``randomization.starting`` says. What it solves from all of at least ``STARTS``
+starts is certified; after a failure an instance is played no further. ``certificate.json``, beside
+the bundle's own files, keeps how many it solved, with the digest of the scene, the terms and the
+versions it was made with. Bundles do not list it, so that they stay what they were.
 
 A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the time limit of the
 task's id.
@@ -15,12 +14,13 @@ task's id.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import closing
 from dataclasses import replace
 from importlib import metadata
+from itertools import chain, repeat
 from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -30,7 +30,6 @@ import numpy as np
 from generator.errors import BundleError, SceneError, TabletopError, require_number
 
 from .certificate import (
-    LEAST,
     Certificate,
     Instance,
     Terms,
@@ -224,10 +223,14 @@ def _instances(folder: Path, task: str, terms: Terms) -> tuple[Instance, ...]:
         instances = offered(world, task_named(*name), terms.seed, terms.most)
         if not instances:
             continue
-        with closing(_env(folder, name, masters)) as env:
+        with (
+            closing(_env(folder, name, masters, None)) as own,
+            closing(_env(folder, name, masters, _STARTS)) as perturbed,
+        ):
             for instance in instances:
                 rng = np.random.default_rng((terms.seed, NAMES.index(task), len(found)))
-                found.append(_tried(env, instance, terms.episodes, rng))
+                starts = chain([own], repeat(perturbed, terms.episodes - 1))
+                found.append(_tried(starts, instance, rng))
     return tuple(found)
 
 
@@ -236,8 +239,8 @@ def played_again(
 ) -> Iterator[Instance]:
     """Yield instances of a bundle with how many of ``episodes`` the expert solves from new starts.
 
-    All episodes are played. ``seed`` draws the starts: one other than the certificate's draws
-    others.
+    All episodes are played, from perturbed starts alone. ``seed`` draws these: one other than the
+    certificate's draws others.
 
     Raises:
         BundleError: the bundle cannot be read.
@@ -245,24 +248,24 @@ def played_again(
     masters = Masters(Panda(), 1)
     for number, instance in enumerate(instances):
         rng = np.random.default_rng((seed, len(NAMES), number))
-        with closing(_env(folder, instance.name, masters)) as env:
+        with closing(_env(folder, instance.name, masters, _STARTS)) as env:
             solved = sum(_solved(env, instance, rng) for _ in range(episodes))
         yield replace(instance, successes=solved, episodes=episodes)
 
 
-def _tried(
-    env: TabletopEnv, instance: Instance, episodes: int, rng: np.random.Generator
-) -> Instance:
-    """Play an instance; what can no longer come to a share of ``LEAST`` is given up."""
+def _tried(starts: Iterable[TabletopEnv], instance: Instance, rng: np.random.Generator) -> Instance:
+    """Play an instance once in each of ``starts``, until it fails."""
     solved = played = 0
-    while played < episodes and (solved + episodes - played) / episodes >= LEAST:
-        solved += _solved(env, instance, rng)
+    for env in starts:
         played += 1
+        if not _solved(env, instance, rng):
+            break
+        solved += 1
     return replace(instance, successes=solved, episodes=played)
 
 
 def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> bool:
-    """Play one episode from a perturbed start; return whether it was a success."""
+    """Play one episode; return whether it was a success."""
     from .expert.run import TaskExpert
 
     try:
@@ -275,13 +278,14 @@ def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> b
     return any(held.after(env.step(expert.act())[4]) for _ in range(_limit(instance.task)))
 
 
-def _env(folder: Path, name: TaskName, masters: Masters) -> TabletopEnv:
+def _env(folder: Path, name: TaskName, masters: Masters, randomization: str | None) -> TabletopEnv:
     from .env import make_env
 
     task, preset = name
     return make_env(
-        folder, task=task, preset=preset, certified=False, masters=masters, randomization=_STARTS
-    )
+        folder, task=task, preset=preset, certified=False, masters=masters,
+        randomization=randomization,
+    )  # fmt: skip
 
 
 def _limit(task: str) -> int:

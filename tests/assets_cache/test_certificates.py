@@ -9,7 +9,7 @@ import pytest
 import assets_cache
 from assets_cache.make_starter import PROMPTS, TASKS
 from generator.errors import SceneError
-from tabletopgen_env.certificate import FILE, LEAST, Certificate, Instance, read_certificate
+from tabletopgen_env.certificate import FILE, Certificate, Instance, read_certificate
 from tabletopgen_env.certify import DEFAULT, instance_of, names, offered
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.robot.panda import Panda
@@ -38,7 +38,7 @@ def certificate(path: Path) -> Certificate:
 def solved(path: Path, name: TaskName) -> set[Asked]:
     """What the certificate of a bundle says the expert solves of a task."""
     listed = certificate(path).instances
-    return {asked(i) for i in listed if i.name == name and i.share >= LEAST}
+    return {asked(i) for i in listed if i.name == name and i.certified}
 
 
 def asked(instance: Instance) -> Asked:
@@ -63,7 +63,7 @@ def test_it_lists_what_the_bundle_offers_and_environments_keep_to_it(name: str) 
         listed = [i for i in found.instances if i.name == kind]
         if offered(world, task_named(*kind), DEFAULT.seed, 1):
             assert listed, f"{kind} is offered, but not listed"
-        assert all(i.episodes == DEFAULT.episodes for i in listed if i.share >= LEAST)
+        assert all(i.episodes == DEFAULT.episodes for i in listed if i.share == 1)
         env = make_env(path, task=kind.task, preset=kind.preset, masters=masters)
         if known := solved(path, kind):
             assert {played(env, seed) for seed in range(3)} <= known

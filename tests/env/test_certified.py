@@ -79,8 +79,8 @@ def test_only_certified_instances_are_drawn(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
     first, second, *_ = names
-    solved = Instance("Lift", second, None, 19, 20)
-    certify(Instance("Lift", first, None, 18, 20), solved, Instance("Push", first, None, 10, 10))
+    solved = Instance("Lift", second, None, 30, 30)
+    certify(Instance("Lift", first, None, 29, 30), solved, Instance("Push", first, None, 30, 30))
     env = make_env(bundle, task="Lift")
     assert seen(env, "target") == {second} and seen(env, "certified") == {True}
     still = np.zeros(5, np.float32)
@@ -93,7 +93,7 @@ def test_only_certified_instances_are_drawn(
 def test_all_certified_instances_are_drawn_by_the_seed(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    certify(*(Instance("Lift", name, None, 10, 10) for name in names[:3]))
+    certify(*(Instance("Lift", name, None, 30, 30) for name in names[:3]))
     one, other = make_env(bundle, task="Lift"), make_env(bundle, task="Lift")
     assert seen(one, "target", 20) == set(names[:3])
     for k in range(5):
@@ -103,7 +103,7 @@ def test_all_certified_instances_are_drawn_by_the_seed(
 @pytest.mark.slow
 def test_spots_are_drawn_anew(bundle: Path, certify: Certify) -> None:
     pushed = offered(world_of(bundle), Push(), 0, 1)[0]
-    certify(Instance("Reach", None, None, 10, 10), replace(pushed, successes=10, episodes=10))
+    certify(Instance("Reach", None, None, 30, 30), replace(pushed, successes=30, episodes=30))
     for task in ("Reach", "Push"):
         env = make_env(bundle, task=task)
         spots = set()
@@ -118,7 +118,7 @@ def test_spots_are_drawn_anew(bundle: Path, certify: Certify) -> None:
 def test_what_certify_lists_of_a_task_is_drawn(task: str, bundle: Path, certify: Certify) -> None:
     free = make_env(bundle, task=task, certified=False)
     free.reset(seed=4)
-    listed = replace(instance_of(free.task, free.episode), successes=10, episodes=10)
+    listed = replace(instance_of(free.task, free.episode), successes=30, episodes=30)
     certify(listed)
     env = make_env(bundle, task=task)
     assert env.reset(seed=0)[1]["certified"]
@@ -128,7 +128,7 @@ def test_what_certify_lists_of_a_task_is_drawn(task: str, bundle: Path, certify:
 
 def test_what_options_ask_for_wins(bundle: Path, certify: Certify, names: list[str]) -> None:
     first, second, *_ = names
-    certify(Instance("Lift", second, None, 10, 10))
+    certify(Instance("Lift", second, None, 30, 30))
     info = make_env(bundle, task="Lift").reset(seed=0, options={"target": first})[1]
     assert info["target"] == first and info["certified"] is False
     info = make_env("kitchen-cutting-*", task="Lift").reset(seed=0, options={"scene": bundle})[1]
@@ -201,14 +201,14 @@ def test_the_reasons_of_a_scene_passed_over_take_nothing_from_the_seed(
 
 @pytest.mark.slow
 def test_presets_are_certified_by_themselves(kitchen: Path, certify: Callable[..., Path]) -> None:
-    solved = Instance("Sequence", None, None, 10, 10, "kitchen")
+    solved = Instance("Sequence", None, None, 30, 30, "kitchen")
     certify(solved, into=kitchen)
     env = make_env(kitchen, task="Sequence", preset="kitchen")
     info = env.reset(seed=0)[1]
     assert info["certified"] is True and info["instruction"] == PRESETS["kitchen"].instruction
     with pytest.raises(SceneError, match="lists nothing of Sequence"):
         make_env(kitchen, task="Sequence").reset(seed=0)
-    certify(Instance("Sequence", None, None, 10, 10), replace(solved, successes=3), into=kitchen)
+    certify(Instance("Sequence", None, None, 30, 30), replace(solved, successes=3), into=kitchen)
     assert make_env(kitchen, task="Sequence").reset(seed=0)[1]["certified"] is True
     with pytest.raises(SceneError, match=r"of 1 instances of Sequence .*'kitchen'"):
         make_env(kitchen, task="Sequence", preset="kitchen").reset(seed=0)
@@ -247,7 +247,7 @@ def test_certificates_tell_presets_apart_and_say_nothing_of_tasks_of_ones_own() 
 def test_where_things_are_moved_nothing_is_certified(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    certify(Instance("Lift", names[0], None, 10, 10))
+    certify(Instance("Lift", names[0], None, 30, 30))
     moved = make_env(bundle, task="Lift", randomization=Randomization(move=0.01))
     assert moved.reset(seed=0)[1]["certified"] is False
     heavier = make_env(bundle, task="Lift", randomization=Randomization(mass=(0.9, 1.1)))
@@ -256,7 +256,7 @@ def test_where_things_are_moved_nothing_is_certified(
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "listed", [Instance("Lift", "unicorn_1", None, 10, 10), Instance("Lift", None, "spot", 10, 10)]
+    "listed", [Instance("Lift", "unicorn_1", None, 30, 30), Instance("Lift", None, "spot", 10, 10)]
 )
 def test_a_damaged_certificate_is_refused_unless_it_is_ignored(
     listed: Instance, bundle: Path, certify: Certify
@@ -273,7 +273,7 @@ def test_a_damaged_certificate_is_refused_unless_it_is_ignored(
 def test_it_is_read_once(
     bundle: Path, certify: Certify, names: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    certify(Instance("Lift", names[0], None, 10, 10))
+    certify(Instance("Lift", names[0], None, 30, 30))
     env = make_env(bundle, task="Lift")
     env.reset(seed=0)
     shutil.move(bundle / FILE, bundle.parent / FILE)
@@ -284,7 +284,7 @@ def test_every_kind_of_environment_heeds_it(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
     _, second, *_ = names
-    certify(Instance("Lift", second, None, 10, 10))
+    certify(Instance("Lift", second, None, 30, 30))
     goals = make_env(bundle, task="Lift", observation="goal")
     assert seen(goals, "target", 3) == {second}
     again = pickle.loads(pickle.dumps(goals))
@@ -300,7 +300,7 @@ def test_certifying_again_looks_at_everything(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
     before = offered(world_of(bundle), Lift(), 0, 4)
-    certify(Instance("Lift", names[0], None, 10, 10))
+    certify(Instance("Lift", names[0], None, 30, 30))
     assert offered(world_of(bundle), Lift(), 0, 4) == before and len(before) > 1
 
 
@@ -332,6 +332,6 @@ def test_no_more_is_drawn_than_is_looked_for(bundle: Path) -> None:
 def test_options_that_are_wrong_are_still_the_callers(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
-    certify(Instance("Lift", names[0], None, 10, 10))
+    certify(Instance("Lift", names[0], None, 30, 30))
     with pytest.raises(InputError, match="No object 'unicorn_1'"):
         make_env(bundle, task="Lift").reset(options={"target": "unicorn_1"})
