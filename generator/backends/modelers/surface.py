@@ -110,13 +110,15 @@ def read_surface(
     header: Header = {}
     if kind == "glb":
         header = inspect_glb(raw, what, most_faces)
-        raw = flattened(raw, header)
     else:
         inspect_obj(raw, what, most_faces)
-        raw = raw.decode("utf-8", "replace").encode()  # or its encoding is guessed at length
     files = ZipResolver({name: io.BytesIO(b) for name, b in beside.items()})
     try:
-        loaded = trimesh.load_scene(io.BytesIO(raw), file_type=kind, resolver=files, process=False)
+        # An OBJ is made UTF-8: its encoding would be guessed at length.
+        plain = raw.decode("utf-8", "replace").encode() if kind == "obj" else flattened(raw, header)
+        loaded = trimesh.load_scene(
+            io.BytesIO(plain), file_type=kind, resolver=files, process=False
+        )
         parts = _placed(loaded)
         asset = header.get("asset")
         maker = str(asset.get("generator", "")) if isinstance(asset, dict) else ""
@@ -196,7 +198,8 @@ def _piece(
     material: Any = getattr(visual, "material", None)
     count = len(part.vertices)
     uv = getattr(visual, "uv", None)
-    uv = np.zeros((count, 2)) if uv is None or len(uv) != count else np.nan_to_num(uv)[:, :2]
+    whole = uv is not None and len(uv) == count and uv.ndim == 2 and uv.shape[1] >= 2
+    uv = np.nan_to_num(uv)[:, :2] if whole else np.zeros((count, 2))
     factor, alpha = _factor(material), 1.0
     if str(getattr(material, "alphaMode", "")) == "BLEND":
         alpha = float(factor[3]) / 255

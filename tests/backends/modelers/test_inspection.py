@@ -21,7 +21,7 @@ from backends.modelers.foreign import (
     png,
     striped_box,
 )
-from PIL import ImageFile
+from PIL import Image, ImageFile
 
 from generator.backends.modelers import inspection
 from generator.backends.modelers.inspection import inspect_glb, inspect_obj
@@ -405,3 +405,24 @@ def test_faces_without_vertices_are_refused():
     assert raw != GOOD
     with pytest.raises(BackendError, match="faces name vertices that are not there"):
         read_surface(raw, "it", "glb")
+
+
+@pytest.mark.parametrize("accessor", [[0], "0", 10**30, 99, -(10**9), None])
+@pytest.mark.parametrize("name", ["COLOR_0", "TEXCOORD_0", "indices"])
+def test_columns_that_are_not_there_are_refused(name: str, accessor: object) -> None:
+    def point(header: dict) -> None:
+        piece = header["meshes"][0]["primitives"][0]
+        (piece if name == "indices" else piece["attributes"])[name] = accessor
+
+    with pytest.raises(BackendError):
+        normal_mesh(edited(GOOD, point), "the answer:")
+
+
+def test_texture_coordinates_of_one_number_count_as_none() -> None:
+    lines = ["mtllib m.mtl", *(f"v {x} {y} {z}" for x in (0, 1) for y in (0, 1) for z in (0, 1))]
+    lines += [f"vt 0.{k}" for k in range(1, 9)] + ["usemtl m", "f 1/1 2/2 3/3", "f 5/5 6/6 7/7"]
+    stream = io.BytesIO()
+    Image.new("RGB", (4, 4)).save(stream, "PNG")
+    beside = {"m.mtl": b"newmtl m\nmap_Kd t.png\n", "t.png": stream.getvalue()}
+    surface = read_surface("\n".join(lines).encode(), "it", "obj", beside)
+    assert surface.uv.shape == (len(surface.vertices), 2) and not surface.uv.any()
