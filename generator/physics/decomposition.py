@@ -26,6 +26,8 @@ from .inertia import closed, welded
 MOST_FACES = 1200
 """Meshes are reduced to this many faces: CoACD's time grows with them."""
 
+_FULL = 1.001  # of its hull that a mesh may fill, as reckoned
+
 _MAX_KEPT = 16 * 2**20  # bytes of the hulls of one mesh
 
 _CHILD = """
@@ -74,7 +76,7 @@ def _coacd(
 ) -> list[Float[np.ndarray, "k 3"]]:
     """Run CoACD in a child process on a reduced mesh."""
     vertices, faces = _reduced(vertices, faces)
-    mode = "off" if closed(faces) else "on"
+    mode = "off" if closed(faces) and not _overlaps(vertices, faces) else "on"
     with tempfile.TemporaryDirectory() as folder:
         given, made = Path(folder) / "mesh.npz", Path(folder) / "hulls.npz"
         np.savez(given, vertices=vertices, faces=faces)
@@ -93,6 +95,21 @@ def _coacd(
     if not hulls:
         raise SceneError("Convex decomposition found no solid piece. Give the model convex parts.")
     return hulls
+
+
+def _overlaps(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) -> bool:
+    """Return whether a closed mesh holds more than its hull, and so overlaps itself.
+
+    CoACD does not end with such a mesh, unless its surface is made anew first.
+    """
+    from scipy.spatial import ConvexHull, QhullError
+
+    a, b, c = vertices[faces].transpose(1, 0, 2)
+    volume = float(np.vecdot(a, np.cross(b, c)).sum()) / 6
+    try:
+        return volume > _FULL * ConvexHull(vertices).volume
+    except QhullError:  # flat
+        return False
 
 
 def _reduced(

@@ -64,6 +64,27 @@ def test_an_unwritable_cache_only_costs_time(tmp_path: Path) -> None:
     assert decompose(cube_mesh(), np.full(3, 0.1), cache=tmp_path / "file" / "below")
 
 
+@pytest.mark.slow
+def test_overlapping_solids_in_one_mesh_are_decomposed_in_time(tmp_path: Path) -> None:
+    ball = sphere_mesh()
+    shifted = ball.vertices + np.float32([0.05, 0, 0])
+    faces = np.concatenate([ball.faces, ball.faces + len(ball.vertices)])
+    both = Mesh(
+        (np.concatenate([ball.vertices, shifted]) / 1.1).astype(np.float32), faces,
+        np.zeros((2 * len(ball.vertices), 2)), ball.texture,
+    )  # fmt: skip
+    parts = decompose(both, np.full(3, 0.1), cache=tmp_path)
+    assert inside(parts, [0, 0, 0])
+
+
+def test_a_mesh_that_holds_more_than_its_hull_overlaps_itself() -> None:
+    ball = sphere_mesh()
+    vertices = ball.vertices.astype(float)
+    assert not decomposition._overlaps(vertices, ball.faces)
+    assert decomposition._overlaps(vertices, np.concatenate([ball.faces, ball.faces]))
+    assert not decomposition._overlaps(vertices * [1, 1, 0], ball.faces), "flat"
+
+
 def test_the_time_limit_holds(tmp_path: Path) -> None:
     with pytest.raises(SceneError, match=r"longer than 0\.01 s"):
         decompose(sphere_mesh(), np.full(3, 0.1), seconds=0.01, cache=tmp_path)
