@@ -155,7 +155,10 @@ def split_url(url: object, what: str, error: type[TabletopError]) -> SplitResult
     except ValueError:
         fine = False
     if not fine:
-        raise error(f"{what} is no URL of the form https://host/path.")
+        raise error(
+            f"{what} is no URL of the form https://host/path in ASCII, with other letters of a "
+            "host as punycode (xn--...) and of a path as %XX."
+        )
     return parts
 
 

@@ -81,11 +81,10 @@ class Outcome:
         return f"{last} {places[-1] if places else ''}"
 
     def told(self) -> str:
-        """Return what happened, and how to see it again."""
+        """Return what happened."""
         return (
             f"{self.kind} case {self.number} of seed {self.seed}: {self.end} after "
-            f"{self.seconds:.2f} s and {self.mib:.0f} MiB\n  again: python benchmarks/fuzz.py "
-            f"--kind {self.kind} --case {self.number} --seed {self.seed}\n{self.detail}"
+            f"{self.seconds:.2f} s and {self.mib:.0f} MiB\n{self.detail}"
         )
 
 
@@ -272,7 +271,8 @@ def report(tally: Tally, most: int = 12) -> str:
     for outcome in bad:
         firsts.setdefault((outcome.end, outcome.cause), []).append(outcome)
     shown = [
-        f"{same[0].told()}\n  like cases: {', '.join(str(o.number) for o in same[1:20]) or 'none'}"
+        f"{same[0].told()}\n  again: python benchmarks/fuzz.py --kind {tally.kind} "
+        f"--case {same[0].number} --seed {tally.seed}\n  like cases: {', '.join(str(o.number) for o in same[1:20]) or 'none'}"
         for same in list(firsts.values())[:most]
     ]
     head = f"{tally.kind}: {counts} of {len(tally.outcomes)}, by {len(firsts)} causes"
