@@ -128,6 +128,7 @@ def test_a_layout_box_has_positive_finite_sides() -> None:
         LayoutBox(np.array([np.nan, 0.0]), np.ones(3))
 
 
+@pytest.mark.slow
 def test_seconds_cover_all_stages(backends: Backends) -> None:
     made = generate(TEXT, backends, Config(without=("dro", "tsa")), seed=1)
     assert tuple(made.seconds) == STAGES

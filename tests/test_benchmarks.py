@@ -376,8 +376,8 @@ def test_calls_that_overlap_count_once() -> None:
 
 def test_certificates_are_held_against_starts_of_another_seed(tmp_path, monkeypatch) -> None:
     bench = script("certificates")
-    seen = [Seen("Lift", "a_1", None, 20, 20), Seen("Lift", "b_1", None, 19, 20),
-            Seen("Push", "a_1", "spot", 18, 20)]  # fmt: skip
+    seen = [Seen("Lift", "a_1", None, 30, 30), Seen("Lift", "b_1", None, 31, 31),
+            Seen("Push", "a_1", "spot", 29, 30)]  # fmt: skip
     made = Certificate("0" * 64, Terms(("Lift", "Push")), {}, tuple(seen))
     monkeypatch.setattr(bench, "certificate_of", lambda bundle: made)
     again = [
@@ -396,4 +396,4 @@ def test_certificates_are_held_against_starts_of_another_seed(tmp_path, monkeypa
     assert bench.is_current(job, rows) and not bench.is_current(job, rows[:1])
     text = bench.summary(rows, [tmp_path], "bench")
     assert "1 of 2 certified instances hold" in text and "18 of 20 attempts" in text
-    assert "| Lift | b_1 |  | 19 of 20 | 8 of 10 (does not hold) |" in text
+    assert "| Lift | b_1 |  | 31 of 31 | 8 of 10 (does not hold) |" in text

@@ -53,6 +53,7 @@ def check_episode(env: Any) -> None:
     env.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("task", NAMES)
 def test_the_table_has_every_key_of_info_at_every_task(task) -> None:
     tidy = task == "Tidy"
@@ -70,6 +71,7 @@ def test_there_are_two_examples() -> None:
     assert "SlotVecEnv" in EXAMPLES[1]
 
 
+@pytest.mark.slow
 def test_the_example_of_videos_writes_one(tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     exec(compile(EXAMPLES[0], str(PAGE), "exec"), {})
@@ -77,6 +79,7 @@ def test_the_example_of_videos_writes_one(tmp_path, monkeypatch) -> None:
     assert video.stat().st_size > 1000
 
 
+@pytest.mark.slow
 def test_the_example_of_sb3_learns(tmp_path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     names: dict[str, Any] = {}

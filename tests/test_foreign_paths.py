@@ -204,6 +204,7 @@ def test_a_transforms_file_is_a_regular_file(tmp_path: Path) -> None:
         load_external(tmp_path)
 
 
+@pytest.mark.slow
 def test_names_of_foreign_bundles_reach_no_terminal(
     store: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -42,6 +42,7 @@ def test_a_text_becomes_a_sound_scene(from_text: Generation) -> None:
     assert scene.provenance.prompt == TEXT
 
 
+@pytest.mark.slow
 def test_every_intermediate_is_kept(from_text: Generation) -> None:
     names = {i.name for i in from_text.instances}
     assert TABLE in names
@@ -51,6 +52,7 @@ def test_every_intermediate_is_kept(from_text: Generation) -> None:
     assert from_text.alignment.anchor in names - {TABLE}
 
 
+@pytest.mark.slow
 def test_the_reconstruction_keeps_the_arrangement(from_text: Generation) -> None:
     """Objects stand left and right of each other as their masks do in the picture."""
     objects = {o.name: o.pose.position for o in from_text.scene.objects}

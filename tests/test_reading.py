@@ -36,6 +36,7 @@ def test_what_json_writes_is_read(value, escaped):
     assert parse_json(json.dumps(value, ensure_ascii=escaped), "It", InputError) == value
 
 
+@pytest.mark.slow
 @settings(derandomize=True, deadline=None, max_examples=300)
 @given(st.text() | st.binary())
 def test_any_text_is_read_or_refused(raw):

@@ -39,8 +39,9 @@ start            the arm's joints (``start_joints``), place (``start_move``) and
                  (``start_turn``) of things with all that they carry or touch, once the goal is
                  drawn, as far as there is room: nothing comes to overlap, to stand at the edge, out
                  of reach or in the way of what the goal asks for. What a certificate says holds
-                 for such starts. A start leaves what is to be taken a grasp that the arm reaches, which
-                 takes some 10 milliseconds a reset; grasp hints are planned anew for each
+                 for such starts. A start leaves what is to be taken a grasp that the arm
+                 reaches, which takes some 10 milliseconds a reset; grasp hints are planned anew
+                 for each
 ===============  ==================================================================================
 
 The world frame is fixed to the table, so a higher table shows as a lower base, pedestal and

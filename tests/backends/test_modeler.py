@@ -105,6 +105,7 @@ def test_meshes_are_closed_and_parts_cover_them(kind):
     assert sum(h.volume for h in hulls) >= 0.9 * mesh.volume
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", SHAPES)
 def test_bottoms_are_flat_under_the_centre_of_mass(kind):
     mesh = welded(generic(kind)[2])

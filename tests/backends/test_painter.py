@@ -42,6 +42,7 @@ def test_the_longer_side_is_level(picture: np.ndarray) -> None:
     assert abs(float(np.median(left)) - float(np.median(right))) < 6
 
 
+@pytest.mark.slow
 def test_asked_colours_are_in_the_picture(picture: np.ndarray) -> None:
     r, g, b = (picture[..., k].astype(int) for k in range(3))
     red = (r > 1.8 * g) & (r > 1.8 * b) & (r > 90)

@@ -159,6 +159,7 @@ def test_a_record_that_is_a_pipe_is_none(out: Path, make: ToyMaker) -> None:
     assert work(JOB, out, make).state == "made"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("gate", [5, [1], {"drift_mm": "x"}, {"drift_mm": None}, {"x": 1e300}])
 def test_figures_that_are_none_are_left_out(out: Path, make: ToyMaker, gate: object) -> None:
     other = other_bundle(out)

@@ -45,6 +45,7 @@ def repeat(payload: dict[str, Any], count: int) -> None:
     ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "change",
     [
@@ -143,6 +144,7 @@ def test_meshes_count_for_every_body_that_shows_them(path: Path) -> None:
     refused(rewrite(forged, lambda p: repeat(p, 20)), "meshes together have")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "raw",
     [

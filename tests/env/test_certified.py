@@ -173,6 +173,7 @@ def test_where_there_is_nothing_to_certify_the_reasons_are_told(
     assert str(certified.value) == str(free.value)
 
 
+@pytest.mark.slow
 def test_the_reasons_of_a_scene_passed_over_take_nothing_from_the_seed(
     bundle: Path, certify: Certify
 ) -> None:

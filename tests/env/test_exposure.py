@@ -30,6 +30,8 @@ from tabletopgen_env.room import AMBIENT, BRIGHTEST, HEADLIGHT, SUN, exposure
 from tabletopgen_env.software import model_camera, visible_shapes
 from tabletopgen_env.world import World
 
+pytestmark = pytest.mark.slow
+
 BUNDLES = {folder.name.rsplit("-", 1)[0]: folder for folder in assets_cache.entries()}
 SHOWN = ("lab", "coffee-square", "workbench", "vanity")  # white, dark, wood, white and round
 RENDERERS = [pytest.param("gl", marks=needs_gl), "software"]

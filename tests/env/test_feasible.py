@@ -48,6 +48,7 @@ def test_what_stays_free_and_near_can_be_taken() -> None:
     assert after(shown(), "cube_1", (0.03, -0.02))
 
 
+@pytest.mark.slow
 def test_what_the_arm_does_not_reach_cannot() -> None:
     assert not after(shown(), "cube_1", (0.55, 0.3))
 

@@ -62,6 +62,7 @@ def drift(env: TabletopEnv, steps: int = 250) -> float:
     return float(np.linalg.norm(world.data.xpos[world.bodies] - before, axis=1).max())
 
 
+@pytest.mark.slow
 def test_each_seed_starts_elsewhere_by_centimetres_sound_and_at_rest() -> None:
     env = make_env(TABLES, task="Lift", randomization="starts")
     starts, far = set(), []
@@ -196,6 +197,7 @@ def fingerprint(seed: int = 3) -> str:
     return hashlib.sha256(np.stack(seen).tobytes()).hexdigest()
 
 
+@pytest.mark.slow
 def test_another_process_starts_alike() -> None:
     code = "import test_starting; print(test_starting.fingerprint())"
     found = {fingerprint()}

@@ -245,6 +245,7 @@ def test_after_a_reset_that_fails_no_slot_moves_until_it_is_done(mode) -> None:
     envs.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
 def test_a_slot_that_could_not_be_reset_by_a_step_has_no_episode(mode, monkeypatch) -> None:
     envs = TabletopVectorEnv(2, scenes=toy_scene(), max_episode_steps=1, autoreset_mode=mode)

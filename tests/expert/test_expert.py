@@ -52,6 +52,7 @@ def test_it_solves_every_kind_of_goal(env: Any, target: str, goal: str) -> None:
     assert (np.abs(stacked) <= 1).all()
 
 
+@pytest.mark.slow
 def test_same_seed_same_actions(env: Any) -> None:
     first, second = (episode(env, 7)[1] for _ in range(2))
     np.testing.assert_array_equal(first, second)

@@ -11,7 +11,7 @@ import pytest
 from hostile.harness import Worker, report, run_cases
 from hostile.targets import KINDS
 
-FEW, MANY = 12, 300
+FEW, MANY = 4, 300
 
 
 @pytest.fixture(scope="module")

@@ -28,6 +28,7 @@ def test_what_ends_in_our_errors_is_well(worker: Worker) -> None:
     assert 0 < tally.count("refused") < 20 == len(tally.outcomes)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("fault", "end", "says"),
     [

@@ -93,6 +93,7 @@ def test_the_same_seed_gives_the_same_arrays_whatever_the_workers(
     assert contents(other / "data/main_data.hdf5") != contents(lift / "data/main_data.hdf5")
 
 
+@pytest.mark.slow
 def test_starts_differ_unless_asked_not_to() -> None:
     def starts(config: RecordConfig) -> set[bytes]:
         env = config.environment()

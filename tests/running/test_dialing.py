@@ -74,6 +74,7 @@ ENDLESS = {
 }  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("talk", ENDLESS.values(), ids=ENDLESS)
 def test_a_server_without_an_end_is_left_in_time(talk: Talk) -> None:
     before = set(threading.enumerate())

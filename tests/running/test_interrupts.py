@@ -18,6 +18,8 @@ from paid_server import Asked, Says, Served, ask, serving, session
 from generator.errors import StoppedError
 from generator.running.store import CallStore
 
+pytestmark = pytest.mark.slow
+
 HUNG = 30.0
 """Seconds that nobody waits for."""
 
@@ -133,7 +135,6 @@ except KeyboardInterrupt:
 """
 
 
-@pytest.mark.slow
 def test_the_process_ends_with_the_second_interrupt() -> None:
     path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
     with hanging() as (server, _):

@@ -244,6 +244,7 @@ def test_an_answer_that_broke_off_counts_with_the_most_it_can_have_cost() -> Non
     assert whole.money == pytest.approx(0.021)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("dated", [False, True])
 def test_a_server_that_says_how_long_to_wait_is_obeyed(dated: bool) -> None:
     wait = email.utils.formatdate(time.time() + 2, usegmt=True) if dated else "0.3"

@@ -81,6 +81,7 @@ class Still(Asking):
         pass
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stage", [extracted, modelled])
 def test_six_things_take_a_third_of_the_time_at_most(stage: Callable[[Backends], Any]) -> None:
     seconds, made = [], []

@@ -265,6 +265,7 @@ def test_what_is_carried_moves_with_its_support():
     assert there["toy_train"][2] - train.scale[2] / 2 > 0.745
 
 
+@pytest.mark.slow
 def test_without_steps_or_with_one_object_nothing_moves(instances):
     start = disturbed(0)
     assert refined(instances, start, steps=0).placements == start

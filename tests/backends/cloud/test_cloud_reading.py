@@ -62,6 +62,7 @@ def test_refusals_are_told_from_answers() -> None:
     assert not is_refusal("The canary is sorry.")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "text",
     [

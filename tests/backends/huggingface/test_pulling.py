@@ -29,6 +29,8 @@ from generator.backends.huggingface.pins import WEIGHTS, Pin, pins
 from generator.backends.huggingface.pulling import pull
 from generator.errors import BackendError, StorageError
 
+pytestmark = pytest.mark.slow
+
 
 @pytest.fixture
 def model(tiny_models: Path) -> Pin:

@@ -290,6 +290,7 @@ def chained(links: int) -> bytes:
     return edited(GOOD, hang)
 
 
+@pytest.mark.slow
 def test_a_chain_of_nodes_takes_time_in_proportion_to_its_length():
     began = time.monotonic()
     surface = read_surface(chained(10_000), "it", "glb")

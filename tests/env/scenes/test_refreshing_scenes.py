@@ -237,6 +237,7 @@ def test_a_process_says_nothing_of_its_own_so_that_last_words_are_the_cause(tmp_
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
 
 
+@pytest.mark.slow
 def test_a_killed_process_is_replaced(pool) -> None:
     source, rng = pool("slow"), np.random.default_rng(0)
     source.draw(rng)

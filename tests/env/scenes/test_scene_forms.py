@@ -90,6 +90,7 @@ def test_needs_tell_tables_apart_and_none_leave_them_what_they_were() -> None:
         assert Recipe.from_json(json.loads(json.dumps(recipe.to_json()))) == recipe
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["Tidy", "Swap", "Stack"])
 def test_tables_drawn_for_a_task_offer_something(name: str) -> None:
     task = task_named(name)

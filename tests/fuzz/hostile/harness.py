@@ -81,10 +81,12 @@ class Outcome:
         return f"{last} {places[-1] if places else ''}"
 
     def told(self) -> str:
-        """Return what happened."""
+        """Return what happened, and of what did not end well how to see it again."""
+        case = f"--kind {self.kind} --case {self.number} --seed {self.seed}"
+        again = "" if self.good else f"  again: python benchmarks/fuzz.py {case}\n"
         return (
             f"{self.kind} case {self.number} of seed {self.seed}: {self.end} after "
-            f"{self.seconds:.2f} s and {self.mib:.0f} MiB\n{self.detail}"
+            f"{self.seconds:.2f} s and {self.mib:.0f} MiB\n{again}{self.detail}"
         )
 
 
@@ -271,8 +273,7 @@ def report(tally: Tally, most: int = 12) -> str:
     for outcome in bad:
         firsts.setdefault((outcome.end, outcome.cause), []).append(outcome)
     shown = [
-        f"{same[0].told()}\n  again: python benchmarks/fuzz.py --kind {tally.kind} "
-        f"--case {same[0].number} --seed {tally.seed}\n  like cases: {', '.join(str(o.number) for o in same[1:20]) or 'none'}"
+        f"{same[0].told()}\n  like cases: {', '.join(str(o.number) for o in same[1:20]) or 'none'}"
         for same in list(firsts.values())[:most]
     ]
     head = f"{tally.kind}: {counts} of {len(tally.outcomes)}, by {len(firsts)} causes"
