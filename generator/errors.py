@@ -11,9 +11,17 @@ import math
 import numbers
 from collections.abc import Iterable
 
+from .terminal import escaped
+
 
 class TabletopError(Exception):
-    """Base of every error the project raises on purpose; catch this to catch them all."""
+    """Base of every error the project raises on purpose; catch this to catch them all.
+
+    Its text can be shown on a terminal, whatever foreign text it quotes.
+    """
+
+    def __str__(self) -> str:
+        return escaped(super().__str__())
 
 
 class InputError(TabletopError, ValueError):

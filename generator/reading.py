@@ -222,11 +222,6 @@ def is_count(value: object, *, most: float = 1e12) -> bool:
     return type(value) is int and is_number(value, most=most)
 
 
-def escaped(text: str) -> str:
-    """Return a text that may be foreign as a terminal can show it: its lines, no controls."""
-    return "".join(c if c.isprintable() or c == "\n" else repr(c)[1:-1] for c in text)
-
-
 def _read(descriptor: int, count: int) -> bytes:
     with open(descriptor, "rb", closefd=False) as file:
         return file.read(count)

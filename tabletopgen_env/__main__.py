@@ -11,7 +11,7 @@ from tyro import conf
 
 import assets_cache
 from generator.errors import InputError, TabletopError, exit_code
-from generator.reading import escaped
+from generator.terminal import escaped
 
 from .certificate import Terms
 from .certify import DEFAULT, certify_all, is_certified

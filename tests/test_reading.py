@@ -12,7 +12,6 @@ from hypothesis import strategies as st
 
 from generator.errors import BackendError, BundleError, InputError
 from generator.reading import (
-    escaped,
     parse_json,
     parse_object,
     parse_toml,
@@ -144,11 +143,6 @@ def test_names_that_cannot_be_shown_are_refused(text):
     with pytest.raises(BundleError, match=r"^The label"):
         printable(text, "The label", BundleError)
     assert printable("café au lait 3", "The label", BundleError) == "café au lait 3"
-
-
-def test_what_is_shown_holds_no_controls():
-    shown = escaped("a\x1b[2Jb\x9bc\nd\u202ee\r\t\ud800 \u00e9 杯")
-    assert shown == "a\\x1b[2Jb\\x9bc\nd\\u202ee\\r\\t\\ud800 \u00e9 杯"
 
 
 def test_toml_is_read():

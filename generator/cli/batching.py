@@ -13,7 +13,7 @@ from tyro.conf import Positional
 
 from ..errors import InputError, require_number, require_seed
 from ..files import check_folder
-from ..reading import escaped
+from ..terminal import escaped
 from .choosing import USUAL, Chosen, lines_of, roles_of
 from .printing import emit
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
-from ..reading import escaped
+from ..terminal import escaped
 from .paying import answering, open_session, scene_key, told
 from .printing import emit
 from .store import find, one, some

@@ -13,7 +13,7 @@ from tyro.conf import Positional
 
 from ..errors import InputError, MissingError, TabletopError
 from ..files import check_target
-from ..reading import escaped
+from ..terminal import escaped
 from .printing import emit, print_scene
 from .store import find, one, some
 

@@ -11,7 +11,7 @@ from tyro.conf import Positional
 from ..backends.huggingface.folder import missing, models_folder, snapshot
 from ..backends.huggingface.pins import Pin, pin, pins
 from ..errors import InputError
-from ..reading import escaped
+from ..terminal import escaped
 from .printing import emit
 
 app = tyro.extras.SubcommandApp()

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import DryRunError, InputError
 from ..provenance import plain
-from ..reading import escaped, read_regular
+from ..reading import read_regular
+from ..terminal import escaped
 from .choosing import Roles, lines_of
 
 if TYPE_CHECKING:

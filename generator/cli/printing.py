@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..reading import escaped
+from ..terminal import escaped
 
 if TYPE_CHECKING:
     from ..ledger import Seconds

@@ -89,7 +89,7 @@ class Spending:
         try:
             make_private(self.path.parent)
             lock = FileLock(self.path.with_suffix(".lock"), timeout=_PATIENCE, mode=0o600)
-            with lock, open(self.path, "ab+", opener=_open_private) as file:
+            with lock, os.fdopen(_opened(self.path), "ab+") as file:
                 if file.tell():
                     file.seek(-1, os.SEEK_END)
                     line = line if file.read(1) == b"\n" else b"\n" + line
@@ -138,5 +138,7 @@ def new_call() -> str:
     return secrets.token_hex(8)
 
 
-def _open_private(path: str, flags: int) -> int:
-    return os.open(path, flags | os.O_NOFOLLOW | os.O_NONBLOCK, 0o600)
+def _opened(path: Path) -> int:
+    """Open a file to append to it, made for its owner alone; links and pipes are not followed."""
+    flags = os.O_RDWR | os.O_APPEND | os.O_CREAT | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
+    return os.open(path, flags, 0o600)

@@ -13,7 +13,7 @@ from tyro.conf import Positional, arg
 
 from generator.errors import InputError, TabletopError, require_number, require_seed
 from generator.files import check_folder, check_target
-from generator.reading import escaped
+from generator.terminal import escaped
 
 from .extra import need_sb3
 

@@ -11,6 +11,7 @@ import json
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, field, fields
+from datetime import date, time
 from pathlib import Path
 from typing import Any, Literal, get_args
 
@@ -201,7 +202,7 @@ def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:
     payload = _merged({"env": {"randomization": STARTS}}, payload)
     for change in changes:
         payload = _merged(payload, _change(change))
-    _check_finite(name, payload)
+    _check_values(name, payload)
     return recipe_of({"name": name, **payload})
 
 
@@ -272,12 +273,15 @@ def _read(path: Path) -> dict[str, Any]:
     return parse_toml(raw, f"{path}", InputError)
 
 
-def _check_finite(name: str, value: Any) -> None:
+def _check_values(name: str, value: Any) -> None:
+    """Refuse what JSON has not: dates, times, and numbers that are not finite."""
     inner = (
         value.values() if isinstance(value, Mapping) else value if isinstance(value, list) else ()
     )
     for part in inner:
-        _check_finite(name, part)
+        _check_values(name, part)
+    if isinstance(value, (date, time)):
+        raise InputError(f"{name}: {value} is a date or a time; put it in quotes.")
     if isinstance(value, float) and not math.isfinite(value):
         raise InputError(f"{name}: {value} is no number a recipe can hold.")
 

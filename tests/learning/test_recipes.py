@@ -114,7 +114,11 @@ def test_one_of_your_own_is_a_file(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     path.write_text("task = 'Push'\nalgorithm = 'ppo'\nnetwork = {layers = [8]}\n")
     assert (recipe(str(path)).name, recipe(str(path)).network.layers) == ("mine", (8,))
-    for text, why in (("task = ", "no TOML"), ("steps = inf", "no number"), ("", "needs 'task'")):
+    for text, why in (
+        ("task = ", "no TOML"), ("steps = inf", "no number"), ("", "needs 'task'"),
+        ("options = {a = [2026-01-01]}", "2026-01-01 is a date"),
+        ("env = {a = 07:32:00}", "a time"),
+    ):  # fmt: skip
         path.write_text(text)
         with pytest.raises(InputError, match=why):
             recipe(str(path))

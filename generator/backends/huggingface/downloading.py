@@ -13,7 +13,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ...errors import BackendError, StorageError, TabletopError
-from ...reading import escaped, parse_object
+from ...reading import parse_object
+from ...terminal import escaped
 from ..installing import module
 from .pins import Pin
 
