@@ -47,15 +47,13 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
         InputError: none, too many, or a number out of range.
     """
     require_number("A batch needs variants", variants, least=1, most=MOST, whole=True)
-    first = [p if isinstance(p, Job) else Job(p, seed) for p in prompts]
-    jobs: dict[Job, None] = {}
-    for job in first:
-        jobs |= dict.fromkeys(Job(job.text, job.seed + k) for k in range(variants))
-        if len(jobs) > MOST:
-            break
-    if not 0 < len(jobs) <= MOST:
-        raise InputError(f"A batch needs 1 to {MOST:,} scenes, got {len(first) * variants:,}.")
-    return tuple(jobs)
+    first = dict.fromkeys(p if isinstance(p, Job) else Job(p, seed) for p in prompts)
+    count = len(first) * variants
+    if not 0 < count <= MOST:
+        raise InputError(f"A batch needs 1 to {MOST:,} scenes, got {count:,}.")
+    return tuple(
+        dict.fromkeys(Job(job.text, job.seed + k) for job in first for k in range(variants))
+    )
 
 
 def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:

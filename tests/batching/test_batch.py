@@ -279,7 +279,12 @@ def test_the_maker_of_the_tests_is_found_by_processes() -> None:
     assert toy_maker.__name__ == ToyMaker.__module__ == "toy_maker"
 
 
-@pytest.mark.slow
+def test_what_is_asked_for_twice_is_laid_out_once() -> None:
+    again = [batch.Job("a mug", 3)] * 50_000
+    assert len(batch.jobs_of(again, variants=50_000)) == 50_000
+    assert len(batch.jobs_of([batch.Job("a", 0), batch.Job("a", 1)], variants=3)) == 4
+
+
 def test_huge_batches_are_refused_before_they_are_laid_out() -> None:
     texts = [f"{k} {'x' * 10_000}" for k in range(300)]
     with pytest.raises(InputError, match="1 to 100,000 scenes, got 30,000,000"):
