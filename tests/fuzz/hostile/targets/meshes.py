@@ -189,6 +189,10 @@ def _buffers(header: Header, data: bytes, rng: random.Random) -> None:
     header["buffers"] = [{**header["buffers"][0], "uri": uri}] * rng.choice((1, 1, 500))
 
 
+_MOST_PICTURES = 2**25
+"""Bytes of all pictures of a GLB: to write many more of them would be the work of the case."""
+
+
 def _pictures(header: Header, data: bytes, rng: random.Random) -> None:
     picture = hostile_png(rng, _PICTURE)
     if rng.random() < 0.2:
@@ -196,7 +200,7 @@ def _pictures(header: Header, data: bytes, rng: random.Random) -> None:
     uri = "data:image/png;base64," + base64.b64encode(picture).decode()
     if rng.random() < 0.2:
         uri = rng.choice(("../../precious/file.txt", "/dev/zero", "http://a℀b/x", text(rng)))
-    count = rng.choice((1, 1, 20, 200))
+    count = max(1, min(rng.choice((1, 1, 20, 200)), _MOST_PICTURES // len(uri)))
     header["images"] = [{"uri": uri}] * count
     header["textures"] = [{"source": k} for k in range(count)]
     if count > 1:
