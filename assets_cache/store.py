@@ -55,8 +55,9 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
 
     Args:
         wanted: a scene's name, a folder's name, a digest or its first 6 digits, a glob on folder
-            names ("office*"), a path or a glob of paths, or "starter" for the shipped tables that
-            are for any task. Those made for one task are found by their names
+            names ("office*"), the path of a bundle or of a folder of bundles (names come before a
+            folder of one part, "tables"), a glob of bundles' paths, or "starter" for the shipped
+            tables that are for any task. Those made for one task are found by their names
             ("kitchen-task-*").
         cache: a folder of bundles to search first.
 
@@ -67,7 +68,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
     if text == STARTER:
         found = list(_bundles(_STARTERS))
     else:
-        found = _by_path(text) or _by_name(text, entries(cache))
+        found = _by_path(text) or _by_name(text, entries(cache)) or _in_folder(text)
     if not found:
         places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
         names = {_stem(path) for path in entries(cache)}
@@ -173,13 +174,22 @@ def _by_path(text: str) -> list[Path]:
         path = Path(text).expanduser()
         if (path / "scene.json").is_file():
             return [path]
-        if len(path.parts) < 2:
+        if len(path.parts) < 2 and not text.startswith("./"):  # a name
             return []
         if path.is_dir():
             return list(_bundles(path))
         anchor = Path(path.anchor)
         pattern = str(path.relative_to(anchor))
         return [p for p in sorted(anchor.glob(pattern)) if (p / "scene.json").is_file()]
+    except (OSError, ValueError, RuntimeError):
+        return []
+
+
+def _in_folder(text: str) -> list[Path]:
+    """Return the bundles in a folder, or nothing where there is none."""
+    try:
+        path = Path(text).expanduser()
+        return list(_bundles(path)) if path.is_dir() else []
     except (OSError, ValueError, RuntimeError):
         return []
 

@@ -11,9 +11,9 @@ from tyro import conf
 
 import assets_cache
 from generator.errors import InputError, TabletopError, exit_code
-from generator.terminal import escaped
+from generator.terminal import escaped, piped
 
-from .certificate import Terms
+from .certificate import STARTS, Terms
 from .certify import DEFAULT, certify_all, is_certified
 from .learning.commands import enjoy, plot, train
 from .recording import Format, RecordConfig
@@ -34,12 +34,15 @@ def certify(
     """Let the scripted expert play what bundles offer, and write a certificate beside each.
 
     A bundle whose certificate was made on the same terms is passed over, so that the same command
-    goes on where it was interrupted. Those that cannot be certified are named at the end.
+    goes on where it was interrupted; one made on other terms is replaced, not extended. Those that
+    cannot be certified are named at the end.
 
     Args:
         bundles: Names, digests, globs or paths of bundles, or folders of them.
         tasks: Which tasks; Sequence with its presets.
-        episodes: How many of each instance, from perturbed starts.
+        episodes: How many of each instance at most: the first from where the scene has things,
+            the others from perturbed starts, and none after a failure. Fewer than 30 certify
+            nothing.
         most: How many instances of each task at most.
         seed: The same seed gives the same certificate.
         workers: Processes; they do not change what is written.
@@ -48,6 +51,8 @@ def certify(
     if not bundles:
         raise InputError("Name at least one bundle to certify.")
     terms = Terms(tasks, episodes, most, seed)
+    if episodes < STARTS:
+        print(f"Fewer than {STARTS} episodes of an instance certify nothing.", file=sys.stderr)
     found = dict.fromkeys(path for wanted in bundles for path in assets_cache.find(wanted))
     waiting = [path for path in found if again or not is_certified(path, terms)]
     if len(waiting) < len(found):
@@ -113,4 +118,4 @@ def run(arguments: list[str]) -> int:
 
 
 if __name__ == "__main__":
-    raise SystemExit(run(sys.argv[1:]))
+    raise SystemExit(piped(lambda: run(sys.argv[1:])))

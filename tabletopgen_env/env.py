@@ -194,6 +194,7 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         options = as_options(options)
         if seed is not None:
             require_seed(seed)
+            seed = int(seed)
         try:
             super().reset(seed=seed)
             return self._begin(options)

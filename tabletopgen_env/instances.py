@@ -48,7 +48,7 @@ def sampled(
         task.sample(world, np.random.default_rng(0))  # says why, without a draw of the episode's
     solved = [instance for instance in listed if instance.certified]
     if not solved:
-        raise _nothing_certified(world, name, len(listed))
+        raise _nothing_certified(world, name, len(listed), certificate.terms.episodes)
     instance = solved[int(rng.integers(len(solved)))]
     try:
         return task.sample(world, rng, instance.target, instance.goal), True
@@ -59,7 +59,7 @@ def sampled(
         ) from error
 
 
-def _nothing_certified(world: World, name: TaskName, listed: int) -> SceneError:
+def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int) -> SceneError:
     """Return the error of a scene with something to do, but not for the expert."""
     asked = name.task + (f" with the preset {name.preset!r}" if name.preset else "")
     why = (
@@ -68,6 +68,11 @@ def _nothing_certified(world: World, name: TaskName, listed: int) -> SceneError:
         if listed
         else f"its certificate lists nothing of {asked}"
     )
+    if listed and episodes < STARTS:
+        why = (
+            f"its certificate was made with {episodes} episodes an instance, and fewer than "
+            f"{STARTS} certify nothing"
+        )
     return SceneError(
         f"Scene {world.scene.name!r} offers nothing certified: {why}. Use other scenes, or make "
         "the environment with certified=False."

@@ -84,6 +84,8 @@ def test_a_negative_seed_begins_no_episode() -> None:
     try:
         with pytest.raises(InputError, match=SEED):
             env.reset(seed=-1)
+        one, other = env.reset(seed=np.int64(3))[0], env.reset(seed=3)[0]
+        assert np.array_equal(one, other)
     finally:
         env.close()
 

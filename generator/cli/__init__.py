@@ -7,7 +7,7 @@ import sys
 import tyro
 
 from ..errors import TabletopError, exit_code
-from ..terminal import escaped
+from ..terminal import escaped, piped
 from . import batching, cache, editing, evaluating, interrupts, looking, making, models
 
 DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.
@@ -58,6 +58,6 @@ def run(arguments: list[str]) -> int:
 def main() -> None:
     """Run the process's command line and end it with the exit code."""
     interrupts.heed()
-    code = run(sys.argv[1:])
+    code = piped(lambda: run(sys.argv[1:]))
     interrupts.ignore()
     raise SystemExit(code)

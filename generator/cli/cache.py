@@ -17,7 +17,9 @@ app = tyro.extras.SubcommandApp()
 
 @app.command(name="list")
 def listed(pattern: Positional[str] = "*", /, *, json: bool = False) -> int:
-    """List the bundles that can be found by name: the starters, and those in the user cache.
+    """List the bundles that can be found by name.
+
+    They are the shipped ones, those of TABLETOPGEN_CACHE, and those in the user cache.
 
     Args:
         pattern: Glob on the names.

@@ -34,6 +34,8 @@ def inspect(bundle: Positional[str], /, *, json: bool = False) -> int:
 def verify(bundles: Positional[tuple[str, ...]], /, *, json: bool = False) -> int:
     """Check bundles: hashes, paths, numbers, and whether they still simulate soundly.
 
+    A certificate beside a bundle is no part of it; environments check it when they read it.
+
     Args:
         bundles: Names, digests, globs or paths.
         json: Print one JSON object instead of lines.

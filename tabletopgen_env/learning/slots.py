@@ -11,11 +11,12 @@ from typing import Any
 
 import gymnasium as gym
 import numpy as np
+from gymnasium.vector import AutoresetMode
 from jaxtyping import Bool, Float
 from stable_baselines3.common.env_util import is_wrapped
 from stable_baselines3.common.vec_env import VecEnv
 
-from generator.errors import InputError
+from generator.errors import InputError, require_seed
 
 from ..vector import TabletopVectorEnv
 
@@ -29,9 +30,18 @@ class SlotVecEnv(VecEnv):
 
     Args:
         slots: the vector environment, made with ``autoreset_mode="SameStep"``.
+
+    Raises:
+        InputError: it is reset in another mode.
     """
 
     def __init__(self, slots: TabletopVectorEnv) -> None:
+        mode = slots.autoreset_mode
+        if mode is not AutoresetMode.SAME_STEP:
+            raise InputError(
+                "SlotVecEnv needs slots that reset within the step that ends an episode: make them "
+                f"with autoreset_mode='SameStep', not {mode.value!r}."
+            )
         self.slots = slots
         self._actions: Any = None
         super().__init__(slots.num_envs, slots.single_observation_space, slots.single_action_space)
@@ -58,6 +68,7 @@ class SlotVecEnv(VecEnv):
         """Give each slot a seed of its own for the next reset; other runs' slots have others."""
         if seed is None:
             return super().seed()
+        require_seed(seed)
         self._seeds = [
             int(s) for s in np.random.SeedSequence((seed, 5)).generate_state(self.num_envs)
         ]

@@ -5,8 +5,8 @@ scene, target and goal alone: where one of these is drawn anew, as marked spots 
 differ, but Lift at one table has as many starts as the table has things to lift.
 ``randomization="starts"`` puts the arm a little off and the things up to 3 cm along x and y and 15
 degrees from where the scene has them, as ``certify``, ``record`` and training recipes do; "light"
-and "strong" randomise everything else, a little and much, and a ``Randomization`` what is asked
-for.
+randomises everything else a little, but for delays and distractors, "strong" everything else,
+much, and a ``Randomization`` what is asked for.
 
 Each switch is off until its settings say otherwise, and draws from a random stream of its own, so
 that turning one on or changing it leaves the draws of the others as they were; which of the draws
@@ -39,15 +39,17 @@ start            the arm's joints (``start_joints``), place (``start_move``) and
                  (``start_turn``) of things with all that they carry or touch, once the goal is
                  drawn, as far as there is room: nothing comes to overlap, to stand at the edge, out
                  of reach or in the way of what the goal asks for. What a certificate says holds
-                 for such starts. A start leaves what is to be taken a grasp that the arm
-                 reaches, which takes some 10 milliseconds a reset; grasp hints are planned anew
-                 for each
+                 for the scene's own start and for such starts. A start leaves what is to be
+                 taken a grasp that the arm reaches, which takes some 10 milliseconds a reset;
+                 grasp hints are planned anew for each
 ===============  ==================================================================================
 
 The world frame is fixed to the table, so a higher table shows as a lower base, pedestal and
 cameras; in the base frame, in which policies see the world, table and objects rise.
 
-``info["randomization"]`` of ``reset`` holds what was drawn, by switch: plain numbers and lists.
+``info["randomization"]`` of ``reset`` holds what was drawn, by switch: numbers, lists, and dicts of
+them by object or camera; of "start" ``joints`` (radians) and ``moved`` (an object's metres along x
+and y, and its turn).
 """
 
 from .randomizer import Randomizer

@@ -38,7 +38,7 @@ class RecordConfig:
         noise: Standard deviation of what is added to the expert's motion, as a share of its
             greatest speed, so that it shows how to come back.
         randomization: "starts" puts the arm a little off and the things some centimetres, as
-            certify does; "light" and "strong" vary everything else. With None nothing is
+            certify does; "light" and "strong" vary more. With None nothing is
             randomised, and episodes of the same scene, target and goal are all the same.
         keep_failures: Keep episodes too that the expert does not solve.
     """

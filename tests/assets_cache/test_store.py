@@ -44,6 +44,19 @@ def test_found_by_name_folder_digest_glob_and_path(store: Path) -> None:
     assert assets_cache.entries(store) == sorted([office, desk])
 
 
+def test_a_folder_of_bundles_is_found_by_one_part(
+    store: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    names = sorted(put(name, tmp_path / "tables").name for name in ("office", "lab"))
+    monkeypatch.chdir(tmp_path)
+    assert [path.name for path in assets_cache.find("tables", store)] == names
+    put("tables", store)  # a name comes first
+    assert assets_cache.find("tables", store)[0].parent == store
+    monkeypatch.chdir(tmp_path / "tables")
+    assert [path.name for path in assets_cache.find("./*", store)] == names
+    assert [path.name for path in assets_cache.find(".", store)] == names
+
+
 def test_a_name_may_have_several_bundles(store: Path) -> None:
     both = {put("office", store), put("office", store, x=0.1)}
     assert set(assets_cache.find("office", store)) == both

@@ -154,6 +154,14 @@ def test_a_scene_without_a_solved_instance_is_passed_over(
         make_env(bundle, task="Lift").reset(seed=0)
 
 
+def test_too_few_episodes_are_told(bundle: Path, names: list[str]) -> None:
+    listed = Instance("Lift", names[0], None, 20, 20)
+    made = Certificate(scene_digest(bundle), Terms(("Lift",), 20), {}, (listed,))
+    certificate.write_certificate(bundle, made)
+    with pytest.raises(SceneError, match=r"made with 20 episodes .* fewer than 30 certify nothing"):
+        make_env(bundle, task="Lift").reset(seed=0)
+
+
 def test_what_it_was_made_for_and_lists_nothing_of_is_not_certified(
     bundle: Path, certify: Certify
 ) -> None:

@@ -74,6 +74,20 @@ def test_slots_of_neighbouring_runs_have_other_seeds() -> None:
     ours.close()
 
 
+def test_slots_that_do_not_reset_themselves_are_refused() -> None:
+    slots = TabletopVectorEnv(1, scenes="office-desk", task="Reach", max_episode_steps=5)
+    with pytest.raises(InputError, match="autoreset_mode='SameStep', not 'NextStep'"):
+        SlotVecEnv(slots)
+    slots.close()
+
+
+def test_a_seed_is_one_of_the_rule() -> None:
+    slots = TabletopVectorEnv(1, scenes="office-desk", task="Reach", autoreset_mode="SameStep")
+    with pytest.raises(InputError, match="A seed has"):
+        SlotVecEnv(slots).seed(-1)
+    slots.close()
+
+
 def test_options_are_of_all_slots_alike() -> None:
     ours, _ = both("state")
     ours.set_options({"target": "cube_1"})
