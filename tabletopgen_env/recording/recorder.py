@@ -90,8 +90,8 @@ def _write(
             missed += 1
             if missed == MOST_MISSES:
                 raise SceneError(
-                    f"{missed} episodes in a row gave nothing to keep, the last since {episode}. "
-                    "Use other scenes, another task or less noise."
+                    f"{missed} episodes in a row gave nothing to keep. Use other scenes, another "
+                    f"task or less noise. Of the last: {episode}"
                 )
         else:
             missed = 0
