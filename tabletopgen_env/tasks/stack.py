@@ -16,6 +16,8 @@ from generator.geometry import quaternion_matrix
 from generator.scene import Object
 
 from ..affordance import grasp_width, resting_height
+from ..expert.arm import stretch
+from ..expert.choosing import HOVER, choose
 from ..robot.mount import reachable
 from .goals import OnTop
 from .needs import FLAT, STANDING
@@ -27,6 +29,9 @@ if TYPE_CHECKING:
 
 LEAST_TOP = 0.022
 """Least radius of a flat top to put things on, metres."""
+
+_YAWS = np.arange(8) * np.pi / 4
+"""Of the hand, base frame, radians."""
 
 TALLEST = 0.25
 """Tallest support, metres: the arm has to come over it."""
@@ -79,8 +84,19 @@ def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[O
             continue
         if resting_height(other) > TALLEST or other.mass < 0.3 * obj.mass:
             continue
-        if reachable(world.mount, other.pose.position):
+        if reachable(world.mount, other.pose.position) and _is_carried_to(world, obj, other):
             yield other
+
+
+def _is_carried_to(world: World, obj: Object, base: Object) -> bool:
+    """Return whether the arm reaches over ``base`` with ``obj`` in the hand, at some turn."""
+    plan = world.first_plan(obj.name, choose)
+    if plan is None:
+        return False
+    tool = on_top(world, obj, base).region(world).center.copy()
+    tool[2] += plan.grasp.point[2] - world.position(obj.name)[2]
+    ends = (tool, tool + np.array([0.0, 0.0, HOVER]))
+    return any(stretch(world, ends, float(yaw)) is not None for yaw in _YAWS)
 
 
 def on_top(world: World, obj: Object, base: Object) -> OnTop:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_objects, toy_scene
 
+from generator.compose import compose
 from generator.errors import SceneError
 from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan
@@ -268,3 +269,15 @@ def test_resetting_leaves_the_scene_where_it_settled() -> None:
     env.world.step(20 * SUBSTEPS)
     for name, position in before.items():
         assert np.linalg.norm(env.world.position(name) - position) < 2e-3, name
+
+
+@pytest.mark.slow
+def test_stack_asks_for_no_top_that_the_arm_cannot_hold_a_thing_over() -> None:
+    text = (
+        "A rustic slatted dining table with a big bowl of salad, a loaf of bread on a cutting "
+        "board, a knife next to the bread, and two wine glasses behind the bowl."
+    )
+    near, far = (make_env(compose(text, seed), task="Stack") for seed in (6000, 7000))
+    assert near.reset(seed=0)[1]["goal"].startswith("wine_glass")
+    with pytest.raises(SceneError, match="wine_glass_1: no flat top in reach that carries it"):
+        far.reset(seed=0)
