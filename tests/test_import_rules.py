@@ -15,12 +15,13 @@ PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
 
 VALUES = (
     "generator.cores", "generator.errors", "generator.geometry", "generator.png",
-    "generator.reading", "generator.scene",
+    "generator.reading", "generator.scene", "generator.terminal",
 )  # fmt: skip
 # The first rule whose prefix fits a module decides what of this project it may import.
 RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("generator.cores", ()),
-    ("generator.errors", ()),
+    ("generator.terminal", ()),
+    ("generator.errors", ("generator.terminal",)),
     ("generator.png", ()),
     ("generator.reading", ("generator.errors",)),
     ("generator.npz", ("generator.errors", "generator.reading")),
