@@ -197,7 +197,7 @@ def _piece(
     visual: Any = part.visual
     material: Any = getattr(visual, "material", None)
     count = len(part.vertices)
-    uv = getattr(visual, "uv", None)
+    uv: Any = getattr(visual, "uv", None)
     whole = uv is not None and len(uv) == count and uv.ndim == 2 and uv.shape[1] >= 2
     uv = np.nan_to_num(uv)[:, :2] if whole else np.zeros((count, 2))
     factor, alpha = _factor(material), 1.0
