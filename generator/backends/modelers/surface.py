@@ -197,9 +197,10 @@ def _piece(
     visual: Any = part.visual
     material: Any = getattr(visual, "material", None)
     count = len(part.vertices)
-    uv: Any = getattr(visual, "uv", None)
-    whole = uv is not None and len(uv) == count and uv.ndim == 2 and uv.shape[1] >= 2
-    uv = np.nan_to_num(uv)[:, :2] if whole else np.zeros((count, 2))
+    uv = np.zeros((count, 2))
+    given = getattr(visual, "uv", None)
+    if given is not None and len(given) == count and given.ndim == 2 and given.shape[1] >= 2:
+        uv = np.nan_to_num(given)[:, :2]
     factor, alpha = _factor(material), 1.0
     if str(getattr(material, "alphaMode", "")) == "BLEND":
         alpha = float(factor[3]) / 255
