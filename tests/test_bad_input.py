@@ -414,6 +414,7 @@ def test_a_real_interrupt_of_the_command(stage: str, store: Path) -> None:
     assert left_over(store) == []
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
 def test_an_interrupt_that_python_would_lose_is_heeded() -> None:
     lost = """

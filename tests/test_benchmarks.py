@@ -125,6 +125,7 @@ def test_texts_are_taken_by_their_plans_count() -> None:
     assert all(bench.FEWEST <= count <= bench.MOST for _, count in found)
 
 
+@pytest.mark.slow
 def test_soundness_is_that_of_the_saved_bundle(tmp_path: Path) -> None:
     bench = script("soundness")
     sides = (0.05, 0.05, 0.05)
@@ -332,6 +333,7 @@ def test_the_expert_summary_counts_what_was_run() -> None:
     assert "| Push | stroke 1 |" in text and "| Push | mug 1 of 2 |" in text
 
 
+@pytest.mark.slow
 def test_the_experts_episodes_differ_where_there_is_one_thing_to_do() -> None:
     bench = script("expert")
     rows = bench.work(bench.Job("Lift", "A die.", 0, 2), composed=True)

@@ -111,6 +111,7 @@ def test_a_need_that_is_there_already_is_met_by_another_of_its_things() -> None:
         assert sum(o.category == "microscope" for o in plan.objects) == 1
 
 
+@pytest.mark.slow
 def test_a_drawn_plan_composes_to_what_it_says() -> None:
     plan = SceneDistribution(("tea",), (3, 3), ("oval",), ("low-poly",)).plan(
         np.random.default_rng(0)

@@ -60,6 +60,7 @@ def test_the_table_has_every_key_of_info_at_every_task(task) -> None:
     check_episode(make_env("tidy-task-1" if tidy else toy_scene(), task=task))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mode", MODES)
 def test_the_table_has_every_key_of_info_in_every_mode(mode) -> None:
     pictures = {} if mode in ("state", "goal") else {"renderer": "software", "image_size": 8}

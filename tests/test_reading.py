@@ -29,6 +29,7 @@ VALUES = st.recursive(
 )  # fmt: skip
 
 
+@pytest.mark.slow
 @settings(derandomize=True, deadline=None)
 @given(VALUES, st.booleans())
 def test_what_json_writes_is_read(value, escaped):

@@ -220,6 +220,7 @@ def test_estimate_sizes(reasoner: Any, desk: Desk, instances: Any, view: Any) ->
         assert ((near > 0.4) & (near < 2.5)).all(), (name, size.extent)
 
 
+@pytest.mark.slow
 def test_review_orientation(reasoner: Any, desk: Desk, instances: Any, sizes: Any) -> None:
     book = next(i for i in instances if i.name == "book_1")
     mesh = desk.models["book_1"].mesh
@@ -227,6 +228,7 @@ def test_review_orientation(reasoner: Any, desk: Desk, instances: Any, sizes: An
     np.testing.assert_array_equal(quarter_turn(steps) @ [0, 0, 1], [0, 0, 1])
 
 
+@pytest.mark.slow
 def test_stacking_order(reasoner: Any, desk: Desk, instances: Any, view: Any) -> None:
     stacking = reasoner.stacking_order(desk.reference, instances, view)
     assert set(stacking) == set(NAMES)
@@ -323,6 +325,7 @@ def test_segment(segmenter: Any, desk: Desk, found: tuple[Detection, ...]) -> No
     assert not any((d.mask & found[0].mask).any() for d in found[1:])
 
 
+@pytest.mark.slow
 def test_segment_finds_what_is_there(desk: Desk, found: tuple[Detection, ...]) -> None:
     def shared(right: Detection) -> float:
         masks = [d.mask for d in found if d.label == right.label]

@@ -70,6 +70,7 @@ def test_a_close_up_without_any_edge_is_a_table_straight_ahead():
     assert plane.mask(0.01).mean() > 0.98
 
 
+@pytest.mark.slow
 def test_an_edge_beside_something_hidden_is_no_edge():
     mask, _ = region()
     hidden = np.zeros_like(mask)

@@ -53,6 +53,7 @@ def test_places_and_sizes_are_those_of_the_things():
         assert solid.extent[0] == pytest.approx(max(size[:2]), abs=0.025)
 
 
+@pytest.mark.slow
 def test_hardly_anything_known_measures_nothing():
     shot = shoot()
     plane = find_depth_plane(shot.depth, shot.intrinsics)

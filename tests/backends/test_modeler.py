@@ -114,6 +114,7 @@ def test_bottoms_are_flat_under_the_centre_of_mass(kind):
     assert foot.contains(shapely.Point(mesh.center_mass[:2]))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", SHAPES)
 def test_colors_come_from_the_picture(kind):
     instance, _, model = generic(kind)

@@ -64,6 +64,7 @@ def test_things_share_no_pixel_and_the_surest_come_first(sight: Sight):
     assert all((t.visible <= t.whole).all() for t in sight.things)
 
 
+@pytest.mark.slow
 def test_what_lies_in_a_bowl_is_a_thing_and_the_bowl_another(picture: Picture, sight: Sight):
     for number in (1, 2, 3):
         assert max(iou(t.visible, picture.ids == number) for t in sight.things) > 0.6

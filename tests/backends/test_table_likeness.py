@@ -99,6 +99,7 @@ def test_only_what_no_shape_explains_is_drawn_freely(name, free):
     assert plane.mask(0.05).sum() > plane.mask().sum() > plane.mask(-0.05).sum()
 
 
+@pytest.mark.slow
 def test_a_corner_behind_a_thing_is_still_a_corner():
     whole = found_plane(TOPS["rectangle"], VIEW, VIEW)
     corner = whole.outline[np.lexsort((whole.outline[:, 0], whole.outline[:, 1] // 4))[0]]

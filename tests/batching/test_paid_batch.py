@@ -56,6 +56,7 @@ def test_processes_spend_one_sum_and_go_on_with_a_larger_one(tmp_path: Path) -> 
     assert made(log).count("a cube 0") == 1
 
 
+@pytest.mark.slow
 def test_a_folder_that_the_workers_do_not_share_ends_the_batch(tmp_path: Path) -> None:
     """They would each spend the whole sum."""
     purse = batch.purse_of(tmp_path / "theirs")

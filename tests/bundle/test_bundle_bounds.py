@@ -98,6 +98,7 @@ def test_a_picture_without_pixels_or_with_two_headers_is_none() -> None:
         picture_size(good[:20], "name")
 
 
+@pytest.mark.slow
 def test_textures_count_together_and_are_decoded_once(path: Path, monkeypatch) -> None:
     """Many models on one picture: it is read once, and what they keep of it is bounded."""
     decoded = []
@@ -178,6 +179,7 @@ def test_files_are_named_by_their_content(path: Path) -> None:
     refused(put(path, name, png(1, 1, zlib.compress(b"\0\0"))), "named by its content")
 
 
+@pytest.mark.slow
 def test_one_bad_bundle_ends_neither_list_nor_verify_for_all(path: Path, monkeypatch) -> None:
     from command import command
 

@@ -95,6 +95,7 @@ VALUES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", VALUES.values(), ids=VALUES.keys())
 def test_values_out_of_bounds_or_of_another_type_are_refused(
     path: Path, change: Callable[[dict[str, Any]], None]

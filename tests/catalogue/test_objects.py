@@ -173,6 +173,7 @@ def test_aliases_name_one_thing_each():
             assert seen.setdefault(alias, found.key) == found.key, f"{alias!r} is claimed twice"
 
 
+@pytest.mark.slow
 def test_contact_sheet_shows_each_variant():
     picture = draw(["apple", "book"], variants=2, side=48)
     assert picture.shape == (48 + 22, 4 * 48, 3)

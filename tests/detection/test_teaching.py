@@ -118,6 +118,7 @@ def test_the_same_seed_trains_the_same_network() -> None:
     assert all(torch.equal(one[key], two[key]) for key in one)
 
 
+@pytest.mark.slow
 def test_lessons_are_kept_and_found_again(tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr(training, "CHUNK", 2)
     monkeypatch.setattr(training, "split", lambda _, side: resolve("starter"))

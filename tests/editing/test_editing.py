@@ -103,6 +103,7 @@ def test_what_cannot_be_done_is_refused(
         edit(desk)
 
 
+@pytest.mark.slow
 def test_a_taken_place_names_the_nearest_free_one(desk: Path) -> None:
     laptop = bundle.load(desk).object("laptop_1").pose.position
     with pytest.raises(

@@ -144,6 +144,7 @@ def test_without_a_word_on_the_task_it_is_sampled_freely(bundle: Path, certify: 
     assert seen(make_env(load(bundle), task="Lift"), "certified", 1) == {False}
 
 
+@pytest.mark.slow
 def test_a_scene_without_a_solved_instance_is_passed_over(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
@@ -170,6 +171,7 @@ def test_what_it_was_made_for_and_lists_nothing_of_is_not_certified(
         make_env(bundle, task="Lift").reset(seed=0)
 
 
+@pytest.mark.slow
 def test_where_there_is_nothing_to_certify_the_reasons_are_told(
     bundle: Path, certify: Certify
 ) -> None:
@@ -223,6 +225,7 @@ def test_presets_are_certified_by_themselves(kitchen: Path, certify: Callable[..
         make_env(kitchen, task="Sequence", preset="kitchen").reset(seed=0)
 
 
+@pytest.mark.slow
 def test_certifying_sequence_tries_the_presets_that_fit(
     kitchen: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -253,6 +256,7 @@ def test_certificates_tell_presets_apart_and_say_nothing_of_tasks_of_ones_own() 
     assert Lift().listed_as == ("Lift", None) and Mine().listed_as is None
 
 
+@pytest.mark.slow
 def test_where_things_are_moved_nothing_is_certified(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
@@ -289,6 +293,7 @@ def test_it_is_read_once(
     assert env.reset(seed=1)[1]["certified"] is True
 
 
+@pytest.mark.slow
 def test_every_kind_of_environment_heeds_it(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:
@@ -330,6 +335,7 @@ class Counted(Lift):
         return super().sample(*args, **more)
 
 
+@pytest.mark.slow
 def test_no_more_is_drawn_than_is_looked_for(bundle: Path) -> None:
     world = world_of(bundle)
     one, late, never = Counted(0), Counted(3), Counted(1000)

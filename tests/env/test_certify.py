@@ -57,6 +57,7 @@ def bundle(certified: Path, tmp_path: Path) -> Path:
     return path
 
 
+@pytest.mark.slow
 def test_it_lists_what_the_expert_did(certified: Path) -> None:
     found = read_certificate(certified)
     assert found is not None and found.terms == TERMS and "mujoco" in found.versions
@@ -252,6 +253,7 @@ def test_the_command_goes_on_where_it_was_interrupted(
     assert (done / FILE).read_bytes() == (certified / FILE).read_bytes()
 
 
+@pytest.mark.slow
 def test_a_bad_bundle_does_not_end_the_others(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -262,7 +264,7 @@ def test_a_bad_bundle_does_not_end_the_others(
     told = capsys.readouterr()
     assert all(f"{path.name}: Lift" in told.out for path in (paths[0], paths[2]))
     assert all(is_certified(path, Terms(("Lift",), 1)) for path in (paths[0], paths[2]))
-    (line,) = told.err.splitlines()
+    *_, line = told.err.splitlines()
     assert line.startswith(f"error: {paths[1].name} is not certified: ") and "scene.json" in line
     assert not (paths[1] / FILE).exists()
     with pytest.raises(BundleError, match=r"scene\.json"):

@@ -210,6 +210,7 @@ def test_stack_is_done_on_the_flat_top_and_nowhere_else() -> None:
     assert not is_done(env), "on a can on it"
 
 
+@pytest.mark.slow
 def test_things_are_stacked_on_flat_tops_only() -> None:
     env = start("Stack")
     bases = {env.reset(seed=k)[1]["goal"] for k in range(30)}

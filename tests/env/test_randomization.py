@@ -108,6 +108,7 @@ def test_a_switch_draws_the_same_whatever_else_is_on(switch) -> None:
     assert alone[switch] == everything[switch]
 
 
+@pytest.mark.slow
 def test_what_is_drawn_leaves_scenes_and_tasks_as_they_were() -> None:
     scenes = [toy_scene(name="a"), toy_scene(toy_objects()[:4], name="b")]
     settings = Randomization(tint=0.5, mass=(0.5, 2.0), delay=2, distractors=(0, 3))

@@ -64,6 +64,7 @@ def test_gl_and_software_see_the_same(world, camera) -> None:
     gl.close()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("renderer", [pytest.param("gl", marks=needs_gl), "software"])
 def test_worlds_drawn_in_turn_keep_their_own_pictures(world, renderer) -> None:
     other = make_env(toy_scene())

@@ -138,6 +138,7 @@ def test_nothing_comes_nearer_to_the_edge_than_it_may() -> None:
     assert {name for name, _ in moves} == {"cube_1", "cube_2"}
 
 
+@pytest.mark.slow
 def test_a_marked_spot_stays_where_it_is_and_free() -> None:
     scene = crowd(9, gap=0.06)
     plain = make_env(scene, task="PickPlace")
@@ -209,6 +210,7 @@ def test_another_process_starts_alike() -> None:
     assert found == {done.stdout.strip()}
 
 
+@pytest.mark.slow
 def test_episodes_before_change_nothing() -> None:
     env = make_env([crowd(4, gap=0.05), crowd(9, gap=0.04)], randomization="starts")
     fresh = [make_env([crowd(4, gap=0.05), crowd(9, gap=0.04)], randomization="starts")
@@ -218,6 +220,7 @@ def test_episodes_before_change_nothing() -> None:
     assert np.array_equal(again[0], again[1])
 
 
+@pytest.mark.slow
 def test_vectors_start_as_single_environments_do() -> None:
     scenes = [crowd(4, gap=0.05), crowd(9, gap=0.04)]
     single = [gym.make(ID, scenes=scenes, randomization="starts") for _ in range(3)]
@@ -232,6 +235,7 @@ def test_vectors_start_as_single_environments_do() -> None:
     several.close()
 
 
+@pytest.mark.slow
 def test_a_certified_instance_stays_one() -> None:
     env = make_env(TABLES[0], task="Lift", randomization="starts")
     assert env.reset(seed=0)[1]["certified"] is True

@@ -255,6 +255,7 @@ def test_the_servos_keep_the_arm_where_it_starts() -> None:
     assert np.abs(env.world.data.qpos[env.world.arm_qpos] - start).max() < 2e-3
 
 
+@pytest.mark.slow
 def test_a_hint_at_a_start_that_is_off_is_that_starts_own() -> None:
     """Whatever was planned there before: neither episode may use the other's grasp."""
 

@@ -43,6 +43,7 @@ def order_of(world: World) -> list[str]:
     return slot_order(world, goal)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("renderer", RENDERERS)
 def test_every_camera_gives_every_kind(renderer) -> None:
     env = make_env(
@@ -136,6 +137,7 @@ def test_gl_and_software_agree_on_depth_and_segmentation(world) -> None:
         assert on.mean() > 0.1 and np.quantile(gap, 0.95) < 2e-3
 
 
+@pytest.mark.slow
 @needs_gl
 def test_the_full_profile_has_the_same_ids_as_the_fast_one() -> None:
     worlds = [World(toy_scene(), Panda()) for _ in range(2)]
@@ -231,6 +233,7 @@ def test_points_lie_on_what_their_id_says(renderer) -> None:
     env.close()
 
 
+@pytest.mark.slow
 def test_a_crowded_cloud_is_thinned_evenly_and_always_alike() -> None:
     few = clouded(points=100)
     first, world = few.step(np.zeros(5))[0], few.world

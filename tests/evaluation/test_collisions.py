@@ -89,6 +89,7 @@ def test_crossed_bars_overlap_without_a_corner_inside() -> None:
     assert overlap_depth(along, across) > 0.004
 
 
+@pytest.mark.slow
 def test_things_in_the_same_place_overlap_though_their_surfaces_coincide() -> None:
     assert overlap_depth(box([0.1] * 3), box([0.1] * 3)) > 0.01
     mug = build("mug", 0)

@@ -23,6 +23,7 @@ def turned(thing: Object, degrees: float, shift=(0.0, 0.0, 0.0)) -> Object:
     return dataclasses.replace(thing, pose=pose)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("degrees", "wrong"), [(0, 0), (10, 10), (90, 0), (80, 10), (135, 45), (-170, 10)]
 )
@@ -54,6 +55,7 @@ def test_a_round_thing_has_no_yaw_and_its_facts_are_json() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_scene_has_no_error_against_itself() -> None:
     found = truth_errors(toy_scene(), toy_scene())
     assert (found.missing, found.extra) == ((), ())

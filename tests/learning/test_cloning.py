@@ -58,6 +58,7 @@ def test_a_demonstration_holds_what_was_seen_done_and_advised() -> None:
     assert idle is not None and not idle.solved and np.abs(idle.advice).max() > 0.5
 
 
+@pytest.mark.slow
 def test_what_is_seen_may_be_a_dict_and_infos_are_told() -> None:
     env = gym.wrappers.TimeLimit(make_env(toy_scene(), task="Lift", observation="goal"), 80)
     told: list[dict] = []

@@ -55,6 +55,7 @@ def trained(tmp_path_factory: pytest.TempPathFactory, table: str, other: str) ->
     return folder / "one"
 
 
+@pytest.mark.slow
 def test_training_leaves_a_policy(trained: Path) -> None:
     card = load_policy(trained / LATEST).card
     assert (card.recipe, card.seed, card.steps) == ("tiny", 3, 32)

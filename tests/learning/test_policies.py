@@ -225,6 +225,7 @@ def test_a_network_that_computes_otherwise_is_refused(small, tmp_path: Path, mon
                 load_policy(path)
 
 
+@pytest.mark.slow
 def test_goals_are_looked_at_as_the_state_is() -> None:
     from tabletopgen_env.learning.goal_extractor import GoalExtractor
     from tabletopgen_env.learning.network import TableExtractor

@@ -76,6 +76,7 @@ def test_only_what_ends_in_success_is_kept(small) -> None:
     assert shown is not None and len(shown.actions) == LIMIT, "success has held long before"
 
 
+@pytest.mark.slow
 def test_a_demonstration_of_pick_place_ends_where_the_thing_belongs(small) -> None:
     recipe = small(task="PickPlace", envs=1, scenes="office-round-*")
     env = single_env(recipe.task, recipe.env, source_of(recipe.scenes, "train"))

@@ -277,6 +277,7 @@ def test_a_late_error_deletes_nothing(small, folder: Path, monkeypatch) -> None:
     assert train(small(), folder, QUICK, True, quiet).steps >= 120, "it can be begun again"
 
 
+@pytest.mark.slow
 def test_a_damaged_checkpoint_is_refused_and_kept(small, folder: Path) -> None:
     train(small("ppo", steps=32), folder, Plan(episodes=1), say=quiet)
     zipped = opened(folder).checkpoint / "model.zip"

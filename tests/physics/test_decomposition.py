@@ -52,6 +52,7 @@ def test_a_ball_is_one_hull_and_is_kept(tmp_path: Path, monkeypatch) -> None:
     np.testing.assert_array_equal(again[0].vertices, parts[0].vertices)
 
 
+@pytest.mark.slow
 def test_a_damaged_cache_is_made_again(tmp_path: Path) -> None:
     parts = decompose(cube_mesh(), np.full(3, 0.1), cache=tmp_path)
     next(tmp_path.iterdir()).write_bytes(b"not an archive")

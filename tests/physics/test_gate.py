@@ -169,6 +169,7 @@ def test_reach_is_from_the_best_side(xy, expected) -> None:
     assert reach(toy_scene((cube("a_1", *xy),))) == pytest.approx(expected)
 
 
+@pytest.mark.slow
 def test_earlier_corrections_stay_in_the_report() -> None:
     first = dataclasses.replace(judge(toy_scene()), moved=0.03, settling=0.002, dropped=("x_1",))
     again = judge(toy_scene().replace(report=first))

@@ -122,6 +122,7 @@ def test_a_thing_and_its_support_are_not_pushed_apart() -> None:
     np.testing.assert_array_equal(shifts(scene, apart), 0)
 
 
+@pytest.mark.slow
 def test_where_there_is_no_room_the_names_are_told() -> None:
     big = [cube(f"big_{k}", 0.05 * k, size=(0.7, 0.6, 0.05)) for k in range(5)]
     _, stuck = separate(toy_scene(tuple(big)), CLEARANCE)

@@ -74,6 +74,7 @@ def test_the_true_scene_has_no_error() -> None:
     assert all(float(r["yaw_error_deg"]) < 1.5 for r in rows)
 
 
+@pytest.mark.slow
 def test_an_azimuth_is_modulo_the_tables_symmetry() -> None:
     true = truth()
     assert azimuth_error(true, np.pi) == pytest.approx(0, abs=1e-6)
@@ -143,6 +144,7 @@ def test_a_scene_turned_with_its_camera_is_the_same_scene() -> None:
     assert a.yaw == pytest.approx(b.yaw)
 
 
+@pytest.mark.slow
 def test_things_are_turned_where_they_have_room() -> None:
     scene = compose("a table with a plate, a croissant on the plate, a toy car and a stapler", 3)
     turned = turned_about(scene, np.random.default_rng(0))

@@ -44,6 +44,7 @@ def first() -> Any:
     return episode
 
 
+@pytest.mark.slow
 def test_minari_loads_it_by_its_id(lift: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("MINARI_DATASETS_PATH", str(lift.parent))
     assert "lift-v0" in minari.list_local_datasets()

@@ -88,6 +88,7 @@ def test_a_server_without_an_end_is_left_in_time(talk: Talk) -> None:
     assert [entry.outcome for entry in shared.account.entries] == ["failed"]
 
 
+@pytest.mark.slow
 def test_a_handshake_byte_by_byte_is_left_in_time() -> None:
     def talk(line: socket.socket) -> None:
         line.recv(65536)
@@ -103,6 +104,7 @@ def test_a_handshake_byte_by_byte_is_left_in_time() -> None:
         assert time.monotonic() - began < TIMEOUT + 2
 
 
+@pytest.mark.slow
 def test_a_name_that_is_looked_up_for_ever_is_left_in_time(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -149,6 +151,7 @@ def test_an_address_that_takes_no_call_leaves_time_to_the_next(
     assert 0 < waited[0] <= TIMEOUT / 2
 
 
+@pytest.mark.slow
 def test_a_redirect_is_bounded_by_the_time_of_the_call() -> None:
     def script(asked: object, k: int) -> Says:
         return Says(status=307, headers=(("location", "/on"),), delay=0.3)

@@ -117,6 +117,7 @@ def test_stop_ends_waits_and_calls_to_come() -> None:
             shared.each(lambda text: ask(shared, server.url, text), "ab")
 
 
+@pytest.mark.slow
 def test_stop_ends_the_wait_for_a_question_that_another_asks(tmp_path) -> None:
     one, two = session(store=CallStore(tmp_path)), session(store=CallStore(tmp_path))
     with serving([Says(delay=0.5)]) as server:

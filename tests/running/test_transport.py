@@ -304,6 +304,7 @@ def test_a_dead_server_is_told() -> None:
         ask(session(attempts=2), server.url)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slow", [Says(delay=0.6), Says(drip=0.05)], ids=["hangs", "drips"])
 def test_an_attempt_ends_after_its_time(slow: Says) -> None:
     with serving([slow, Says()]) as server:

@@ -287,6 +287,7 @@ def test_a_model_without_parts_is_decomposed(tmp_path, monkeypatch) -> None:
     np.testing.assert_allclose(np.ptp(part.vertices, axis=0), [0.1, 0.08, 0.05], atol=2e-3)
 
 
+@pytest.mark.slow
 def test_what_stands_free_in_a_cup_is_shaken_against_its_rim() -> None:
     """Let down upright it would stand on its end, and fall over on a leaning table."""
     rod = (0.005, 0.005, 0.18)

@@ -58,6 +58,7 @@ def test_masks_fit_together(samples: list[Sample]) -> None:
         assert (s.support <= len(s.full)).all()
 
 
+@pytest.mark.slow
 def test_whole_masks_lie_where_the_camera_sees_the_boxes(samples: list[Sample]) -> None:
     for s in samples:
         for k, mask in enumerate(s.full):
@@ -140,6 +141,7 @@ def test_splits_share_no_catalogue_seed() -> None:
     assert all(last <= first for (_, last), (first, _) in itertools.pairwise(ranges))
 
 
+@pytest.mark.slow
 def test_evaluated_things_look_as_the_catalogue_makes_them() -> None:
     kept = supply(5, "eval", models=24, tables=3)
     for seed in range(4):

@@ -183,6 +183,7 @@ def test_a_dead_server_is_named(server: Running, reasoner: Reasoner) -> None:
     assert KEY not in everything(caught.value)
 
 
+@pytest.mark.slow
 def test_a_server_that_hangs_is_not_waited_for_for_ever(
     server: Running, reasoner: Reasoner, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -301,6 +301,7 @@ def test_a_thing_is_put_back_where_it_was(
     assert "pen" in request.text
 
 
+@pytest.mark.slow
 def test_openai_s_form_is_told_what_to_keep(server: Running, make_imager: Make) -> None:
     server.script.paint = lambda r: redrawn(r.body["images"][0], clear=True)
     found = detections()
@@ -331,6 +332,7 @@ def test_a_server_without_masks_is_asked_without(server: Running, make_imager: M
     assert len(sent) <= 4
 
 
+@pytest.mark.slow
 def test_hidden_parts_are_drawn_and_told(server: Running, make_imager: Make) -> None:
     """The mug hides a corner of the book's outline; the model draws the whole book."""
 
@@ -353,6 +355,7 @@ def test_hidden_parts_are_drawn_and_told(server: Running, make_imager: Make) -> 
     np.testing.assert_allclose(in_reference(made, tight_box(made)), [60, 90, 140, 150], atol=2.5)
 
 
+@pytest.mark.slow
 def test_what_touches_others_is_not_hidden_by_them(server: Running, make_imager: Make) -> None:
     server.script.paint = lambda r: redrawn(r.body["images"][0], clear=True, scale=0.95)
     found = detections()
@@ -360,6 +363,7 @@ def test_what_touches_others_is_not_hidden_by_them(server: Running, make_imager:
     assert not make_imager().complete(reference(), mug, tuple(found.values())).occluded
 
 
+@pytest.mark.slow
 def test_another_thing_is_drawn_again_with_what_was_wrong(
     server: Running, make_imager: Make
 ) -> None:

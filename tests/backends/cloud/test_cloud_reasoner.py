@@ -79,6 +79,7 @@ def test_a_plan_has_names_categories_metres_and_relations(
     assert third.size == (0.1, 0.05, 0.025)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("things", "told"),
     [
@@ -278,6 +279,7 @@ def test_a_model_is_shown_from_six_sides_with_its_proportions(
     assert "25 cm by 18 cm, and is 3 cm high" in text
 
 
+@pytest.mark.slow
 def test_six_sides_show_what_they_say() -> None:
     """A cube whose +x face is white: seen in "+x" alone, and at the right of "+z" by its edge."""
     corners, faces, uv = [], [], []
@@ -320,6 +322,7 @@ def test_layers_are_counted_from_the_table(server: Running, reasoner: Reasoner) 
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("things", "told"),
     [

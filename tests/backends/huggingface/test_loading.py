@@ -99,6 +99,7 @@ def test_a_model_lies_as_in_hugging_face_s_cache_at_its_commit(folder: Path) -> 
     assert missing(DINOV2, folder) == ()
 
 
+@pytest.mark.slow
 def test_another_commit_is_not_the_model(folder: Path) -> None:
     other = dataclasses.replace(DINOV2, revision="0" * 40)
     assert missing(other, folder) == DINOV2.files

@@ -222,6 +222,7 @@ def test_health():
         Hunyuan3D(served.url, session=quick()).health()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("body", [b"[" * 200_000, b'{"a":' * 9_000, b'{"status": [1]}', b"\xff"])
 @pytest.mark.parametrize("status", [200, 404])
 def test_an_answer_nested_without_end_is_told(body: bytes, status: int) -> None:

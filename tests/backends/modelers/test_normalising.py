@@ -149,6 +149,7 @@ def test_meshes_of_many_faces_are_worked_on_in_parts(monkeypatch):
     assert (seen[z < -0.06, 2] > 180).mean() > 0.97
 
 
+@pytest.mark.slow
 def test_what_is_worked_out_for_texels_is_held_for_few_at_once(monkeypatch):
     monkeypatch.setattr(coloring, "_AT_ONCE", 2000)
     surface = surface_of([trimesh.creation.icosphere(1)], "it")

@@ -267,6 +267,7 @@ def test_results_elsewhere_are_not_fetched(place):
     assert LOAD not in cloud.log
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "place",
     ["file:///etc/passwd", "http://[::1", "https://a\u2100b/x", "https://a.tencentcos.cn:0/x",
@@ -284,6 +285,7 @@ def test_what_is_no_address_is_told_and_the_job_is_not_paid_for_again(place, tmp
     assert cloud.jobs == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "body",
     [b"[" * 200_000, b'{"Response":' * 9_000, b'{"Response": [1]}', b'{"Response": {"JobId": 5}}',

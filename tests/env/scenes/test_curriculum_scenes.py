@@ -143,6 +143,7 @@ def test_a_pool_is_drawn_from_once_for_each_scene() -> None:
     assert pool.refs == ()
 
 
+@pytest.mark.slow
 def test_a_bundle_that_is_gone_is_not_drawn(tmp_path, monkeypatch) -> None:
     import assets_cache
 

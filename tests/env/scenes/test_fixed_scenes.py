@@ -128,6 +128,7 @@ def draws(source: SceneSource, count: int = 12) -> list[str]:
     return [source.draw(rng).load().name for _ in range(count)]
 
 
+@pytest.mark.slow
 def test_a_vanished_bundle_is_passed_over_with_one_warning(store) -> None:
     source = resolve("desk_*")
     gone = assets_cache.find("desk_1")[0]
@@ -150,6 +151,7 @@ def test_drawing_is_the_same_as_before_while_nothing_is_gone(store) -> None:
     assert [source.draw(rng).key for _ in range(9)] == expected
 
 
+@pytest.mark.slow
 def test_an_emptied_store_is_an_error_that_names_a_bundle(store) -> None:
     one, three = make_env("desk_0"), make_env("desk_*")
     assert one.reset(seed=0)[1]["scene"] == "desk_0"

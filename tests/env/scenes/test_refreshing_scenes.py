@@ -201,6 +201,7 @@ def test_new_scenes_come_while_old_ones_are_drawn(pool, tmp_path) -> None:
     assert source.failures == 0
 
 
+@pytest.mark.slow
 def test_a_dropped_scene_says_that_it_is_gone(pool) -> None:
     source, rng = pool(size=1, initial=initial(1)), np.random.default_rng(0)
     until(lambda: source.draw(rng).key.startswith("fresh"))
@@ -215,6 +216,7 @@ def test_a_dropped_scene_says_that_it_is_gone(pool) -> None:
         old.load()
 
 
+@pytest.mark.slow
 def test_pools_of_one_seed_get_the_same_scenes_whoever_makes_them(pool) -> None:
     def renewals(source: RefreshingScenes) -> list[str]:
         rng, seen = np.random.default_rng(0), {}
@@ -298,6 +300,7 @@ def test_pauses_grow_with_failures_in_a_row_and_a_job_has_its_time(tmp_path, mon
     assert list(gaps) == [1.0, 2.0, 4.0]
 
 
+@pytest.mark.slow
 def test_a_lost_temporary_folder_is_made_good(pool, tmp_path) -> None:
     source, rng = pool(size=2, initial=initial(1)), np.random.default_rng(0)
 
@@ -498,6 +501,7 @@ def test_another_process_has_a_pool_of_its_own_even_a_daemon(pool, start) -> Non
     assert all(map(alive, mine))
 
 
+@pytest.mark.slow
 def test_bundles_that_were_there_at_first_are_never_deleted(pool, tmp_path, monkeypatch) -> None:
     monkeypatch.setenv("TABLETOPGEN_CACHE", str(tmp_path / "store"))
     path = assets_cache.add(toy_scene(name="kept"), allow_failed=True)
