@@ -442,6 +442,7 @@ def test_an_interrupt_that_python_would_lose_is_heeded() -> None:
     assert (ended.returncode, ended.stderr) == (130, b"")
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="POSIX signals")
 def test_a_second_interrupt_does_not_disturb_the_end() -> None:
     twice = """

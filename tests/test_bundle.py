@@ -64,6 +64,7 @@ def tree(folder: Path) -> dict[str, bytes]:
 # ------------------------------------------------------------------------------------ round trips
 
 
+@pytest.mark.slow
 def test_a_scene_comes_back(scene: Scene, path: Path) -> None:
     again = bundle.load(path)
     assert again.name == scene.name

@@ -54,6 +54,7 @@ def test_evaluating_geometry_needs_no_torch() -> None:
     assert "torch" not in loaded_by("import generator.evaluation.report")
 
 
+@pytest.mark.slow
 def test_a_session_loads_no_client_until_one_is_asked_for() -> None:
     asked = "from generator.running import Session; session = Session()"
     assert loaded_by(asked) == []

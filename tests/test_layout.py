@@ -100,6 +100,7 @@ def test_sides_hold_for_every_seed(kind: RelationKind) -> None:
         assert shapes["mug_1"].distance(shapes["apple_1"]) < 0.12
 
 
+@pytest.mark.slow
 def test_relations_to_the_table() -> None:
     plan = planned(("mug_1", "left_of", "table"), ("book_1", "center", "table"),
                    ("apple_1", "edge", "table"), ("bowl_1", "behind", "table"))  # fmt: skip
@@ -115,6 +116,7 @@ def test_relations_to_the_table() -> None:
         assert rim < 0.09
 
 
+@pytest.mark.slow
 def test_on_is_on_top_and_in_is_inside() -> None:
     plan = planned(("mug_1", "on", "book_1"), ("apple_1", "in", "bowl_1"),
                    ("pencil_1", "in", "glass_1"))  # fmt: skip
@@ -157,6 +159,7 @@ def test_same_seed_same_layout_and_seeds_differ() -> None:
                for a, b in zip(one, other, strict=True))  # fmt: skip
 
 
+@pytest.mark.slow
 def test_a_crowded_table_grows_and_an_impossible_one_is_refused() -> None:
     few, many = plan_scene("two plates", 0), plan_scene("14 plates", 0)
     models = build_models(many, 0)

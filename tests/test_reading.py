@@ -81,6 +81,7 @@ def test_depth_counts_no_brackets_in_strings():
     assert parse_json(json.dumps({"a": "[" * 500, "b": '\\"[{' * 99}), "It", InputError)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("piece", [b'"', b'\\"', b'"\\', b'["\\"', b"\\"], ids=str)
 def test_strings_without_an_end_cost_linear_time(piece):
     with pytest.raises(InputError):

@@ -57,6 +57,7 @@ FOUND = (placement("mug_1"), placement("berry_1", side=0.4), placement("melon_1"
 SIZES = {p.name: prior(p.name, side) for p, side in zip(FOUND, (0.1, 0.1, 0.2), strict=True)}
 
 
+@pytest.mark.slow
 def test_a_scene_that_passes_keeps_everything(table):
     build = Builder(table, {})
     scene = salvaged(build, nothing, FOUND, SIZES, 3)

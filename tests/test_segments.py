@@ -65,6 +65,7 @@ def test_instances_are_counted() -> None:
         Segments.of(())
 
 
+@pytest.mark.slow
 def test_a_bundle_keeps_and_verifies_them(segments: Segments, tmp_path: Path) -> None:
     scene = toy_scene()
     scene = scene.replace(report=judge(scene))
@@ -86,6 +87,7 @@ def test_a_bundle_keeps_and_verifies_them(segments: Segments, tmp_path: Path) ->
         bundle.load_segments(path)
 
 
+@pytest.mark.slow
 def test_a_bundle_without_them_says_so(tmp_path: Path) -> None:
     scene = toy_scene()
     path = bundle.save(scene.replace(report=judge(scene)), tmp_path)

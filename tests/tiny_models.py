@@ -10,27 +10,9 @@ from pathlib import Path
 from typing import Any
 
 import torch
+import transformers  # its classes are imported where they are named
 from safetensors.torch import save_file
 from tokenizers import Tokenizer, models, normalizers, pre_tokenizers, processors
-from transformers import (
-    BertConfig,
-    CLIPConfig,
-    CLIPModel,
-    CLIPTextConfig,
-    CLIPVisionConfig,
-    Dinov2Config,
-    Dinov2Model,
-    GroundingDinoConfig,
-    GroundingDinoForObjectDetection,
-    Sam2Config,
-    Sam2Model,
-    Sam2VideoConfig,
-    Sam2VideoModel,
-    Sam3Config,
-    Sam3Model,
-    Sam3VideoConfig,
-    SwinConfig,
-)
 
 from generator.backends.huggingface.folder import snapshot
 from generator.backends.huggingface.pins import WEIGHTS, pins
@@ -75,11 +57,11 @@ def letters_tokenizer() -> Tokenizer:
 
 def grounding_dino(**others: Any) -> Any:
     """Return Grounding DINO of some thousands of weights, with ``others`` of its settings."""
-    backbone = SwinConfig(
+    backbone = transformers.SwinConfig(
         image_size=64, embed_dim=8, depths=[1, 1, 1, 1], num_heads=[1, 1, 2, 2], window_size=4,
         out_indices=[2, 3, 4],
     )  # fmt: skip
-    text = BertConfig(
+    text = transformers.BertConfig(
         vocab_size=1030, hidden_size=16, num_hidden_layers=1, num_attention_heads=2,
         intermediate_size=16,
     )  # fmt: skip
@@ -88,7 +70,7 @@ def grounding_dino(**others: Any) -> Any:
         "encoder_ffn_dim": 16, "decoder_ffn_dim": 16, "encoder_attention_heads": 2,
         "decoder_attention_heads": 2, "max_text_len": 48,
     }  # fmt: skip
-    return GroundingDinoForObjectDetection(GroundingDinoConfig(
+    return transformers.GroundingDinoForObjectDetection(transformers.GroundingDinoConfig(
         backbone_config=backbone, text_config=text, **{**settings, **others}
     ))  # fmt: skip
 
@@ -119,7 +101,7 @@ def sam2(side: int = 64, hidden_size: int = 32, width: int = 8, **decoder: Any) 
         "hidden_size": hidden_size, "mlp_dim": 16, "num_hidden_layers": 1, "num_attention_heads": 2,
         "iou_head_hidden_dim": 16, **decoder,
     }  # fmt: skip
-    return Sam2Model(Sam2Config(
+    return transformers.Sam2Model(transformers.Sam2Config(
         vision_config=vision, prompt_encoder_config=prompts, mask_decoder_config=decoder
     ))  # fmt: skip
 
@@ -140,7 +122,7 @@ def sam3() -> Any:
         "num_attention_heads": 2, "projection_dim": 16, "max_position_embeddings": 32,
         "bos_token_id": 101, "eos_token_id": 102,
     }  # fmt: skip
-    return Sam3Model(Sam3Config(
+    return transformers.Sam3Model(transformers.Sam3Config(
         vision_config={"backbone_config": vit, "fpn_hidden_size": 16},
         text_config=text,
         geometry_encoder_config=small,
@@ -153,22 +135,22 @@ def sam3() -> Any:
 
 def dinov2(step: int = 14) -> Any:
     """Return DINOv2 of some thousands of weights."""
-    return Dinov2Model(Dinov2Config(
+    return transformers.Dinov2Model(transformers.Dinov2Config(
         hidden_size=32, num_hidden_layers=2, num_attention_heads=2, image_size=56, patch_size=step
     ))  # fmt: skip
 
 
 def clip() -> Any:
     """Return CLIP of some thousands of weights."""
-    text = CLIPTextConfig(
+    text = transformers.CLIPTextConfig(
         vocab_size=1030, hidden_size=16, intermediate_size=16, num_hidden_layers=1,
         num_attention_heads=2, bos_token_id=101, eos_token_id=102,
     )  # fmt: skip
-    vision = CLIPVisionConfig(
+    vision = transformers.CLIPVisionConfig(
         hidden_size=16, intermediate_size=16, num_hidden_layers=1, num_attention_heads=2,
         image_size=224, patch_size=56,
     )  # fmt: skip
-    return CLIPModel(CLIPConfig(
+    return transformers.CLIPModel(transformers.CLIPConfig(
         text_config=text.to_dict(), vision_config=vision.to_dict(), projection_dim=8
     ))  # fmt: skip
 
@@ -178,7 +160,7 @@ def save_for_video(folder: Path) -> Path:
     torch.manual_seed(0)
     still = sam2().config.to_dict()
     parts = {k: still[f"{k}_config"] for k in ("vision", "prompt_encoder", "mask_decoder")}
-    Sam2VideoModel(Sam2VideoConfig(
+    transformers.Sam2VideoModel(transformers.Sam2VideoConfig(
         **{f"{k}_config": v for k, v in parts.items()}, memory_attention_hidden_size=32,
         memory_attention_num_layers=1, memory_attention_feed_forward_hidden_size=16,
         memory_attention_rope_feat_sizes=[4, 4], memory_encoder_hidden_size=32,
@@ -187,7 +169,7 @@ def save_for_video(folder: Path) -> Path:
     )).save_pretrained(snapshot(pins()["sam2"], folder))  # fmt: skip
     detector, home = sam3(), snapshot(pins()["sam3"], folder)
     home.mkdir(parents=True)
-    Sam3VideoConfig(detector_config=detector.config.to_dict()).save_pretrained(home)
+    transformers.Sam3VideoConfig(detector_config=detector.config.to_dict()).save_pretrained(home)
     weights = {f"detector_model.{k}": v for k, v in detector.state_dict().items()}
     save_file(weights | {"tracker_model.a": torch.zeros(1)}, home / WEIGHTS, {"format": "pt"})
     letters_tokenizer().save(str(home / "tokenizer.json"))

@@ -164,6 +164,7 @@ with staging_in(Path(sys.argv[1])) as staging:
 """
 
 
+@pytest.mark.slow
 def test_what_a_killed_saver_leaves_is_removed_and_what_a_live_one_needs_is_not(
     scene: Scene, tmp_path: Path
 ) -> None:

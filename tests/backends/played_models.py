@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 import tiny_models
 import torch
+import transformers
 from torch.nn import functional
-from transformers import PreTrainedTokenizerFast
 
 from generator.backends.huggingface.grounding_dino import GroundingDino
 from generator.backends.huggingface.loading import Once
@@ -32,8 +32,8 @@ Truth = Sequence[tuple[str, np.ndarray]]
 """What the picture shows: words and masks; of a thing with two words, both."""
 
 
-def tokenizer() -> PreTrainedTokenizerFast:
-    return PreTrainedTokenizerFast(tokenizer_object=tiny_models.letters_tokenizer())
+def tokenizer() -> transformers.PreTrainedTokenizerFast:
+    return transformers.PreTrainedTokenizerFast(tokenizer_object=tiny_models.letters_tokenizer())
 
 
 class Player:

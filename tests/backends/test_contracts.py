@@ -387,6 +387,7 @@ def test_features(encoder: Any) -> None:
     assert (gradient.abs().sum((1, 2, 3)) > 0).all()
 
 
+@pytest.mark.slow
 def test_features_serve_the_rotation_stage(encoder: Any, desk: Desk) -> None:
     mug = as_shown(desk.reference.image, "mug_1", desk.detections["mug_1"])
     view = View(0.0, float(np.deg2rad(ELEVATION)), float(np.deg2rad(36)))

@@ -91,6 +91,7 @@ def test_the_view_is_read_from_the_angles(elevation, fov):
     np.testing.assert_allclose(np.rad2deg(found), [elevation, fov], atol=2.0)
 
 
+@pytest.mark.slow
 def test_weights_go_to_disk_and_back(tmp_path):
     torch.manual_seed(0)
     eye = Eye(3)

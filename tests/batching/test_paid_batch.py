@@ -197,6 +197,7 @@ def test_what_was_spent_without_a_budget_counts_later(
     assert len(server.asked) == 4
 
 
+@pytest.mark.slow
 def test_a_dry_run_says_what_each_scene_would_ask_and_makes_nothing(
     run: tuple[Served, Callable[..., int]], capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:

@@ -77,10 +77,12 @@ def test_each_count_is_taken(name: str) -> None:
         check_counts(payload, Bounds(**{name: most}))
 
 
+@pytest.mark.slow
 def test_a_picture_that_claims_to_be_huge_is_never_decoded(path: Path) -> None:
     refused(put_texture(path, png(65535, 65535, zlib.compress(b"\0" * 1000))), "4294836225 pixels")
 
 
+@pytest.mark.slow
 def test_a_preview_that_claims_to_be_huge_is_refused(path: Path) -> None:
     forged = put(path, "preview.png", png(65535, 65535))
     refused(forged, "pixels")
@@ -122,6 +124,7 @@ def test_textures_count_together_and_are_decoded_once(path: Path, monkeypatch) -
     assert not decoded
 
 
+@pytest.mark.slow
 def test_textures_are_built_one_by_one(path: Path, monkeypatch) -> None:
     """MuJoCo keeps several copies of each: together they would take more than all else."""
     seen = []
@@ -137,6 +140,7 @@ def test_textures_are_built_one_by_one(path: Path, monkeypatch) -> None:
     assert sizes == {(1, 1)}
 
 
+@pytest.mark.slow
 def test_meshes_count_for_every_body_that_shows_them(path: Path) -> None:
     mesh = encode_obj(toy_scene().table.model.mesh)
     many = mesh.replace(b"\nvt ", b"\n" + LINE * 100_000 + b"vt ", 1)
@@ -174,6 +178,7 @@ def test_a_mesh_comes_back_from_its_file() -> None:
     assert (uv == mesh.uv).all()
 
 
+@pytest.mark.slow
 def test_files_are_named_by_their_content(path: Path) -> None:
     name = next((path / "textures").iterdir()).relative_to(path).as_posix()
     refused(put(path, name, png(1, 1, zlib.compress(b"\0\0"))), "named by its content")

@@ -218,6 +218,7 @@ def test_names_of_objects_are_printable() -> None:
 # --------------------------------------------------------------------------------------- scene.xml
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "change",
     [

@@ -52,6 +52,7 @@ def test_what_is_in_a_removed_thing_goes_along(loaded: Path) -> None:
     assert "die_1 was removed with mug_1." in done.scene.provenance.warnings
 
 
+@pytest.mark.slow
 def test_what_stood_on_a_removed_thing_is_set_down(loaded: Path, tmp_path: Path) -> None:
     done = editing.remove(loaded, "box_1")
     block = done.scene.object("block_1")
@@ -74,6 +75,7 @@ def test_a_moved_thing_takes_its_load_along(loaded: Path, name: str, load: str) 
     assert after.provenance.edits[-1].names == (name, load)
 
 
+@pytest.mark.slow
 def test_a_vessel_in_place_of_a_vessel_takes_what_was_in_it(loaded: Path) -> None:
     done = editing.swap(loaded, "mug_1", "a bowl")
     die, bowl = done.scene.object("die_1"), done.scene.object("bowl_1")

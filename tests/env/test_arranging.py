@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from randomized import STRONG, only, started
 from toy import toy_object, toy_objects, toy_scene, toy_table
 
@@ -32,6 +33,7 @@ def tray_scene() -> Scene:
 # ------------------------------------------------------------------------------------------ poses
 
 
+@pytest.mark.slow
 def test_poses_change_a_little_and_rest() -> None:
     env = make_env(toy_scene(), randomization=only("poses"))
     start = {o.name: o.pose for o in toy_scene().objects}
@@ -140,6 +142,7 @@ def test_what_would_fall_stays() -> None:
 # ------------------------------------------------------------------------------------ distractors
 
 
+@pytest.mark.slow
 def test_distractors_leave_the_table_and_their_slots() -> None:
     counts = set()
     for seed in range(4):

@@ -344,6 +344,7 @@ def test_no_more_is_drawn_than_is_looked_for(bundle: Path) -> None:
     assert offered(world, never, 0, 1) == () and never.asked < 10
 
 
+@pytest.mark.slow
 def test_options_that_are_wrong_are_still_the_callers(
     bundle: Path, certify: Certify, names: list[str]
 ) -> None:

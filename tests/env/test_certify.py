@@ -168,6 +168,7 @@ def spoilt(payload: dict[str, Any], **changes: Any) -> dict[str, Any]:
     return payload | {"instances": [first | changes, *rest]}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("spoil", "reason"),
     [

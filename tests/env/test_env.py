@@ -163,6 +163,7 @@ def test_a_scene_with_nothing_graspable_says_why() -> None:
         make_env(toy_scene(())).reset(seed=0)
 
 
+@pytest.mark.slow
 def test_scenes_with_nothing_to_do_are_passed_over() -> None:
     empty = toy_scene((), name="empty")
     env = make_env([empty, toy_scene()])
@@ -207,6 +208,7 @@ def test_reset_options_of_another_kind_are_explained(options) -> None:
         make_env(toy_scene()).reset(seed=0, options=options)
 
 
+@pytest.mark.slow
 def test_render_size_may_be_one_number() -> None:
     env = make_env(toy_scene(), render_mode="depth_array", render_size=16, renderer="software")
     env.reset(seed=0)

@@ -82,6 +82,7 @@ def test_vectors_of_forked_processes_draw(drawn) -> None:
     assert seen["front"].shape == (2, 16, 16, 3) and seen["front"].std() > 10
 
 
+@pytest.mark.slow
 def test_a_fork_of_what_drew_draws_in_software_and_says_so_once(gl) -> None:
     def work() -> list[str]:
         first, second = drawer("auto", 8, 8), drawer("auto", 16, 16)
@@ -133,6 +134,7 @@ def test_a_drawer_made_before_the_fork_is_refused_in_it(drawn, gl) -> None:
     assert "forkserver" in in_fork(work)
 
 
+@pytest.mark.slow
 def test_a_forked_copy_detects_grasps(monkeypatch) -> None:
     """The network wakes no threads of a library, of which a fork has none."""
     env = make_env(toy_scene(), task="Lift", grasp_hint="detected")

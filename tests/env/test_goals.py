@@ -255,6 +255,7 @@ def test_tidy_is_done_when_all_lie_inside() -> None:
     assert rewards == sorted(rewards) and is_done(env)
 
 
+@pytest.mark.slow
 def test_tidy_takes_what_fits_beside_the_rest() -> None:
     tray = toy_object("tray_1", (0.3, 0.3, 0.06), (0.25, 0.0), wall=0.01)
     wide = [

@@ -126,6 +126,7 @@ def test_noise_moves_the_hint_with_what_is_read_of_tool_and_object() -> None:
     assert np.array_equal(read[283:285], true[283:285])
 
 
+@pytest.mark.slow
 def test_a_table_of_another_height_has_a_hint_of_its_own() -> None:
     strong = Randomization(table_height=0.08)
     used = lift(randomization=strong)

@@ -171,6 +171,7 @@ def test_episodes_do_not_add_up() -> None:
                            masses[env.world.bodies] * factors)  # fmt: skip
 
 
+@pytest.mark.slow
 def test_pictures_are_those_of_the_unchanged_world_after_undoing() -> None:
     env, seen, _ = started(
         Randomization(light_turn=0.5, light_color=0.3, ambient=(0.5, 0.6), camera_move=0.05,
@@ -203,6 +204,7 @@ def test_both_checkers_pass_with_everything_on(observation) -> None:
     sb3_check_env(env, warn=False)
 
 
+@pytest.mark.slow
 def test_vectors_of_environments_pass_on_what_was_drawn() -> None:
     envs = gym.make_vec(
         "tabletopgen_env:TabletopGen/PickPlace-v0", num_envs=2, vectorization_mode="sync",

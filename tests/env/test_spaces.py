@@ -210,6 +210,7 @@ def test_the_state_is_seen_from_the_robots_own_seat() -> None:
     assert np.allclose(forward, [np.cos(world.mount.yaw), np.sin(world.mount.yaw), 0.0])
 
 
+@pytest.mark.slow
 def test_pixels_show_the_scene() -> None:
     env = make_env(toy_scene(), observation="pixels+state", image_size=48)
     seen, _ = env.reset(seed=0)

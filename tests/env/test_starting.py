@@ -79,6 +79,7 @@ def test_each_seed_starts_elsewhere_by_centimetres_sound_and_at_rest() -> None:
     assert np.median(far) > 0.01
 
 
+@pytest.mark.slow
 def test_a_crowd_keeps_its_distances_and_what_has_no_room_stays() -> None:
     env = make_env(crowd(), task="Reach", randomization="starts")
     for seed in range(6):

@@ -152,6 +152,7 @@ def test_weights_sum_to_one(name) -> None:
     assert sum(task_named(name).weights.values()) == pytest.approx(1.0)
 
 
+@pytest.mark.slow
 def test_targets_and_spots_are_drawn_from_what_can_be_done() -> None:
     env = make_env(toy_scene())
     targets, goals = set(), set()

@@ -85,6 +85,7 @@ def test_the_number_of_threads_changes_nothing() -> None:
     assert same(runs[0], runs[1]) and same(runs[0], runs[2])
 
 
+@pytest.mark.slow
 def test_slots_are_single_environments_with_their_seeds() -> None:
     envs = TabletopVectorEnv(2, scenes=scenes(), threads=2)
     together, _ = envs.reset(seed=[7, 3])

@@ -214,6 +214,7 @@ def clouded(renderer: str = "software", **settings) -> TabletopEnv:
     return env
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("renderer", RENDERERS)
 def test_points_lie_on_what_their_id_says(renderer) -> None:
     env = clouded(renderer, points=2000)

@@ -269,6 +269,7 @@ def test_the_command_reports_all_four_defects_of_one_bundle(
     assert {name for kind, name, _ in told if kind == "floats"} == {"bottle_1"}
 
 
+@pytest.mark.slow
 def test_the_command_asks_a_judge_for_marks_and_a_ranking(
     store: Path,
     taken: Shot,

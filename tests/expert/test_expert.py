@@ -107,6 +107,7 @@ def test_it_acts_in_one_mode_only(settings: dict[str, Any]) -> None:
         TaskExpert(make_env(toy_scene(), **settings))
 
 
+@pytest.mark.slow
 def test_what_is_placed_is_left_alone() -> None:
     env = make_env(toy_scene(), task="PickPlace")
     env.reset(seed=0, options={"target": "cube_1", "goal": "spot"})

@@ -41,6 +41,7 @@ def place(env: TabletopEnv, opening: float = 0.06) -> Place:
     return plan_place(env.world, env.goal, float(np.arctan2(axis[1], axis[0])), opening)
 
 
+@pytest.mark.slow
 def test_the_middle_is_best_unless_something_stands_there() -> None:
     env, _ = holding(CUBE, BOARD, goal="board")
     assert isinstance(env.goal, OnTop)
@@ -88,6 +89,7 @@ def test_a_long_thing_is_turned_to_lie_along_a_tray(across: bool) -> None:
     assert turned == pytest.approx(np.pi / 2 if across else 0.0, abs=0.2)
 
 
+@pytest.mark.slow
 def test_a_turn_of_the_hand_is_no_slip() -> None:
     mug = toy_object("mug", (0.085, 0.085, 0.095), (-0.15, 0.0), wall=0.006, mass=0.3)
     env, expert = holding(mug, BOARD, goal="board")

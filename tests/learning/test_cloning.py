@@ -92,6 +92,7 @@ def test_cloning_comes_nearer_to_the_advice_and_repeats_itself() -> None:
     assert losses[0][0] < 0.6  # of a policy that does nothing: about 0.7
 
 
+@pytest.mark.slow
 def test_cloning_computes_on_one_thread() -> None:
     model = SAC("MlpPolicy", lift(), buffer_size=10, policy_kwargs={"net_arch": [8]})
     config, seen = CloningConfig(rounds=1, episodes=1, last_steps=1, batch=8), []

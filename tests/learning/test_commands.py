@@ -84,6 +84,7 @@ def test_enjoying_reports_success_with_its_interval(trained: Path, other: str, c
     assert f"Reach at {other}: 0 of 2 solved at 1 table, 0 % (0 to 66 %)" in told[0]
 
 
+@pytest.mark.slow
 def test_enjoying_where_it_was_trained_is_said(
     trained: Path, table: str, other: str, tmp_path: Path, capsys
 ) -> None:

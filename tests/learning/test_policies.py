@@ -57,6 +57,7 @@ def policy(small) -> TrainedPolicy:
     return trained(small)[2]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("algorithm", "changes"), KINDS)
 def test_a_file_predicts_what_the_model_does(small, tmp_path: Path, algorithm, changes) -> None:
     model, seen, policy = trained(small, algorithm, **changes)

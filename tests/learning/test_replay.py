@@ -102,6 +102,7 @@ def test_demonstrations_can_be_replayed_in_hindsight(small) -> None:
     envs.close()
 
 
+@pytest.mark.slow
 def test_the_same_seed_gives_the_same_demonstrations(small) -> None:
     buffers = []
     for seed in (0, 0, 1):

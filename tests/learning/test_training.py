@@ -216,6 +216,7 @@ def test_what_goes_on_does_not_repeat_itself(small, tmp_path: Path, monkeypatch)
     assert len({seed for _, slots in (begun, first, third) for seed in slots}) == 6
 
 
+@pytest.mark.slow
 def test_a_finished_run_says_so(small, folder: Path) -> None:
     train(small("ppo", steps=32), str(folder), Plan(episodes=1), say=quiet)
     told: list[str] = []
@@ -341,6 +342,7 @@ def test_what_comes_before_the_first_step_is_kept(small, folder: Path, monkeypat
     assert train(recipe, folder, QUICK, True, quiet).steps >= 120
 
 
+@pytest.mark.slow
 def test_cloning_can_be_interrupted_too(small, folder: Path) -> None:
     def say(line: str) -> None:
         if "held out" in line:

@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 import tiny_models
 import torch
+import transformers
 from torch import Tensor
 from torch.nn import functional
-from transformers import PreTrainedTokenizerFast
 
 from generator.backends.huggingface.folder import snapshot
 from generator.backends.huggingface.phrases import questions
@@ -180,7 +180,9 @@ def _fitted_sums(
 
 def _asked(network: Any, example: Example) -> tuple[Any, dict[str, Tensor]]:
     """Return the words as a question, and what Grounding DINO is given."""
-    tokenizer = PreTrainedTokenizerFast(tokenizer_object=tiny_models.letters_tokenizer())
+    tokenizer = transformers.PreTrainedTokenizerFast(
+        tokenizer_object=tiny_models.letters_tokenizer()
+    )
     words = tuple(example.words)
     (question,) = questions(words, tokenizer, len(words), network.config.max_text_len)
     high, wide = example.image.shape[:2]

@@ -46,6 +46,7 @@ def test_ends_that_are_nearly_alike_are_told_apart(word: str, turn: float) -> No
     assert abs(np.rad2deg(wrap(got - np.deg2rad(turn)))) < 4
 
 
+@pytest.mark.slow
 def test_a_round_model_of_a_mug_has_no_yaw() -> None:
     mug = build("mug", 5)
     can = cloud(cylinder_mesh(), np.array([0.08, 0.08, 0.1]))

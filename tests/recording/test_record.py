@@ -73,6 +73,7 @@ def test_the_facts_are_the_episodes_metadata(lift: Path) -> None:
     assert len(said) == facts[0]["steps"] + 1
 
 
+@pytest.mark.slow
 def test_the_recovered_environment_plays_it_again(lift: Path) -> None:
     dataset = MinariDataset(lift / "data")
     env = dataset.recover_environment()

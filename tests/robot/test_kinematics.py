@@ -41,6 +41,7 @@ def test_forward_and_jacobian_agree_with_the_simulated_robot() -> None:
         np.testing.assert_allclose(jacobian(joints), jac[:, :7], atol=1e-9)
 
 
+@pytest.mark.slow
 def test_ik_meets_random_reachable_poses() -> None:
     rng = np.random.default_rng(1)
     solved = 0

@@ -126,6 +126,7 @@ def test_a_name_that_is_looked_up_for_ever_is_left_in_time(
     assert time.monotonic() - began < TIMEOUT + 2
 
 
+@pytest.mark.slow
 def test_an_address_that_takes_no_call_leaves_time_to_the_next(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:

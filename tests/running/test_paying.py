@@ -81,6 +81,7 @@ def generate(tmp_path: Path) -> Callable[..., int]:
     return lambda *more: command("generate", TEXT, "--backend", "remote", "--prices", table, *more)
 
 
+@pytest.mark.slow
 def test_what_was_paid_is_printed_and_lies_beside_the_bundle(
     server: Served, generate: Callable[..., int], capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -185,6 +186,7 @@ def test_a_failure_after_a_paid_call_says_what_it_cost(
     assert told.splitlines()[-1].startswith("error: ")
 
 
+@pytest.mark.slow
 def test_a_run_that_failed_counts_for_the_next_ones_budget_and_ledger(
     server: Served,
     generate: Callable[..., int],

@@ -45,6 +45,7 @@ def server_errors() -> list[Says]:
     ]
 
 
+@pytest.mark.slow
 def test_no_key_in_errors_logs_store_or_ledger(
     tmp_path: Path, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
 ) -> None:

@@ -98,6 +98,7 @@ def test_calls_answered_beside_a_failed_one_are_kept(tmp_path) -> None:
         assert len(server.asked) == 1
 
 
+@pytest.mark.slow
 def test_stop_ends_waits_and_calls_to_come() -> None:
     shared = session(patience=PATIENT)
 

@@ -76,6 +76,7 @@ for text in "ab":
 """
 
 
+@pytest.mark.slow
 def test_a_killed_run_leaves_what_it_spent_and_may_have(tmp_path: Path) -> None:
     with serving(lambda asked, k: Says(delay=30.0 * k)) as server:
         path = os.pathsep.join([str(Path(__file__).parent), *sys.path])

@@ -203,6 +203,7 @@ def test_answers_of_no_use_are_dropped(tmp_path: Path) -> None:
     assert shared.account.money == pytest.approx(4 * 0.021)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "first",
     [
@@ -313,6 +314,7 @@ def test_an_attempt_ends_after_its_time(slow: Says) -> None:
     assert outcomes(shared) == ["failed", "answered"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("slow", [Says(delay=0.4), Says(status=504)], ids=["hangs", "gateway"])
 def test_what_was_waited_for_in_vain_is_sent_once_more_and_counts_each_time(slow: Says) -> None:
     shared = session()
@@ -538,6 +540,7 @@ for text in "abc":
 """
 
 
+@pytest.mark.slow
 def test_what_a_killed_process_paid_for_is_not_paid_for_again(tmp_path: Path) -> None:
     with serving(lambda asked, k: Says({"k": k}, delay=30.0 if k == 2 else 0.0)) as server:
         path = os.pathsep.join([str(Path(__file__).parent), *sys.path])

@@ -170,6 +170,7 @@ def test_an_object_at_the_side_is_seen_along_its_own_ray():
     assert errors[False] > errors[True] + 3
 
 
+@pytest.mark.slow
 def test_refining_descends_from_the_coarse_angle():
     model = build("toy_train", 5)
     instance, _ = picture_of(model, 0.53, (320, 240))
@@ -280,6 +281,7 @@ def test_same_seed_same_rotation():
     assert first == again
 
 
+@pytest.mark.slow
 def test_an_object_of_revolution_keeps_yaw_zero():
     model = build("plate", 0)
     instance, _ = picture_of(model, 2.0, (320, 240))
@@ -450,6 +452,7 @@ def test_an_object_reaches_past_the_side_that_is_hidden(side):
     assert towards[1] * place[towards[0]] > 0.02
 
 
+@pytest.mark.slow
 def test_the_table_is_left_out_and_a_missing_model_named():
     model = build("mug", 1)
     instance, reference = picture_of(model, 0.3, (300, 200))

@@ -153,6 +153,7 @@ def test_what_passes_is_waited_for(
     assert len(server.script.requests) == 1 + len(failures)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("failures", "message"),
     [

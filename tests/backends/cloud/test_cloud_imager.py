@@ -451,6 +451,7 @@ def test_a_right_top_view_is_taken_and_left_to_the_segmenter(
     assert "1: book\n2: mug\n3: pen" in checked.text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("answer", "told"),
     [

@@ -268,6 +268,7 @@ def test_a_review_ends_in_quarter_turns(server: Running, reasoner: Reasoner) -> 
         reasoner.review_orientation(cube_mesh(), instances()[2], SIZES["book_1"])
 
 
+@pytest.mark.slow
 def test_a_model_is_shown_from_six_sides_with_its_proportions(
     server: Running, reasoner: Reasoner
 ) -> None:

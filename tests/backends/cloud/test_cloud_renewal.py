@@ -74,6 +74,7 @@ def test_a_server_that_recovers_is_asked_again(server: Running, ask: Ask, bad: o
     assert len(server.script.requests) == calls + 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "first",
     [

@@ -135,6 +135,7 @@ def test_a_pickle_is_never_read_in_place_of_safetensors(folder: Path) -> None:
 # ------------------------------------------------------------------------------------- the models
 
 
+@pytest.mark.slow
 def test_reading_asks_no_network_and_is_silent(
     tiny_models: Path, offline: None, capfd: pytest.CaptureFixture[str]
 ) -> None:

@@ -9,12 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 import torch
+import transformers
 from painted import paint
 from played_models import play, tokenizer
-from transformers import GroundingDinoProcessor
-from transformers.models.grounding_dino.image_processing_pil_grounding_dino import (
-    GroundingDinoImageProcessorPil,
-)
 
 from generator.backends.huggingface.finds import Find
 from generator.backends.huggingface.grounding_dino import GroundingDino
@@ -211,8 +208,10 @@ def test_boxes_and_scores_are_those_of_transformers_own_processor(tiny_models: P
     found = GroundingDino(network, tokenizer(), 0.05, 64, 24).find(
         image, words, tiles_of(80, 60, 1, 0.25)
     )
-    images = GroundingDinoImageProcessorPil(size={"shortest_edge": 64, "longest_edge": 107})
-    processor = GroundingDinoProcessor(images, tokenizer())
+    images = transformers.GroundingDinoImageProcessorPil(
+        size={"shortest_edge": 64, "longest_edge": 107}
+    )
+    processor = transformers.GroundingDinoProcessor(images, tokenizer())
     given = processor(images=image, text="table. mug. red book.", return_tensors="pt")
     with torch.inference_mode():
         (right,) = processor.post_process_grounded_object_detection(
@@ -243,6 +242,7 @@ def test_many_boxes_at_once_are_masked_as_each_by_itself(
         assert (one.mask != other.mask).mean() < 0.01
 
 
+@pytest.mark.slow
 def test_a_box_s_mask_is_that_of_the_network_given_the_pixels(tiny_models: Path) -> None:
     """The encoded picture, kept for all boxes, gives what the whole network does."""
     network = load_model(pins()["sam2"], tiny_models, "who:")

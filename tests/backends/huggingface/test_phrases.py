@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import tiny_models
 import torch
-from transformers import PreTrainedTokenizerFast
+import transformers
 
 from generator.backends.huggingface.phrases import best_words, plain, questions
 
@@ -14,9 +14,9 @@ WORDS = ("table", "stuffed toy", "magnifying glass", "glass")
 
 
 @pytest.fixture(scope="module")
-def tokenizer() -> PreTrainedTokenizerFast:
+def tokenizer() -> transformers.PreTrainedTokenizerFast:
     """Knows single letters only, so that every word is many pieces."""
-    return PreTrainedTokenizerFast(tokenizer_object=tiny_models.letters_tokenizer())
+    return transformers.PreTrainedTokenizerFast(tokenizer_object=tiny_models.letters_tokenizer())
 
 
 def logits(question, words: dict[int, dict[str, float]], rows: int) -> torch.Tensor:
@@ -30,7 +30,7 @@ def logits(question, words: dict[int, dict[str, float]], rows: int) -> torch.Ten
     return made
 
 
-def test_each_word_has_its_own_tokens(tokenizer: PreTrainedTokenizerFast) -> None:
+def test_each_word_has_its_own_tokens(tokenizer: transformers.PreTrainedTokenizerFast) -> None:
     (question,) = questions(WORDS, tokenizer, 24, 256)
     assert question.text == "table. stuffed toy. magnifying glass. glass."
     letters = tokenizer.convert_ids_to_tokens(list(question.ids))
@@ -40,7 +40,7 @@ def test_each_word_has_its_own_tokens(tokenizer: PreTrainedTokenizerFast) -> Non
 
 
 def test_an_answer_is_the_word_that_fits_best_and_no_piece_of_it(
-    tokenizer: PreTrainedTokenizerFast,
+    tokenizer: transformers.PreTrainedTokenizerFast,
 ) -> None:
     """Pieces above a threshold, strung together, would be "##fying glass" for the second row."""
     (question,) = questions(WORDS, tokenizer, 24, 256)
@@ -54,7 +54,7 @@ def test_an_answer_is_the_word_that_fits_best_and_no_piece_of_it(
 
 
 def test_texts_hold_no_more_words_and_tokens_than_they_may(
-    tokenizer: PreTrainedTokenizerFast,
+    tokenizer: transformers.PreTrainedTokenizerFast,
 ) -> None:
     asked = questions(WORDS, tokenizer, 2, 256)
     assert [q.words for q in asked] == [WORDS[:2], WORDS[2:]]
@@ -65,7 +65,7 @@ def test_texts_hold_no_more_words_and_tokens_than_they_may(
 
 
 def test_a_word_longer_than_a_text_is_asked_about_in_part(
-    tokenizer: PreTrainedTokenizerFast,
+    tokenizer: transformers.PreTrainedTokenizerFast,
 ) -> None:
     (question,) = questions(("a" * 40,), tokenizer, 24, 16)
     assert len(question.ids) == 16
@@ -75,7 +75,9 @@ def test_a_word_longer_than_a_text_is_asked_about_in_part(
     assert scores[0] == 0.5
 
 
-def test_a_word_without_letters_is_not_asked_about(tokenizer: PreTrainedTokenizerFast) -> None:
+def test_a_word_without_letters_is_not_asked_about(
+    tokenizer: transformers.PreTrainedTokenizerFast,
+) -> None:
     (question,) = questions(("mug", "...", "\u200b"), tokenizer, 24, 256)
     assert question.words == ("mug",)
     assert questions(("...",), tokenizer, 24, 256) == ()

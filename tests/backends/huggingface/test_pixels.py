@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import torch
-from transformers import GroundingDinoImageProcessorPil
+import transformers
 
 from generator.backends.huggingface.pixels import HALVES, IMAGENET, bounded, normalised, seen
 
@@ -16,7 +16,9 @@ def test_a_picture_is_resized_and_normalised_as_grounding_dino_s_processor_does(
 ) -> None:
     width, height = size
     image = np.random.default_rng(0).integers(0, 256, (height, width, 3)).astype(np.uint8)
-    processor = GroundingDinoImageProcessorPil(size={"shortest_edge": 60, "longest_edge": 100})
+    processor = transformers.GroundingDinoImageProcessorPil(
+        size={"shortest_edge": 60, "longest_edge": 100}
+    )
     right = torch.as_tensor(processor(image, return_tensors="pt")["pixel_values"])
     made = seen(image, *bounded(width, height, 60, 100), IMAGENET)
     torch.testing.assert_close(made, right, atol=1e-5, rtol=0)

@@ -109,6 +109,7 @@ def test_its_model_is_whole_light_and_textured(made):
     assert body_mass(mesh, made.size, made.physics, made.parts).mass > 0
 
 
+@pytest.mark.slow
 def test_its_size_is_the_prior_s(made):
     longest = np.sort(made.size)[1:]
     assert np.prod(longest) == pytest.approx(np.prod(np.sort(prior("gizmo").extent)[1:]), rel=1e-5)

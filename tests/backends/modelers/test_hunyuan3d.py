@@ -183,6 +183,7 @@ def test_an_answer_cut_off_is_tried_again():
         assert ask(served.url, session=quick(attempts=2)).name == "mug_1"
 
 
+@pytest.mark.slow
 def test_a_server_that_hangs_or_is_not_there_is_given_up():
     hang = threading.Event()
     try:

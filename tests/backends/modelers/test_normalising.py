@@ -130,6 +130,7 @@ def test_heavy_meshes_are_reduced_with_shape_and_colors_kept():
     assert (seen[z < -0.06, 2] > 180).mean() > 0.97
 
 
+@pytest.mark.slow
 def test_meshes_of_many_faces_are_worked_on_in_parts(monkeypatch):
     """How much is held at once changes no outline, and fewer samples find the colours, too."""
     made = ball()
@@ -162,6 +163,7 @@ def test_what_is_worked_out_for_texels_is_held_for_few_at_once(monkeypatch):
     assert peak < 150 * 512**2  # 215 where all are worked on together
 
 
+@pytest.mark.slow
 def test_the_same_file_gives_the_same_bytes():
     one, two = (read(ball(4), to=Normal(faces=1000, texture=128)) for _ in range(2))
     assert one.texture.tobytes() == two.texture.tobytes()

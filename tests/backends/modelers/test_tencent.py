@@ -236,6 +236,7 @@ def test_a_job_kept_no_longer_is_submitted_once_more(tmp_path):
     assert "JobNotExist" in refused(Cloud(errors={QUERY: ["ResourceNotFound.JobNotExist"] * 9}))
 
 
+@pytest.mark.slow
 def test_a_busy_service_is_waited_for():
     cloud = Cloud(errors={SUBMIT: ["RequestLimitExceeded.JobNumExceed", "RequestLimitExceeded"]})
     with serving(cloud) as served:

@@ -107,6 +107,7 @@ def test_a_difficulty_that_is_not_known_is_found_once() -> None:
     assert sorted(loads) == ["easy", "hard"]
 
 
+@pytest.mark.slow
 def test_scenes_made_on_demand_are_made_once_and_compared() -> None:
     made: list[int] = []
 

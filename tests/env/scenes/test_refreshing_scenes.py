@@ -360,6 +360,7 @@ def test_closing_ends_everything_and_may_be_done_twice(pool, tmp_path) -> None:
     assert set(source.pids).isdisjoint(pids)
 
 
+@pytest.mark.slow
 def test_what_a_process_has_started_ends_with_it_and_ctrl_c_reaches_neither(pool, tmp_path) -> None:
     note = tmp_path / "pid"
     fresh = FreshScenes(str(note), making="makers:nested")

@@ -65,6 +65,7 @@ def bundles(tmp_path, monkeypatch) -> list[Scene]:
 # ------------------------------------------------------------------------------- by digest: fixed
 
 
+@pytest.mark.slow
 def test_two_sides_have_no_scene_in_common_and_lack_none(bundles) -> None:
     sides = [names(split("desk_*", side)) for side in SIDES]
     assert sorted(sides[0] + sides[1]) == sorted(scene.name for scene in bundles)
@@ -237,6 +238,7 @@ def test_a_pool_is_split_at_first_and_later_on(bundles) -> None:
     assert all(rule.admits(lambda key=key: key, frozenset) for key in made)
 
 
+@pytest.mark.slow
 def test_a_curriculum_is_split_by_its_source(bundles) -> None:
     kept = split(CurriculumScenes("desk_*", width=0.5), "held_out")
     assert isinstance(kept, CurriculumScenes) and kept.width == 0.5
