@@ -67,8 +67,10 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
     text = str(wanted)
     if text == STARTER:
         found = list(_bundles(_STARTERS))
+    elif not text.strip():  # as of a variable that is not set; not the folder one stands in
+        found = []
     else:
-        found = _by_path(text) or _by_name(text, entries(cache)) or _in_folder(text)
+        found = _named(text, cache) or _in_folder(text)
     if not found:
         places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
         names = {_stem(path) for path in entries(cache)}
@@ -91,7 +93,10 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
         BundleError: it fits several.
         StorageError: the bundle is not in the user's store, or cannot be removed.
     """
+    text = str(wanted)
     found = find(wanted, cache)
+    if text != STARTER and not _named(text, cache):
+        raise BundleError(f"{text!r} is a folder of bundles. Name one bundle.")
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:8])
         raise BundleError(f"{wanted!r} fits {len(found)} bundles: {names}. Name one.")
@@ -165,8 +170,13 @@ def _bundles(root: Path) -> Iterator[Path]:
                 yield path
 
 
+def _named(text: str, cache: str | Path | None) -> list[Path]:
+    """Return the bundles of a path, a glob or a name, without those in a folder."""
+    return _by_path(text) or _by_name(text, entries(cache))
+
+
 def _by_path(text: str) -> list[Path]:
-    """Return the bundle at a path, the bundles in a folder, or those a glob of paths fits.
+    """Return the bundle at a path, or those a glob of paths fits.
 
     What is no path at all (too long a name, "a/**b", the home of nobody) fits nothing.
     """
@@ -177,7 +187,7 @@ def _by_path(text: str) -> list[Path]:
         if len(path.parts) < 2 and not text.startswith("./"):  # a name
             return []
         if path.is_dir():
-            return list(_bundles(path))
+            return []
         anchor = Path(path.anchor)
         pattern = str(path.relative_to(anchor))
         return [p for p in sorted(anchor.glob(pattern)) if (p / "scene.json").is_file()]
@@ -188,8 +198,7 @@ def _by_path(text: str) -> list[Path]:
 def _in_folder(text: str) -> list[Path]:
     """Return the bundles in a folder, or nothing where there is none."""
     try:
-        path = Path(text).expanduser()
-        return list(_bundles(path)) if path.is_dir() else []
+        return list(_bundles(Path(text).expanduser()))
     except (OSError, ValueError, RuntimeError):
         return []
 

@@ -32,6 +32,7 @@ def compose(
         SceneError: the objects fit on no plausible table, or no layout comes to rest.
     """
     require_seed(seed)
+    seed = int(seed)
     plan = text if isinstance(text, ScenePlan) else plan_scene(text, seed)
     if not plan.objects:
         raise InputError("The plan holds no object; a scene needs at least one.")

@@ -169,6 +169,7 @@ def generate(
         SceneError: the scene cannot be built.
     """
     require_seed(seed)
+    seed = int(seed)
     b = backends or Backends.select("embedded")
     config = config or Config()
     guesser = pose_guesser(b.reasoner) if config.without else None  # refused before any work

@@ -2,22 +2,59 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import select
 import sys
+import unicodedata
 from collections.abc import Callable
+
+_UNREAD = 128 + 13  # as of a process that SIGPIPE ends
+_UNWRITTEN = 5  # as of a StorageError
 
 
 def escaped(text: str) -> str:
-    """Return a text that may be foreign as a terminal can show it: its lines, no controls."""
-    return "".join(c if c.isprintable() or c == "\n" else repr(c)[1:-1] for c in text)
+    """Return a text that may be foreign as a terminal can show it, without controls."""
+    return "".join(c if _is_shown(c) else repr(c)[1:-1] for c in text)
+
+
+def _is_shown(letter: str) -> bool:
+    return letter.isprintable() or letter == "\n" or unicodedata.category(letter) == "Zs"
 
 
 def piped(run: Callable[[], int]) -> int:
-    """Run a command; end it quietly where nobody reads on what it prints, as ``| head`` does."""
+    """Run a command; return its exit code, or one for what it printed and could not.
+
+    It ends quietly where nobody reads on, as ``| head`` does, and says so where what it prints
+    finds no room. Any other trouble is as ``run`` raises it.
+    """
     try:
-        code = run()
-        sys.stdout.flush()
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for the flush at the end
-        return 128 + 13  # as of a process that SIGPIPE ends
-    return code
+        try:
+            return run()
+        finally:
+            if sys.stdout is not None:
+                sys.stdout.flush()
+    except OSError as error:
+        unread = isinstance(error, BrokenPipeError) and _is_unread()
+        full = error.errno == errno.ENOSPC and error.filename is None
+        if sys.stdout is None or not (unread or full):
+            raise
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, sys.stdout.fileno())  # for the flush at the end of the process
+        os.close(nowhere)
+        if unread:
+            return _UNREAD
+        print(f"error: what was printed could not be written: {error.strerror}.", file=sys.stderr)
+        return _UNWRITTEN
+
+
+def _is_unread() -> bool:
+    """Return whether standard output is a pipe that nobody reads any more."""
+    if sys.stdout is None:
+        return False
+    try:
+        watched = select.poll()
+        watched.register(sys.stdout.fileno(), 0)
+        return bool(watched.poll(0))
+    except (OSError, ValueError):  # no file
+        return False

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import os
 import pickle
+import shlex
 import subprocess
 import sys
+
+import pytest
 
 from generator.errors import InputError, StorageError
 from generator.terminal import escaped
 
 
 def test_what_is_shown_holds_no_controls():
-    shown = escaped("a\x1b[2Jb\x9bc\nd\u202ee\r\t\ud800 \u00e9 杯")
-    assert shown == "a\\x1b[2Jb\\x9bc\nd\\u202ee\\r\\t\\ud800 \u00e9 杯"
+    shown = escaped("a\x1b[2Jb\x9bc\nd\u202ee\r\t\ud800 \u00e9\u00a0杯\u3000")
+    assert shown == "a\\x1b[2Jb\\x9bc\nd\\u202ee\\r\\t\\ud800 \u00e9\u00a0杯\u3000"
 
 
 def test_what_an_error_quotes_reaches_no_terminal():
@@ -22,15 +26,42 @@ def test_what_an_error_quotes_reaches_no_terminal():
     assert str(StorageError("No \x07.")) == "No \\x07." and str(InputError()) == ""
 
 
-def test_a_reader_that_stops_ends_a_command_quietly() -> None:
-    code = (
-        "from generator.terminal import piped\n"
-        "raise SystemExit(piped(lambda: print('x' * 10, *range(100_000), sep='\\n') or 0))"
-    )
-    with subprocess.Popen(
-        [sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-    ) as run:
-        assert run.stdout is not None and run.stderr is not None
-        assert run.stdout.readline() == "xxxxxxxxxx\n"
-        run.stdout.close()
-        assert run.stderr.read() == "" and run.wait(30) == 141
+RUN = """
+import sys
+from generator.terminal import piped
+def run():
+    {}
+    return 0
+raise SystemExit(piped(run))
+"""
+
+
+def ended(body: str, shell: str) -> subprocess.CompletedProcess[str]:
+    """Run a command with this body under a shell's redirection."""
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONUNBUFFERED"}
+    command = shlex.join([sys.executable, "-c", RUN.format(body)])
+    return subprocess.run(
+        ["bash", "-c", f"set -o pipefail; {command} {shell}"],
+        capture_output=True, text=True, env=environment, timeout=60,
+    )  # fmt: skip
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("body", "shell", "code", "said"),
+    [
+        ("print(*range(100_000), sep='\\n')", "| head -1", 141, ""),
+        ("import time; time.sleep(0.5); print('few')", "| true", 141, ""),
+        ("import time; time.sleep(0.5); print('few'); sys.exit(0)", "| true", 141, ""),
+        ("print('few')", ">&-", 0, ""),
+        ("print('few')", "> /dev/full", 5, "error: what was printed could not be written"),
+        ("print('few'); raise BrokenPipeError('of a worker')", "", 1, "of a worker"),
+        ("print('few'); sys.exit(3)", "", 3, ""),
+    ],
+)
+def test_what_is_printed_and_not_read_ends_a_command_quietly(
+    body: str, shell: str, code: int, said: str
+) -> None:
+    run = ended(body, shell)
+    assert run.returncode == code, run.stderr
+    assert said in run.stderr and bool(said) == bool(run.stderr)

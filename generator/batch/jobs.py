@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import hashlib
+import itertools
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -36,6 +37,7 @@ class Job:
         except UnicodeEncodeError as error:  # as of file names that are no text
             raise InputError(f"A prompt is a text in Unicode, got {self.text!r:.80}.") from error
         require_seed(self.seed)
+        object.__setattr__(self, "seed", int(self.seed))  # also of NumPy's
 
 
 def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> tuple[Job, ...]:
@@ -48,12 +50,26 @@ def jobs_of(prompts: Iterable[str | Job], seed: int = 0, variants: int = 1) -> t
     """
     require_number("A batch needs variants", variants, least=1, most=MOST, whole=True)
     first = dict.fromkeys(p if isinstance(p, Job) else Job(p, seed) for p in prompts)
-    count = len(first) * variants
+    seeds: dict[str, list[int]] = {}
+    for job in first:
+        seeds.setdefault(job.text, []).append(job.seed)
+    count = sum(_covered(sorted(firsts), variants) for firsts in seeds.values())
     if not 0 < count <= MOST:
         raise InputError(f"A batch needs 1 to {MOST:,} scenes, got {count:,}.")
-    return tuple(
-        dict.fromkeys(Job(job.text, job.seed + k) for job in first for k in range(variants))
-    )
+    jobs: dict[Job, None] = {}
+    for job in first:
+        for k in range(variants):
+            following = Job(job.text, job.seed + k)
+            if k and following in first:  # its own variants cover the rest, in their turn
+                break
+            jobs[following] = None
+    return tuple(jobs)
+
+
+def _covered(firsts: Sequence[int], variants: int) -> int:
+    """Return how many seeds the runs of ``variants`` from sorted first ones cover together."""
+    steps = (min(b - a, variants) for a, b in itertools.pairwise(firsts))
+    return sum(steps) + variants
 
 
 def read_prompts(path: str | Path, seed: int = 0) -> list[Job]:

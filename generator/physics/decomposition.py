@@ -60,6 +60,8 @@ def decompose(
     """
     proportions = np.round(np.asarray(scale, float) / np.max(scale), 3).clip(1e-3)
     vertices, faces = welded(mesh)
+    if not len(faces):
+        raise SceneError("The mesh has no triangle with an area. Give the model convex parts.")
     digest = hashlib.sha256(_CHILD.encode())
     for array in (vertices, faces, proportions):
         digest.update(array.tobytes())
@@ -98,18 +100,42 @@ def _coacd(
 
 
 def _overlaps(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) -> bool:
-    """Return whether a closed mesh holds more than its hull, and so overlaps itself.
+    """Return whether a closed mesh may overlap itself.
 
-    CoACD does not end with such a mesh, unless its surface is made anew first.
+    It does if it holds more than its hull, and may if the boxes about two of its pieces meet. CoACD
+    does not end with such a mesh, unless its surface is made anew first.
     """
     from scipy.spatial import ConvexHull, QhullError
 
+    if _pieces_meet(vertices, faces):
+        return True
     a, b, c = vertices[faces].transpose(1, 0, 2)
-    volume = float(np.vecdot(a, np.cross(b, c)).sum()) / 6
+    volume = abs(float(np.vecdot(a, np.cross(b, c)).sum())) / 6
     try:
         return volume > _FULL * ConvexHull(vertices).volume
     except QhullError:  # flat
         return False
+
+
+def _pieces_meet(
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], most: int = 200
+) -> bool:
+    """Return whether the boxes about two connected pieces meet; of more than ``most``, yes."""
+    from scipy.sparse import coo_array
+    from scipy.sparse.csgraph import connected_components
+
+    ends = faces[:, [0, 1, 1, 2]].reshape(-1, 2).T
+    links = coo_array((np.ones(ends.shape[1]), tuple(ends)), (len(vertices), len(vertices)))
+    pieces = connected_components(links, directed=False)[1][faces[:, 0]]
+    names, pieces = np.unique(pieces, return_inverse=True)
+    if len(names) > most:
+        return True
+    corners = vertices[faces]
+    low, high = np.full((2, len(names), 3), [[[np.inf]], [[-np.inf]]])
+    np.minimum.at(low, pieces, corners.min(1))
+    np.maximum.at(high, pieces, corners.max(1))
+    meet = ((low[:, None] < high[None]) & (low[None] < high[:, None])).all(-1)
+    return bool(meet.sum() > len(names))
 
 
 def _reduced(

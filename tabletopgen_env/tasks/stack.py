@@ -73,6 +73,8 @@ def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[O
     With its centre over the flat part's, its centre of mass lies over the flat part too.
     """
     loaded = {o.placement.on for o in world.scene.objects}
+    plan = world.first_plan(obj.name, choose)
+    held = 0.0 if plan is None else float(plan.grasp.point[2] - world.position(obj.name)[2])
     lever = float(np.linalg.norm((quaternion_matrix(obj.pose.quaternion) @ obj.com)[:2]))
     for other in world.scene.objects:
         if other.name in {obj.name, obj.placement.on} or other.name in loaded:
@@ -84,17 +86,16 @@ def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[O
             continue
         if resting_height(other) > TALLEST or other.mass < 0.3 * obj.mass:
             continue
-        if reachable(world.mount, other.pose.position) and _is_carried_to(world, obj, other):
+        if reachable(world.mount, other.pose.position) and _is_carried_to(world, obj, other, held):
             yield other
 
 
-def _is_carried_to(world: World, obj: Object, base: Object) -> bool:
-    """Return whether the arm reaches over ``base`` with ``obj`` in the hand, at some turn."""
-    plan = world.first_plan(obj.name, choose)
-    if plan is None:
-        return False
-    tool = on_top(world, obj, base).region(world).center.copy()
-    tool[2] += plan.grasp.point[2] - world.position(obj.name)[2]
+def _is_carried_to(world: World, obj: Object, base: Object, held: float) -> bool:
+    """Return whether the arm reaches over ``base`` with ``obj`` in the hand, at some turn.
+
+    ``held`` is how far above the object's centre it is held, metres.
+    """
+    tool = on_top(world, obj, base).region(world).center + np.array([0.0, 0.0, held])
     ends = (tool, tool + np.array([0.0, 0.0, HOVER]))
     return any(stretch(world, ends, float(yaw)) is not None for yaw in _YAWS)
 

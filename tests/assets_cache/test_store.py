@@ -57,6 +57,19 @@ def test_a_folder_of_bundles_is_found_by_one_part(
     assert [path.name for path in assets_cache.find(".", store)] == names
 
 
+@pytest.mark.parametrize("wanted", ["", " ", "."])
+def test_what_names_no_bundle_removes_none(
+    wanted: str, store: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put("office", store)
+    monkeypatch.chdir(store)
+    with pytest.raises(BundleError, match=r"No bundle fits|folder of bundles"):
+        assets_cache.remove(wanted, store)
+    with pytest.raises(BundleError, match="folder of bundles"):
+        assets_cache.remove(store, store)
+    assert len(assets_cache.entries(store)) == 1
+
+
 def test_a_name_may_have_several_bundles(store: Path) -> None:
     both = {put("office", store), put("office", store, x=0.1)}
     assert set(assets_cache.find("office", store)) == both

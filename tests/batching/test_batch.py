@@ -12,6 +12,7 @@ import time
 from concurrent.futures import Future
 from pathlib import Path
 
+import numpy as np
 import pytest
 import toy_maker
 from bounded import LONG, join, until
@@ -283,6 +284,14 @@ def test_what_is_asked_for_twice_is_laid_out_once() -> None:
     again = [batch.Job("a mug", 3)] * 50_000
     assert len(batch.jobs_of(again, variants=50_000)) == 50_000
     assert len(batch.jobs_of([batch.Job("a", 0), batch.Job("a", 1)], variants=3)) == 4
+    apart = [batch.Job("a", k) for k in (7, 0, 2)] + [batch.Job("b", 1)]
+    asked = {("a", 0), ("a", 1), ("a", 2), ("a", 3), ("a", 7), ("a", 8), ("b", 1), ("b", 2)}
+    assert {(job.text, job.seed) for job in batch.jobs_of(apart, variants=2)} == asked
+    next_to_each_other = [batch.Job("a", k) for k in range(60_000)]
+    assert len(batch.jobs_of(next_to_each_other, variants=40_000)) == 99_999
+    with pytest.raises(InputError, match="got 100,001"):
+        batch.jobs_of(next_to_each_other, variants=40_002)
+    assert type(batch.jobs_of(["a"], seed=np.int64(3))[0].seed) is int
 
 
 def test_huge_batches_are_refused_before_they_are_laid_out() -> None:

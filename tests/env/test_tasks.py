@@ -272,6 +272,11 @@ def test_resetting_leaves_the_scene_where_it_settled() -> None:
         assert np.linalg.norm(env.world.position(name) - position) < 2e-3, name
 
 
+def test_what_is_too_wide_may_be_asked_to_be_stacked() -> None:
+    env = make_env("office-round", task="Stack", certified=False)
+    assert env.reset(seed=0, options={"target": "book_1"})[1]["target"] == "book_1"
+
+
 @pytest.mark.slow
 def test_stack_asks_for_no_top_that_the_arm_cannot_hold_a_thing_over() -> None:
     text = (

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 from shapes import UNIT, sphere_mesh
 from toy import cube_mesh
 
@@ -76,6 +77,43 @@ def test_overlapping_solids_in_one_mesh_are_decomposed_in_time(tmp_path: Path) -
     )  # fmt: skip
     parts = decompose(both, np.full(3, 0.1), cache=tmp_path)
     assert inside(parts, [0, 0, 0])
+
+
+def together(*meshes: trimesh.Trimesh) -> Mesh:
+    joined = trimesh.util.concatenate(list(meshes))
+    vertices = (joined.vertices - joined.bounds.mean(0)) / joined.extents.max()
+    faces = np.asarray(joined.faces, np.int32)
+    return Mesh(
+        vertices.astype(np.float32), faces, np.zeros((len(vertices), 2)), sphere_mesh().texture
+    )
+
+
+@pytest.mark.slow
+def test_crossed_bars_and_solids_turned_inside_out_are_decomposed_in_time(tmp_path: Path) -> None:
+    bars = [trimesh.creation.box(extents=e) for e in ((1.0, 0.2, 0.2), (0.2, 1.0, 0.24))]
+    balls = [trimesh.creation.icosphere(2, 0.4) for _ in range(2)]
+    balls[1].apply_translation([0.04, 0, 0])
+    for ball in balls:
+        ball.invert()
+    for meshes in (bars, balls):
+        parts = decompose(together(*meshes), np.full(3, 0.1), seconds=40, cache=tmp_path)
+        assert inside(parts, [0.05, 0.02, 0.02])
+
+
+def test_pieces_apart_do_not_overlap() -> None:
+    one, other = (trimesh.creation.box(extents=(0.2, 0.2, 0.2)) for _ in range(2))
+    for away, meets in (((0.3, 0, 0), False), ((0.1, 0, 0), True), ((0.15, 0.15, 0.15), True)):
+        both = together(one, other.copy().apply_translation(away))
+        assert decomposition._overlaps(both.vertices.astype(float), both.faces) is meets
+
+
+def test_a_mesh_without_an_area_is_refused(tmp_path: Path) -> None:
+    line = Mesh(
+        np.float32([[0, 0, 0], [0, 0, 0], [0.2, 0, 0]]), np.int32([[0, 1, 2]]), np.zeros((3, 2)),
+        sphere_mesh().texture,
+    )  # fmt: skip
+    with pytest.raises(SceneError, match="no triangle with an area"):
+        decompose(line, np.full(3, 0.1), cache=tmp_path)
 
 
 def test_a_mesh_that_holds_more_than_its_hull_overlaps_itself() -> None:
