@@ -96,6 +96,10 @@ SMOKES: Mapping[str, Smoke] = MappingProxyType({
         "--task Tidy --count 1 --out {out}", _table("fresh_tables")
     ),
     "benchmarks/fuzz.py": Smoke("--kind glb --cases 5 --out {out}", ("fuzz.md",)),
+    "benchmarks/golden.py": Smoke(
+        "record {out}/a --parts environments compose --most 1 --steps 3",
+        ("a/environments.json", "a/compose/00/*/scene.json"),
+    ),
     "benchmarks/modeler.py": Smoke(
         "--cases 1 --only mug --pictures {out}", ("000_mug.png",), "| label withheld | 1 |"
     ),

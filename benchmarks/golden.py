@@ -1,0 +1,222 @@
+"""Record what the package makes, and compare two records: a refactoring changes no byte.
+
+    python benchmarks/golden.py record before --pictures photos/*.png
+    python benchmarks/golden.py compare before after
+
+A record holds bundles composed and generated from texts and pictures, edited, and made by a batch;
+digests of observations and rewards of environments under seeded actions; and a policy cloned for
+one round. Everything goes through the commands and Gymnasium's ids, so that one script records
+before and after modules move. Parts that are there are not recorded again. ``compare`` leaves out
+names of backends and versions of packages in a bundle's provenance, prints every other difference,
+and exits with 1 if there is one.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+HERE = Path(__file__).resolve().parent
+COMMAND = (sys.executable, "-m", "generator.cli")
+DIGEST = re.compile(r"-[0-9a-f]{12}$")
+COMPOSED, GENERATED, BATCHED = 20, 8, 6
+EDITS = (
+    ("add", "office-desk", "add", "a red mug left of the laptop"),
+    ("move", "office-desk", "move", "stapler_1", "behind the notebook"),
+    ("swap", "dining-fruit", "swap", "vase_1", "a teapot"),
+)
+SCENES = ("office-desk", "kitchen-cutting", "workbench", "dining-fruit")
+MODES = ("state", "goal", "pixels", "pixels+state", "point_cloud", "point_cloud+state")
+STEPS = 200
+PARTS = ("environments", "cloning", "compose", "generate", "edits", "batch")
+CLONING = (
+    "cloning.rounds=1", "cloning.episodes=6", "cloning.steps=60", "cloning.last_steps=60",
+)  # fmt: skip
+FREE = ("backends", "versions", "edits")
+"""What a provenance may say otherwise: names that modules are known by, and digests."""
+
+
+def texts() -> list[str]:
+    """Return the texts of ``texts.json``, spread over its themes."""
+    told = [entry["text"] for entry in json.loads((HERE / "texts.json").read_text())]
+    return [told[k * len(told) // COMPOSED] for k in range(COMPOSED)]
+
+
+def run(*arguments: str) -> None:
+    """Run a command to its end; what it prints is shown if it fails."""
+    environment = {**os.environ, "OMP_NUM_THREADS": "1"}
+    done = subprocess.run(arguments, capture_output=True, text=True, env=environment)
+    if done.returncode:
+        print(f"{' '.join(arguments)} ended with {done.returncode}:\n{done.stderr}", flush=True)
+
+
+def bundle_jobs(
+    out: Path, parts: Sequence[str], pictures: Sequence[str], most: int
+) -> Iterator[tuple[Path, tuple[str, ...]]]:
+    """Yield folders of ``out`` that are to hold bundles, each with the command that makes them."""
+    for number, text in enumerate(texts()[:most] if "compose" in parts else ()):
+        place = out / "compose" / f"{number:02}"
+        yield place, (*COMMAND, "compose", text, "--seed", str(number), "--out", str(place))
+    for number, text in enumerate(texts()[1::2][:GENERATED][:most] if "generate" in parts else ()):
+        place = out / "generate" / f"{number:02}"
+        yield place, (*COMMAND, "generate", text, "--seed", str(number), "--out", str(place))
+    for picture in pictures[:most]:
+        place = out / "pictures" / Path(picture).stem
+        yield place, (*COMMAND, "generate", picture, "--out", str(place))
+    for name, bundle, *change in EDITS[:most] if "edits" in parts else ():
+        place = out / "edits" / name
+        yield place, (*COMMAND, "edit", bundle, *change, "--out", str(place))
+    if "batch" in parts:
+        place, prompts = out / "batch", out / "prompts.txt"
+        prompts.write_text("\n".join(texts()[:BATCHED][:most]))
+        yield place, (*COMMAND, "batch", str(prompts), "--route", "compose", "--out", str(place))
+
+
+def record_bundles(jobs: Iterable[tuple[Path, tuple[str, ...]]], workers: int) -> None:
+    """Make the bundles that are not there."""
+
+    def make(job: tuple[Path, tuple[str, ...]]) -> None:
+        place, command = job
+        if not place.exists():
+            run(*command)
+            print(place, flush=True)
+
+    with ThreadPoolExecutor(workers) as pool:
+        list(pool.map(make, jobs))
+
+
+def record_environments(out: Path, modes: Sequence[str], scenes: Sequence[str], steps: int) -> None:
+    """Write digests of what environments observe and reward."""
+    import gymnasium as gym
+    import numpy as np
+
+    import tabletopgen_env  # noqa: F401
+
+    found = json.loads(out.read_text()) if out.exists() else {}
+    for mode in modes:
+        for scene in scenes:
+            key = f"{mode} {scene}"
+            if key in found:
+                continue
+            task = "PickPlace" if mode == "goal" else "Lift"
+            env = gym.make(
+                f"TabletopGen/{task}-v0", scenes=scene, observation=mode, randomization="starts"
+            )
+            rng = np.random.default_rng(0)
+            digest, rewards = hashlib.sha256(), []
+            observation, info = env.reset(seed=0)
+            for _ in range(steps):
+                _add(digest, observation)
+                action = rng.uniform(-1, 1, env.action_space.shape).astype(np.float32)
+                observation, reward, terminated, truncated, info = env.step(action)
+                rewards.append(float(reward))
+                if terminated or truncated:
+                    observation, info = env.reset()
+            _add(digest, observation)
+            env.close()
+            found[key] = {
+                "observations": digest.hexdigest(), "rewards": rewards,
+                "instruction": info["instruction"],
+            }  # fmt: skip
+            out.write_text(json.dumps(found, indent=1))
+            print(key, flush=True)
+
+
+def _add(digest: Any, value: Any) -> None:
+    import numpy as np
+
+    if isinstance(value, Mapping):
+        for key in sorted(value):
+            digest.update(key.encode())
+            _add(digest, value[key])
+    else:
+        array = np.ascontiguousarray(value)
+        digest.update(f"{array.dtype.str}{array.shape}".encode() + array.tobytes())
+
+
+def record_cloning(out: Path) -> None:
+    """Clone the expert for one round."""
+    if out.exists():
+        return
+    run(
+        sys.executable, "-m", "tabletopgen_env", "train", "lift-clone-planned",
+        "--scenes", *SCENES[:2], "--held-out", SCENES[2], "--out", str(out), "--episodes", "2",
+        "--set", *CLONING,
+    )  # fmt: skip
+    print(out, flush=True)
+
+
+def facts(record: Path) -> dict[str, Any]:
+    """Return what a record says: a digest of each file, values of each JSON file."""
+    found: dict[str, Any] = {}
+    for path in sorted(p for p in record.rglob("*") if p.is_file()):
+        place = Path(*(DIGEST.sub("", part) for part in path.relative_to(record).parts))
+        if path.name == "scene.json":
+            found |= {f"{place}:{k}": v for k, v in _scene(path).items()}
+        elif path.name == "environments.json":
+            told = json.loads(path.read_text())
+            found |= {f"{place}:{a}:{b}": v for a in told for b, v in told[a].items()}
+        elif path.suffix in (".obj", ".png", ".safetensors") or path.name == "scene.xml":
+            found[str(place)] = hashlib.sha256(path.read_bytes()).hexdigest()
+    return found
+
+
+def _scene(path: Path) -> dict[str, Any]:
+    told = json.loads(path.read_text())
+    told.pop("files")
+    told["provenance"] = {k: v for k, v in told["provenance"].items() if k not in FREE}
+    return told
+
+
+def compare(one: Path, other: Path) -> int:
+    """Print what differs between two records; return how much does."""
+    before, after = facts(one), facts(other)
+    differing = [key for key in sorted(before | after) if before.get(key) != after.get(key)]
+    for key in differing:
+        what = (
+            "changed" if key in before and key in after else ("missing" if key in before else "new")
+        )
+        print(f"{what}: {key}")
+    print(f"{len(before)} facts, {len(differing)} differ")
+    return len(differing) + (not before)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else None)
+    commands = parser.add_subparsers(dest="command", required=True)
+    recording = commands.add_parser("record")
+    recording.add_argument("out", type=Path)
+    recording.add_argument("--pictures", nargs="*", type=Path, default=[], help="to generate from")
+    recording.add_argument("--parts", nargs="*", choices=PARTS, default=PARTS)
+    recording.add_argument("--most", type=int, default=100, help="scenes, modes, ... of each part")
+    recording.add_argument("--steps", type=int, default=STEPS, help="of each environment")
+    recording.add_argument("--workers", type=int, default=2)
+    comparing = commands.add_parser("compare")
+    comparing.add_argument("one", type=Path)
+    comparing.add_argument("other", type=Path)
+    args = parser.parse_args()
+    if args.command == "compare":
+        return int(compare(args.one, args.other) > 0)
+    args.out.mkdir(parents=True, exist_ok=True)
+    if "environments" in args.parts:
+        record_environments(
+            args.out / "environments.json", MODES[: args.most], SCENES[: args.most], args.steps
+        )
+    if "cloning" in args.parts:
+        record_cloning(args.out / "cloning")
+    pictures = sorted(map(str, args.pictures))
+    record_bundles(bundle_jobs(args.out, args.parts, pictures, args.most), args.workers)
+    return 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
