@@ -269,7 +269,7 @@ def test_where_things_are_moved_nothing_is_certified(
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "listed", [Instance("Lift", "unicorn_1", None, 30, 30), Instance("Lift", None, "spot", 10, 10)]
+    "listed", [Instance("Lift", "unicorn_1", None, 30, 30), Instance("Lift", None, "spot", 30, 30)]
 )
 def test_a_damaged_certificate_is_refused_unless_it_is_ignored(
     listed: Instance, bundle: Path, certify: Certify
