@@ -19,7 +19,7 @@ from pathlib import Path
 from generator.bundle import save
 from generator.compose import compose
 from generator.errors import BundleError, SceneError
-from generator.figures import preview
+from generator.method.figures import preview
 
 PROMPTS: Mapping[str, str] = {
     "office-desk": "an office desk with a laptop, a mouse, a notebook, a pen, a mug and a stapler",
@@ -115,7 +115,7 @@ def keep_certificates(old: Path, new: Path) -> int:
 
     What is damaged, or was made for another scene, is left behind.
     """
-    from tabletopgen_env.certificate import FILE, read_certificate
+    from tabletopgen_env.certificates.certificate import FILE, read_certificate
 
     kept = 0
     for path in sorted(new.iterdir()):

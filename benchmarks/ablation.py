@@ -25,7 +25,7 @@ from posing.cases import STREAMS
 from posing.tables import alone, command_line
 
 from generator.errors import TabletopError
-from generator.pictures import write_picture
+from generator.io.pictures import write_picture
 
 HERE = Path(__file__).parent
 

@@ -30,7 +30,7 @@ from posing import tables
 from posing.tables import Row
 
 from generator.errors import InputError, TabletopError
-from generator.pictures import write_picture
+from generator.io.pictures import write_picture
 from tabletopgen_env.detection.detector import shipped_digest
 from tabletopgen_env.learning.evaluating import Played, Predicts, play, seeds, summed
 from tabletopgen_env.learning.making import single_env, source_of

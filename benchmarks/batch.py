@@ -1,4 +1,4 @@
-"""Scenes a minute by ``generator.batch``: one worker against several, and whether bytes agree.
+"""Scenes a minute by ``generator.jobs``: one worker against several, and whether bytes agree.
 
     python benchmarks/batch.py --cases 40
     python benchmarks/batch.py --cases 40 --route compose --ray local
@@ -23,8 +23,8 @@ from typing import NamedTuple
 
 from posing import tables
 
-from generator import batch
-from generator.cores import cores
+from generator import jobs as batch
+from generator.threads import cores
 
 HERE = Path(__file__).parent
 

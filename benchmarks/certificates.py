@@ -21,8 +21,8 @@ from posing.tables import Row
 
 import assets_cache
 from generator.errors import InputError
-from tabletopgen_env.certificate import STARTS, Certificate, read_certificate
-from tabletopgen_env.certify import played_again
+from tabletopgen_env.certificates.certificate import STARTS, Certificate, read_certificate
+from tabletopgen_env.certificates.certify import played_again
 
 HERE = Path(__file__).parent
 KEY = ("bundle", "task", "seed", "starts")

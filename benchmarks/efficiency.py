@@ -27,11 +27,11 @@ from posing import tables
 from posing.figures import column
 from posing.tables import Row
 
-from generator.backends.embedded.planner import plan_scene
 from generator.errors import TabletopError
-from generator.pictures import write_picture
+from generator.io.pictures import write_picture
+from generator.language.planner import plan_scene
+from generator.method.rotation import RotationConfig
 from generator.pipeline import STAGES, Config, generate
-from generator.stages.rotation import RotationConfig
 
 HERE = Path(__file__).parent
 FEWEST, MOST = 6, 9

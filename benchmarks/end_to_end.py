@@ -77,7 +77,7 @@ def named(scene: Scene) -> int:
 
     Words are compared by the category they mean; those of no category, as they are.
     """
-    from generator.backends.embedded.lexicon import category_of
+    from generator.language.parsing.lexicon import category_of
 
     planned = scene.plan.objects if scene.plan else ()
     asked = Counter(p.noun if p.category == "generic" else p.category for p in planned)

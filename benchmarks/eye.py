@@ -1,6 +1,6 @@
 """How well the eye sees: rendered tables of categories, parameters and seeds never trained on.
 
-    python -m generator.training.renders --out out/eye-eval --count 200 --seed 7 --split eval
+    python -m research.eye.pictures.renders --out out/eye-eval --count 200 --seed 7 --split eval
     python benchmarks/eye.py --data out/eye-eval --out benchmarks/results
 
 A thing counts if at least 100 pixels and 15 % of it are visible; a find of one that does not count
@@ -30,12 +30,12 @@ from generator.backends.embedded.eye.horizon import fit_view
 from generator.backends.embedded.eye.network import REGIONS
 from generator.backends.embedded.eye.sight import Sight, see
 from generator.backends.embedded.eye.weights import load_weights
-from generator.backends.embedded.naming import weighed
+from generator.backends.embedded.plane.tabletop import find_tabletop
 from generator.backends.embedded.segmenter import SURE, looks_of, refine, table_of
-from generator.backends.embedded.tabletop import find_tabletop
 from generator.errors import SceneError
-from generator.training.sample import Sample, worth_finding
-from generator.training.shards import ShardReader
+from generator.language.naming import weighed
+from research.eye.sample import Sample, worth_finding
+from research.eye.shards import ShardReader
 
 RIGHT = 0.5
 

@@ -20,15 +20,15 @@ import numpy as np
 from posing import tables
 from posing.tables import Row
 
-from generator.distribution import SceneDistribution
 from generator.errors import SceneError
+from generator.language.distribution import SceneDistribution
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import FreshScenes
 from tabletopgen_env.statistics import wilson
 from tabletopgen_env.tasks import NAMES, task_named
 from tabletopgen_env.tasks.sequence import PRESETS
 from tabletopgen_env.tasks.task import Task
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 HERE = Path(__file__).parent
 TASKS = (*NAMES, *(f"Sequence:{preset}" for preset in PRESETS))

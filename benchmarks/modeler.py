@@ -21,16 +21,16 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float, UInt8
 
-from generator.backends.embedded.completion import complete
-from generator.backends.embedded.framing import frame_to_mask
-from generator.backends.embedded.measure import measured_extent
+from generator.backends.embedded.drawing.completion import complete
 from generator.backends.embedded.modeler import Modeler, small_mask
-from generator.backends.embedded.pixels import mask_iou
-from generator.backends.embedded.plane import TablePlane
-from generator.backends.embedded.projection import Projection
+from generator.backends.embedded.plane.measure import measured_extent
+from generator.backends.embedded.plane.plane import TablePlane
+from generator.backends.embedded.shapes.framing import frame_to_mask
 from generator.catalogue import CATEGORIES, build
-from generator.catalogue.look import WOODS
+from generator.catalogue.surfaces.look import WOODS
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, yaw_quaternion
+from generator.meshes.pixels import mask_iou
+from generator.meshes.projection import Projection
 from generator.render.raster import Item, place, render
 from generator.render.shading import Light
 from generator.scene import Detection, Instance, Mesh, Model, Reference, SizePrior, View
@@ -75,7 +75,7 @@ class Case:
 
 def ground() -> Item:
     """Return a wooden tabletop at height zero."""
-    from generator.catalogue import textures
+    from generator.catalogue.surfaces import textures
 
     tile = textures.wood(np.random.default_rng(5), WOODS["oak"], side=256, planks=5)
     corners = np.array([[-0.8, -0.6, 0], [0.8, -0.6, 0], [0.8, 0.6, 0], [-0.8, 0.6, 0]])

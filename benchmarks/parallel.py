@@ -27,7 +27,7 @@ from typing import Any, NamedTuple, TypeVar
 
 from posing import tables
 
-from generator.running import Session
+from generator.calls import Session
 
 HERE = Path(__file__).parent
 LONG = 600.0

@@ -75,10 +75,10 @@ def run(
     """Rebuild one picture, save its bundle and sheet, and return its row."""
     from generator.bundle import Segments
     from generator.comparison import compare, comparison_sheet
-    from generator.pictures import write_picture
+    from generator.io.pictures import write_picture
     from generator.pipeline import generate
-    from generator.provenance import scene_name
     from generator.scene import Intrinsics
+    from generator.scene.provenance import scene_name
 
     metric: dict[str, Any] = {}
     if depth is not None and focal is not None:
@@ -116,8 +116,8 @@ def _facts(facts: dict[str, Any], scene: Any) -> dict[str, Any]:
 
 def depth_facts(made: Any) -> dict[str, Any]:
     """Hold a scene against the depth map it was made from (see above); lengths in centimetres."""
-    from generator.backends.embedded.depth_measure import steady, table_points
-    from generator.backends.embedded.depth_plane import find_depth_plane
+    from generator.backends.embedded.depth.measure import steady, table_points
+    from generator.backends.embedded.depth.plane import find_depth_plane
     from generator.render.picture import scene_items
     from generator.render.raster import render
 

@@ -25,7 +25,7 @@ from posing.spoiling import Spoiling
 from posing.tables import alone, where
 
 from generator.backends.embedded.encoder import Encoder
-from generator.stages.rotation import RotationConfig, make_objectives, search
+from generator.method.rotation import RotationConfig, make_objectives, search
 
 HERE = Path(__file__).parent
 

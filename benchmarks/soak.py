@@ -29,11 +29,11 @@ from generator.compose import compose
 from generator.errors import SceneError, TabletopError
 from generator.geometry import inside_margin
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.tasks.goals import at_rest
+from tabletopgen_env.tasks.goals.goal import at_rest
 
 if TYPE_CHECKING:
     from generator.scene import Scene
-    from tabletopgen_env.world import World
+    from tabletopgen_env.world.world import World
 
 HERE = Path(__file__).parent
 EPISODE, HELD = 200, 8

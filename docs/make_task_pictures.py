@@ -16,9 +16,9 @@ import numpy as np
 from jaxtyping import Float, UInt8
 from PIL import Image, ImageDraw, ImageFont
 
-from tabletopgen_env.composition import FRONT_CAMERA
 from tabletopgen_env.episodes import Held
 from tabletopgen_env.expert.run import TaskExpert
+from tabletopgen_env.world.composition import FRONT_CAMERA
 
 FOLDER = Path(__file__).parent / "images" / "tasks"
 

@@ -51,12 +51,12 @@ the same scene, target and goal start alike unless `randomization` is set ([belo
 with `"starts"` arm and things are a little off, each time anew."""
 
 SECTIONS = (
-    ("Goals and success", "tabletopgen_env.tasks.goals"),
+    ("Goals and success", "tabletopgen_env.tasks.goals.goal"),
     ("Reward", "tabletopgen_env.tasks.task"),
-    ("Observations", "tabletopgen_env.observations"),
-    ("The grasp hint", "tabletopgen_env.grasp_hint"),
-    ("Pictures", "tabletopgen_env.views"),
-    ("Point clouds", "tabletopgen_env.point_cloud"),
+    ("Observations", "tabletopgen_env.observations.modes"),
+    ("The grasp hint", "tabletopgen_env.observations.grasp_hint"),
+    ("Pictures", "tabletopgen_env.rendering.views"),
+    ("Point clouds", "tabletopgen_env.rendering.point_cloud"),
     ("Actions", "tabletopgen_env.actions"),
     ("Randomisation", "tabletopgen_env.randomization"),
 )

@@ -14,7 +14,7 @@ from expert import film_strip, play_until_solved
 from PIL import Image
 
 from generator.errors import TabletopError
-from generator.figures import preview
+from generator.method.figures import preview
 from generator.pipeline import Generation, generate
 from generator.render.sheet import grid
 

@@ -20,7 +20,7 @@ from assets_cache import store
 from generator import editing
 from generator.backends import Backends
 from generator.bundle import load
-from generator.figures import preview
+from generator.method.figures import preview
 from generator.pipeline import generate
 from generator.render.sheet import grid
 

@@ -5,8 +5,8 @@ import sys
 import gymnasium as gym
 from stable_baselines3 import SAC
 
-from tabletopgen_env.learning.cloning import CloningConfig, clone
-from tabletopgen_env.learning.network import TableExtractor
+from tabletopgen_env.learning.demonstrations.cloning import CloningConfig, clone
+from tabletopgen_env.learning.networks.network import TableExtractor
 
 
 def main(rounds: int = 8, episodes: int = 100, steps: int = 2000) -> None:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from .backends.embedded.planner import plan_scene
 from .errors import InputError, SceneError, require_seed
+from .language.planner import plan_scene
 from .layout import build_models, lay_out
-from .provenance import scene_name, versions
+from .method.assembly import AssemblyConfig, assemble
 from .scene import Provenance, Scene, ScenePlan
-from .stages.assembly import AssemblyConfig, assemble
+from .scene.provenance import scene_name, versions
 
 ATTEMPTS = 6
 """Layouts tried until one comes to rest soundly."""

@@ -11,7 +11,7 @@ import math
 import numbers
 from collections.abc import Iterable
 
-from .terminal import escaped
+from .io.terminal import escaped
 
 
 class TabletopError(Exception):

@@ -9,10 +9,37 @@ from typing import Literal, get_args
 
 from .backends import Backends
 from .errors import InputError, choices, require_seed
-from .finishing import finished
-from .ledger import Seconds, Stopwatch
-from .provenance import plain, scene_name, versions
-from .salvage import allowance, salvaged
+from .method.ablation import ask_rotations, pose_guesser
+from .method.alignment import (
+    Alignment,
+    AlignmentConfig,
+    align,
+    ask_layout,
+)
+from .method.assembly import AssemblyConfig, assemble
+from .method.extraction import ExtractionConfig, extract
+from .method.finishing import finished
+from .method.ledger import Seconds, Stopwatch
+from .method.modeling import make_models
+from .method.reference import (
+    DepthSource,
+    ReferenceConfig,
+    Source,
+    depth_digest,
+    fetch,
+    fetch_depth,
+    refer,
+    source_digest,
+)
+from .method.refinement import (
+    Refinement,
+    RefinementConfig,
+    outline_misfit,
+    refine_scene,
+)
+from .method.rotation import RotationConfig, estimate_rotations
+from .method.salvage import allowance, salvaged
+from .method.supplement import NOTHING, Supplement, supplement
 from .scene import (
     TABLE,
     Instance,
@@ -26,24 +53,7 @@ from .scene import (
     SizePrior,
     View,
 )
-from .stages.alignment import Alignment, AlignmentConfig, align, ask_layout
-from .stages.assembly import AssemblyConfig, assemble
-from .stages.direct import ask_rotations, pose_guesser
-from .stages.extraction import ExtractionConfig, extract
-from .stages.modeling import make_models
-from .stages.reference import (
-    DepthSource,
-    ReferenceConfig,
-    Source,
-    depth_digest,
-    fetch,
-    fetch_depth,
-    refer,
-    source_digest,
-)
-from .stages.refinement import Refinement, RefinementConfig, outline_misfit, refine_scene
-from .stages.rotation import RotationConfig, estimate_rotations
-from .supplement import NOTHING, Supplement, supplement
+from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]
 """Called with the name of the stage that starts, its number, and how many there are."""
@@ -123,7 +133,7 @@ class Generation:
     def save(self, folder: str | Path, *, allow_failed: bool = False) -> Path:
         """Publish the scene as a bundle under ``folder``; return the bundle's path."""
         from .bundle import Segments, save
-        from .figures import bundle_images
+        from .method.figures import bundle_images
 
         found = Segments.of(self.instances)
         return save(
@@ -133,7 +143,7 @@ class Generation:
 
     def save_figures(self, folder: str | Path) -> tuple[Path, ...]:
         """Write the pictures and JSON of the paper's Sec. 6.1 (Figs. 8-14) into ``folder``."""
-        from .figures import save_figures
+        from .method.figures import save_figures
 
         return save_figures(self, Path(folder))
 

@@ -11,10 +11,10 @@ from tyro import conf
 
 import assets_cache
 from generator.errors import InputError, TabletopError, exit_code
-from generator.terminal import escaped, piped
+from generator.io.terminal import escaped, piped
 
-from .certificate import STARTS, Terms
-from .certify import DEFAULT, certify_all, is_certified
+from .certificates.certificate import STARTS, Terms
+from .certificates.certify import DEFAULT, certify_all, is_certified
 from .learning.commands import enjoy, plot, train
 from .recording import Format, RecordConfig
 from .recording.command import record as recorded

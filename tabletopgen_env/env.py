@@ -13,25 +13,41 @@ import numpy as np
 from generator.errors import BundleError, InputError, SceneError, choices, require_seed
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
-from .composition import FRONT_CAMERA
-from .grasp_hint import HintKind, grasp_hint_of
-from .instances import sampled
-from .observations import ObservationMode, flat_state, observation_space, slot_order
-from .point_cloud import point_cloud
+from .certificates.instances import sampled
+from .observations.grasp_hint import HintKind, grasp_hint_of
+from .observations.modes import (
+    ObservationMode,
+    flat_state,
+    observation_space,
+    slot_order,
+)
 from .randomization import Randomization, Randomizer
-from .rendering import RENDERERS, Drawer, Kind, RendererChoice, drawer
+from .rendering.drawer import (
+    RENDERERS,
+    Drawer,
+    Kind,
+    RendererChoice,
+    drawer,
+)
+from .rendering.point_cloud import point_cloud
+from .rendering.views import (
+    CameraName,
+    ObservationConfig,
+    picture_size,
+    pictures,
+)
+from .rendering.window import Window
 from .robot.panda import Panda, panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .scenes.fixed import is_there
 from .scenes.source import close, record
 from .tasks import task_named
-from .tasks.goals import SPOT, Goal
+from .tasks.goals.goal import SPOT, Goal
 from .tasks.pick_place import PickPlace
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
-from .views import CameraName, ObservationConfig, picture_size, pictures
-from .window import Window
-from .world import World
-from .worlds import Masters, WorldCache
+from .world.composition import FRONT_CAMERA
+from .world.world import World
+from .world.worlds import Masters, WorldCache
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -26,15 +26,15 @@ from gymnasium.vector.utils import concatenate, create_empty_array, iterate
 from gymnasium.wrappers import TimeLimit
 from jaxtyping import Bool, Float
 
-from generator.cores import cores
 from generator.errors import InputError, choices, require_number, require_seed
+from generator.threads import cores
 
 from .actions import checked
 from .env import as_options, check_settings, make_env, played_at
 from .robot.panda import Panda, panda
 from .scenes import SceneChoice, SharedScenes, resolve
 from .tasks.task import Task
-from .worlds import Masters
+from .world.worlds import Masters
 
 if TYPE_CHECKING:
     import gymnasium as gym

@@ -12,7 +12,7 @@ from typing import Any
 
 from generator.bundle.decoding import decode_scene
 from generator.bundle.encoding import dumps
-from generator.mjcf import document, mesh_path, texture_path
+from generator.physics.mjcf import document, mesh_path, texture_path
 
 
 def rewrite(path: Path, change: Callable[[dict[str, Any]], None]) -> Path:

@@ -34,11 +34,11 @@ from generator.errors import (
     StorageError,
     TabletopError,
 )
+from generator.method.reference import read_image
 from generator.physics.gate import judge
 from generator.physics.parts import scaled
 from generator.pipeline import STAGES, generate
 from generator.scene import ConvexPart, PlannedObject, PlannedTable, Relation, Scene, ScenePlan
-from generator.stages.reference import read_image
 from tabletopgen_env.env import make_env
 
 pytestmark = pytest.mark.usefixtures("store")
@@ -306,7 +306,7 @@ def test_trouble_while_writing_leaves_nothing(
             return out.write(content)
 
     monkeypatch.setattr("generator.compose.compose", lambda *args, **kwargs: sound())
-    monkeypatch.setattr("generator.figures.preview", lambda scene: plain(200, 8, 8))
+    monkeypatch.setattr("generator.method.figures.preview", lambda scene: plain(200, 8, 8))
     monkeypatch.setattr(Path, "write_bytes", write)
     assert command("compose", TEXT) == code
     assert len(written) == after

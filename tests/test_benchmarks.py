@@ -18,8 +18,8 @@ from generator.bundle import save
 from generator.compose import compose
 from generator.errors import InputError
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
-from tabletopgen_env.certificate import Certificate, Terms
-from tabletopgen_env.certificate import Instance as Seen
+from tabletopgen_env.certificates.certificate import Certificate, Terms
+from tabletopgen_env.certificates.certificate import Instance as Seen
 from tabletopgen_env.env import make_env
 
 

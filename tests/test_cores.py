@@ -10,7 +10,7 @@ import pytest
 import torch
 from bounded import LONG, at_once
 
-from generator import cores
+from generator import threads as cores
 
 
 def test_blocks_of_several_threads_do_not_mix() -> None:

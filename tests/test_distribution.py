@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from generator.compose import compose
-from generator.distribution import SceneDistribution, categories_known, themes_known
 from generator.errors import InputError
+from generator.language.distribution import SceneDistribution, categories_known, themes_known
 from generator.scene import ScenePlan
 
 
@@ -43,7 +43,7 @@ def test_counts_shapes_and_styles_are_those_asked_for() -> None:
 
 
 def test_more_than_the_themes_own_list_comes_from_the_catalogue() -> None:
-    from generator.backends.embedded.themes import THEMES
+    from generator.language.themes import THEMES
 
     many = plans(SceneDistribution(themes=("office",), objects=(14, 14)), 5)
     assert all(len(p.objects) == 14 for p in many)

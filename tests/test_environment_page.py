@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from toy import toy_scene
 
-from generator.cores import torch_threads
+from generator.threads import torch_threads
 from tabletopgen_env.env import make_env
 from tabletopgen_env.tasks import NAMES
 

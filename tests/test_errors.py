@@ -11,7 +11,7 @@ import sys
 import pytest
 
 from generator.errors import InputError, StorageError
-from generator.terminal import escaped
+from generator.io.terminal import escaped
 
 
 def test_what_is_shown_holds_no_controls():
@@ -28,7 +28,7 @@ def test_what_an_error_quotes_reaches_no_terminal():
 
 RUN = """
 import sys
-from generator.terminal import piped
+from generator.io.terminal import piped
 def run():
     {}
     return 0

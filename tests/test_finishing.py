@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_scene
 
-from generator.finishing import UNREFINED, finished
+from generator.method.finishing import UNREFINED, finished
+from generator.method.refinement import Refinement
 from generator.scene import Placement, Report, Scene
-from generator.stages.refinement import Refinement
 
 FIRST = (Placement("cube_1", 0.0, np.zeros(3), np.ones(3)),)
 MOVED = (Placement("cube_1", 0.1, np.zeros(3), np.ones(3)),)

@@ -14,16 +14,16 @@ from toy import toy_object, toy_scene
 
 import assets_cache
 from generator import editing
-from generator.batch import Job
 from generator.bundle import save
 from generator.compose import compose
 from generator.errors import InputError, StorageError, require_seed
 from generator.evaluation.external import load_external
-from generator.files import check_folder, check_target
+from generator.io.files import check_folder, check_target
+from generator.jobs import Job
+from generator.method.reference import fetch, fetch_depth, is_picture_name
 from generator.pipeline import generate
 from generator.scene import Intrinsics
-from generator.stages.reference import fetch, fetch_depth, is_picture_name
-from tabletopgen_env.certificate import Terms
+from tabletopgen_env.certificates.certificate import Terms
 from tabletopgen_env.env import make_env
 from tabletopgen_env.recording import RecordConfig
 from tabletopgen_env.scenes import RefreshingScenes

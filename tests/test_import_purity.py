@@ -56,7 +56,7 @@ def test_evaluating_geometry_needs_no_torch() -> None:
 
 @pytest.mark.slow
 def test_a_session_loads_no_client_until_one_is_asked_for() -> None:
-    asked = "from generator.running import Session; session = Session()"
+    asked = "from generator.calls import Session; session = Session()"
     assert loaded_by(asked) == []
     assert "httpx2" in loaded_by(f"{asked}; session.client('here', 'http://127.0.0.1:9')")
 

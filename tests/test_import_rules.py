@@ -14,30 +14,30 @@ ROOT = Path(__file__).parent.parent
 PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
 
 VALUES = (
-    "generator.cores", "generator.errors", "generator.geometry", "generator.png",
-    "generator.reading", "generator.scene", "generator.terminal",
+    "generator.threads", "generator.errors", "generator.geometry", "generator.io.png",
+    "generator.io.reading", "generator.scene", "generator.io.terminal",
 )  # fmt: skip
 # The first rule whose prefix fits a module decides what of this project it may import.
 RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
-    ("generator.cores", ()),
-    ("generator.terminal", ()),
-    ("generator.errors", ("generator.terminal",)),
-    ("generator.png", ()),
-    ("generator.reading", ("generator.errors",)),
-    ("generator.npz", ("generator.errors", "generator.reading")),
-    ("generator.scene", ("generator.errors", "generator.reading", "generator.scene")),
+    ("generator.threads", ()),
+    ("generator.io.terminal", ()),
+    ("generator.errors", ("generator.io.terminal",)),
+    ("generator.io.png", ()),
+    ("generator.io.reading", ("generator.errors",)),
+    ("generator.io.npz", ("generator.errors", "generator.io.reading")),
+    ("generator.scene", ("generator.errors", "generator.io.reading", "generator.scene")),
     ("generator.geometry", VALUES),
-    ("generator.paper_json", VALUES),
+    ("generator.scene.paper_json", VALUES),
     ("generator.render", (*VALUES, "generator.render")),
     ("generator.backends.protocols", VALUES),
     ("generator.backends.installing", ("generator.errors",)),
     (
-        "generator.running",
-        ("generator.errors", "generator.files", "generator.reading", "generator.running"),
+        "generator.calls",
+        ("generator.errors", "generator.io.files", "generator.io.reading", "generator.calls"),
     ),
     (
         "generator.backends.select",
-        (*VALUES, "generator.backends.protocols", "generator.running"),
+        (*VALUES, "generator.backends.protocols", "generator.calls"),
     ),
     (
         "generator.backends.embedded",
@@ -60,7 +60,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.backends.embedded",
             "generator.catalogue",
             "generator.render",
-            "generator.running",
+            "generator.calls",
         ),
     ),
     (
@@ -69,10 +69,10 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             *VALUES,
             "generator.backends.protocols",
             "generator.backends.cloud",
-            "generator.backends.embedded.topview",
+            "generator.backends.embedded.drawing.topview",
             "generator.catalogue",
             "generator.render",
-            "generator.running",
+            "generator.calls",
         ),
     ),
     (
@@ -87,36 +87,36 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ),
     (
         "generator.backends",
-        ("generator.backends.mix", "generator.backends.select", "generator.running"),
+        ("generator.backends.mix", "generator.backends.select", "generator.calls"),
     ),
     ("generator.catalogue.sheet", (*VALUES, "generator.catalogue", "generator.render")),
     ("generator.catalogue", (*VALUES, "generator.catalogue")),
     ("generator.layout", (*VALUES, "generator.layout", "generator.catalogue")),
     (
         "generator.physics",
-        (*VALUES, "generator.mjcf", "generator.npz", "generator.physics"),
+        (*VALUES, "generator.physics.mjcf", "generator.io.npz", "generator.physics"),
     ),
     (
-        "generator.stages",  # which stage a stage's own modules may import: see below
+        "generator.method",  # which stage a stage's own modules may import: see below
         (
             *VALUES,
             "generator.backends.protocols",
             "generator.render",
             "generator.physics",
-            "generator.mjcf",
-            "generator.stages",
+            "generator.physics.mjcf",
+            "generator.method",
         ),
     ),
-    ("generator.mjcf", VALUES),
-    ("generator.files", ("generator.errors",)),
-    ("generator.pictures", (*VALUES, "generator.files")),
+    ("generator.physics.mjcf", VALUES),
+    ("generator.io.files", ("generator.errors",)),
+    ("generator.io.pictures", (*VALUES, "generator.io.files")),
     (
         "generator.bundle",
         (
             *VALUES,
-            "generator.files",
-            "generator.mjcf",
-            "generator.provenance",
+            "generator.io.files",
+            "generator.physics.mjcf",
+            "generator.scene.provenance",
             "generator.bundle",
         ),
     ),
@@ -137,7 +137,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         "generator.evaluation",
         (
             *VALUES,
-            "generator.backends.modelers.surface",
+            "generator.meshes.reading.surface",
             "generator.backends.protocols",
             "generator.bundle",
             "generator.catalogue",
@@ -154,29 +154,29 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.backends",
             "generator.catalogue",
             "generator.layout",
-            "generator.stages.assembly",
-            "generator.provenance",
+            "generator.method.assembly",
+            "generator.scene.provenance",
         ),
     ),
     (
-        "generator.distribution",
+        "generator.language.distribution",
         (*VALUES, "generator.backends.embedded", "generator.catalogue"),
     ),
-    ("generator.supplement", (*VALUES, "generator.layout")),
+    ("generator.method.supplement", (*VALUES, "generator.layout")),
     (
-        "generator.batch",
+        "generator.jobs",
         (
             *VALUES,
             "generator.backends",
-            "generator.batch",
+            "generator.jobs",
             "generator.bundle",
             "generator.compose",
-            "generator.figures",
-            "generator.files",
+            "generator.method.figures",
+            "generator.io.files",
             "generator.pipeline",
-            "generator.provenance",
-            "generator.running",
-            "generator.stages.reference",
+            "generator.scene.provenance",
+            "generator.calls",
+            "generator.method.reference",
         ),
     ),
     (
@@ -187,33 +187,33 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.bundle",
             "generator.catalogue",
             "generator.editing",
-            "generator.figures",
+            "generator.method.figures",
             "generator.layout",
             "generator.physics",
             "generator.pipeline",
-            "generator.provenance",
-            "generator.salvage",
-            "generator.stages",
-            "generator.supplement",
+            "generator.scene.provenance",
+            "generator.method.salvage",
+            "generator.method",
+            "generator.method.supplement",
         ),
     ),
     (
-        "generator.training",
+        "research.eye",
         (
             *VALUES,
-            "generator.training",
+            "research.eye",
             "generator.backends.embedded",
             "generator.catalogue",
             "generator.layout",
             "generator.render",
         ),
     ),
-    ("generator.provenance", ()),
+    ("generator.scene.provenance", ()),
     ("generator.cli", ("generator", "assets_cache")),
     ("generator", ("generator",)),
     (
         "assets_cache.make_starter",
-        ("generator", "assets_cache", "tabletopgen_env.certificate"),
+        ("generator", "assets_cache", "tabletopgen_env.certificates.certificate"),
     ),
     ("assets_cache", (*VALUES, "generator.bundle", "assets_cache")),
     (
@@ -221,13 +221,13 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         (
             *VALUES,
             "generator.bundle",
-            "generator.files",
-            "generator.mjcf",
-            "generator.npz",
-            "generator.pictures",
+            "generator.io.files",
+            "generator.physics.mjcf",
+            "generator.io.npz",
+            "generator.io.pictures",
             "generator.render",
             "generator.compose",
-            "generator.distribution",
+            "generator.language.distribution",
             "generator.pipeline",
             "assets_cache",
             "tabletopgen_env",
@@ -290,17 +290,17 @@ def test_module_keeps_the_import_rules(name: str, path: Path) -> None:
 
 
 def test_no_stage_imports_another_stage() -> None:
-    stages = [(n, p) for n, p in modules() if within(n, "generator.stages")]
+    stages = [(n, p) for n, p in modules() if within(n, "generator.method")]
     assert len(stages) > 3
     for name, path in stages:
         own = ".".join(name.split(".")[:3])
-        used = {u for u in imports(name, path) if within(u, "generator.stages")}
-        assert {u for u in used if not within(u, own)} <= {"generator.stages"}, name
+        used = {u for u in imports(name, path) if within(u, "generator.method")}
+        assert {u for u in used if not within(u, own)} <= {"generator.method"}, name
 
 
 def test_the_rules_can_fail() -> None:
-    assert violations("generator.stages.rotation", {"generator.backends.embedded.encoder"})
-    assert violations("generator.mjcf", {"tabletopgen_env.env"})
+    assert violations("generator.method.rotation", {"generator.backends.embedded.encoder"})
+    assert violations("generator.physics.mjcf", {"tabletopgen_env.env"})
     assert violations("tabletopgen_env.env", {"generator.catalogue"})
 
 
@@ -339,10 +339,10 @@ def test_what_is_imported_is_what_is_installed() -> None:
     extras = {
         "tabletopgen_env.learning": learning,
         "tabletopgen_env.recording": recording,
-        "generator.running": cloud,
+        "generator.calls": cloud,
         "generator.backends.cloud": cloud,
         "generator.backends.modelers": cloud,
-        "generator.batch": many,
+        "generator.jobs": many,
         "generator.backends.huggingface": hub,
     }
     for name, path in modules():

@@ -9,9 +9,9 @@ import pytest
 from shapely.geometry import MultiPoint, Polygon
 from shapely.geometry.base import BaseGeometry
 
-from generator.backends.embedded.planner import plan_scene
 from generator.errors import SceneError
 from generator.geometry import rotation_z
+from generator.language.planner import plan_scene
 from generator.layout import (
     arrange,
     arrange_more,

@@ -6,8 +6,8 @@ import itertools
 
 import pytest
 
-from generator import ledger
-from generator.ledger import Seconds, Stopwatch
+from generator.method import ledger
+from generator.method.ledger import Seconds, Stopwatch
 
 
 class Clock:

@@ -13,8 +13,8 @@ from shapes import UNIT
 from toy import cube_mesh, toy_object, toy_scene
 
 from generator.geometry import Camera
-from generator.mjcf import document, encode_obj, scene_spec
-from generator.png import encode_png
+from generator.io.png import encode_png
+from generator.physics.mjcf import document, encode_obj, scene_spec
 from generator.scene import ConvexPart, Mesh, Scene
 
 

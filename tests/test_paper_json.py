@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
-from generator.paper_json import from_paper, to_paper
+from generator.scene.paper_json import from_paper, to_paper
 
 FIG_12 = {
     "table_0": 0.00,

@@ -14,13 +14,13 @@ import pytest
 import torch
 
 from generator.errors import InputError, SceneError, TabletopError
-from generator.figures import bundle_images
-from generator.finishing import WORSE
-from generator.ledger import Seconds
+from generator.method.figures import bundle_images
+from generator.method.finishing import WORSE
+from generator.method.ledger import Seconds
+from generator.method.refinement import outline_misfit
 from generator.pipeline import STAGES, Generation, generate
-from generator.provenance import scene_name
 from generator.scene import TABLE
-from generator.stages.refinement import outline_misfit
+from generator.scene.provenance import scene_name
 
 TEXT = "a wooden desk with a red mug, a laptop and a book"
 

@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from generator.errors import BackendError, BundleError, InputError
-from generator.reading import (
+from generator.io.reading import (
     parse_json,
     parse_object,
     parse_toml,

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from generator.errors import StorageError
-from generator.files import is_plain_name, remove_file, remove_tree
+from generator.io.files import is_plain_name, remove_file, remove_tree
 
 PATHS = ["", ".", "..", "../kept", "own/../../kept", "a/b", "a\\b", "a\0b", "x" * 256, "\ud800", 5]
 

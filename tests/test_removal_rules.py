@@ -1,4 +1,4 @@
-"""Who may delete, by the source: a name that a file holds reaches only ``generator.files``."""
+"""Who may delete, by the source: a name that a file holds reaches only ``generator.io.files``."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ REMOVING = {"rmtree", "unlink", "rmdir", "removedirs"}
 OF_OS = {"remove", "removedirs", "rmdir", "unlink"}
 
 ALLOWED = {
-    "generator/files.py": "the one place: plain names inside a folder of ours",
+    "generator/io/files.py": "the one place: plain names inside a folder of ours",
     "generator/bundle/publishing.py": "a staging folder that it has emptied",
-    "generator/running/store.py": "its own partial file, as made",
-    "generator/training/shards.py": "its own partial file, as made",
-    "generator/backends/huggingface/pulling.py": "its own download that is not what was pinned",
-    "tabletopgen_env/scenes/pool.py": "jobs in a temporary folder of its own",
-    "tabletopgen_env/scenes/worker.py": "the temporary folder of the process that started it",
-    "tabletopgen_env/scenes/crew.py": "temporary folders of its own",
+    "generator/calls/store.py": "its own partial file, as made",
+    "research/eye/shards.py": "its own partial file, as made",
+    "generator/backends/huggingface/weights/pulling.py": "its own download, not what was pinned",
+    "tabletopgen_env/scenes/making/pool.py": "jobs in a temporary folder of its own",
+    "tabletopgen_env/scenes/making/worker.py": "the temporary folder of its starting process",
+    "tabletopgen_env/scenes/making/crew.py": "temporary folders of its own",
     "tabletopgen_env/recording/recorder.py": "a part folder of its own",
     "tabletopgen_env/learning/runs.py": "checkpoints of a run, by their pattern in its folder",
     "assets_cache/make_starter.py": "remakes what the package ships, run by hand",

@@ -8,10 +8,15 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
+from generator.method.salvage import (
+    allowance,
+    misfit,
+    salvaged,
+    without,
+)
+from generator.method.supplement import NOTHING, Supplement
 from generator.pipeline import Config
-from generator.salvage import allowance, misfit, salvaged, without
 from generator.scene import TABLE, Placement, Provenance, Report, Scene, SizePrior, Table
-from generator.supplement import NOTHING, Supplement
 
 
 def placement(name: str, on: str = TABLE, side: float = 0.1, *, inside: bool = False) -> Placement:
@@ -158,8 +163,8 @@ def test_the_pipeline_leaves_out_what_fails_in_earnest(monkeypatch, overlap, tmp
     """A thing that is stuck in the table, and cannot be freed, costs itself and not the scene."""
     from generator.backends import Backends
     from generator.bundle import load
+    from generator.method import assembly
     from generator.pipeline import generate
-    from generator.stages import assembly
 
     real = assembly.judge
 

@@ -7,11 +7,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from generator.backends.embedded.planner import plan_scene
+from generator.language.planner import plan_scene
 from generator.layout import build_models, lay_out
 from generator.layout.footprint import footprint, gaps
+from generator.method.supplement import (
+    NOTHING,
+    Supplement,
+    matched,
+    supplement,
+)
 from generator.scene import TABLE, Instance, Model, Placement, ScenePlan
-from generator.supplement import NOTHING, Supplement, matched, supplement
 
 TEXT = (
     "A desk with a mug with two pencils in it, a laptop, a stapler and a book with an apple on it"

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from tabletopgen_env.actions import ACTIONS, controller
-from tabletopgen_env.observations import observation_space
+from tabletopgen_env.observations.modes import observation_space
+from tabletopgen_env.rendering.views import ObservationConfig
 from tabletopgen_env.tasks import NAMES, task_named
-from tabletopgen_env.views import ObservationConfig
 
 DOCS = Path(__file__).parents[1] / "docs"
 

@@ -17,8 +17,8 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.compose import compose
-from generator.cores import cores
 from generator.scene import Scene
+from generator.threads import cores
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.scenes import (
     STARTER,

@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Float
 
 from tabletopgen_env.actions import EE_STEP, EE_TURN
-from tabletopgen_env.grasp_hint import HINT_BOUNDS
+from tabletopgen_env.observations.grasp_hint import HINT_BOUNDS
 from tabletopgen_env.robot import franka
 
 _OVER = 0.05  # metres above the end of its way at which the hand is aimed

@@ -19,12 +19,12 @@ from generator.comparison import compare as compared
 from generator.errors import TabletopError
 from generator.evaluation import best_views, collisions
 from generator.evaluation.perceptual import EMBEDDED
-from generator.evaluation.sweep import SweepConfig
+from generator.evaluation.surfaces.sweep import SweepConfig
 from generator.geometry import yaw_quaternion
+from generator.method.refinement import RefinementConfig
 from generator.pipeline import Config, Generation, generate
 from generator.render.sheet import grid
 from generator.scene import Pose, Scene
-from generator.stages.refinement import RefinementConfig
 
 from . import scenes, tables
 from .figures import column, median, share

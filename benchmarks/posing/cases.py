@@ -13,12 +13,12 @@ from jaxtyping import Bool, Float, UInt8
 
 from generator.catalogue import CATEGORIES, build
 from generator.errors import InputError, SceneError
-from generator.evaluation.symmetry import order
+from generator.evaluation.surfaces.symmetry import order
 from generator.geometry import Camera, mask_box, yaw_quaternion
 from generator.render.raster import Item, place, render
 from generator.render.shading import Light
 from generator.scene import Instance, Model, Reference, View
-from generator.training import patterns
+from research.eye.pictures import patterns
 
 from .distinct import DISTINCT, alike, window
 from .spoiling import Spoiling, blurred, eroded, holed, occluder, wrong_size

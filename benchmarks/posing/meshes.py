@@ -13,8 +13,8 @@ from trimesh.resolvers import Resolver
 
 from generator.errors import InputError
 from generator.geometry import to_unit_box
+from generator.method.modeling import turned
 from generator.scene import Mesh, Model
-from generator.stages.modeling import turned
 
 ENDINGS = (".obj", ".glb", ".ply")
 MOST_BYTES, MOST_FACES = 100_000_000, 400_000

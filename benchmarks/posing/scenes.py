@@ -16,7 +16,7 @@ from jaxtyping import Bool, Float, UInt8
 from scipy.optimize import linear_sum_assignment
 
 from generator.errors import SceneError
-from generator.evaluation.symmetry import cloud, order, yaw_error
+from generator.evaluation.surfaces.symmetry import cloud, order, yaw_error
 from generator.pipeline import Generation, generate
 from generator.scene import TABLE, Object
 

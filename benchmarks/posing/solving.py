@@ -10,9 +10,9 @@ import numpy as np
 from jaxtyping import Float
 
 from generator.backends.embedded.encoder import Encoder
-from generator.evaluation.symmetry import yaw_error
+from generator.evaluation.surfaces.symmetry import yaw_error
 from generator.geometry import hull_points, mask_box, rotation_z
-from generator.stages.rotation import RotationConfig, optimise_rotation
+from generator.method.rotation import RotationConfig, optimise_rotation
 
 from .cases import Case, looking_camera
 

@@ -10,11 +10,9 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 from shapely.geometry import Polygon
 
-from generator.backends.embedded.planner import plan_scene
-from generator.backends.embedded.themes import THEMES
 from generator.compose import compose
 from generator.errors import SceneError
-from generator.evaluation.symmetry import order, yaw_error
+from generator.evaluation.surfaces.symmetry import order, yaw_error
 from generator.geometry import (
     Camera,
     convex_outline,
@@ -25,6 +23,8 @@ from generator.geometry import (
     wrap,
     yaw_quaternion,
 )
+from generator.language.planner import plan_scene
+from generator.language.themes import THEMES
 from generator.render.picture import scene_items
 from generator.render.raster import render
 from generator.render.shading import Light

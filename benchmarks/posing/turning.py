@@ -6,7 +6,7 @@ import numpy as np
 from jaxtyping import Float
 from scipy.spatial import KDTree
 
-from generator.evaluation.symmetry import Cloud, changed
+from generator.evaluation.surfaces.symmetry import Cloud, changed
 from generator.geometry import wrap
 
 _COARSE, _FINE = 1200, 4000  # points of each cloud as turns are searched, and refined

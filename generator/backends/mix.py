@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import Any
 
-from ..running import Session
+from ..calls import Session
 from .select import PROTOCOLS, Backends
 
 

@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..calls import Session
 from ..errors import BackendError, choices
-from ..running import Session
 from .protocols import Each, Encoder, Imager, Modeler, Reasoner, Segmenter, in_turn
 
 PROTOCOLS: Mapping[str, type] = {

@@ -11,8 +11,8 @@ import numpy as np
 from jaxtyping import Float
 
 from ..errors import BundleError
-from ..mjcf import mesh_path, texture_path
-from ..reading import parse_object, printable
+from ..io.reading import parse_object, printable
+from ..physics.mjcf import mesh_path, texture_path
 from ..scene import (
     TABLE,
     ConvexPart,

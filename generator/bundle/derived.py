@@ -10,8 +10,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import BundleError, SceneError
-from ..mjcf import Document, compiled, document, spec_of
-from ..png import encode_png
+from ..io.png import encode_png
+from ..physics.mjcf import (
+    Document,
+    compiled,
+    document,
+    spec_of,
+)
 from .decoding import Decoded
 
 if TYPE_CHECKING:

@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from ..mjcf import encode_obj, mesh_path, texture_path
-from ..png import encode_png
-from ..provenance import plain
-from ..reading import MAX_NAME_LENGTH
+from ..io.png import encode_png
+from ..io.reading import MAX_NAME_LENGTH
+from ..physics.mjcf import encode_obj, mesh_path, texture_path
 from ..scene import ConvexPart, Model, Placement, Pose, Provenance, Scene
+from ..scene.provenance import plain
 
 HIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028-\u202e\u2066-\u2069]")
 """Characters that no text of a bundle holds: controls, other than new lines and tabs, and marks

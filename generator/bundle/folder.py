@@ -23,8 +23,8 @@ import numpy as np
 from jaxtyping import UInt8
 
 from ..errors import BundleError, InputError, SceneError, StorageError
-from ..mjcf import compiled, document, spec_of
-from ..png import encode_png
+from ..io.png import encode_png
+from ..physics.mjcf import compiled, document, spec_of
 from ..scene import Scene
 from .bounds import BOUNDS, check_listed
 from .contents import decode_png, picture_size

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Concatenate, ParamSpec, TypeVar
 
 from ..errors import BundleError, MissingError, StorageError
-from ..files import remove_file, remove_tree
+from ..io.files import remove_file, remove_tree
 
 STAGING = ".staging-"
 """How the names of staging folders begin."""

@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Bool, UInt8
 
 from ..errors import BundleError, InputError
-from ..reading import printable
+from ..io.reading import printable
 from ..scene import TABLE, Instance, frozen_array
 from .contents import opened_png
 from .encoding import one_line

@@ -3,7 +3,7 @@
 ``CATEGORIES`` holds what there is, ``build`` makes one variant of it, ``build_table`` a table.
 """
 
-from .category import Category
+from .build.category import Category
 from .registry import CATEGORIES, build, category
 from .tables import build_table
 

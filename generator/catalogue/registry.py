@@ -11,52 +11,63 @@ import numpy as np
 
 from ..errors import InputError, choices
 from ..scene import Model
-from . import (
-    bakery,
-    bottles,
-    brewing,
-    clinic,
-    craft,
-    cups,
-    cutlery,
-    decor,
-    deskware,
+from .build.category import Category, model_of
+from .surfaces.look import Look
+from .things.electronics import (
     devices,
-    dining,
     electronics,
-    figurines,
+    gadgets,
+    handhelds,
+    portables,
+)
+from .things.food import (
+    bakery,
     food,
     fruit,
-    gadgets,
-    games,
     groceries,
-    handhelds,
-    hardware,
-    household,
-    keepsakes,
-    kitchen,
-    lab,
-    leisure,
-    lights,
-    maps,
-    mats,
     meals,
-    office,
-    ornaments,
     pantry,
-    paper,
-    plants,
-    portables,
     produce,
     sweets,
-    tools,
-    toys,
+)
+from .things.home import (
+    decor,
+    figurines,
+    household,
+    keepsakes,
+    lights,
+    mats,
+    ornaments,
+    plants,
     vanity,
-    workbench,
+)
+from .things.kitchen import (
+    bottles,
+    brewing,
+    cups,
+    cutlery,
+    dining,
+    kitchen,
+)
+from .things.lab import clinic, lab
+from .things.leisure import (
+    games,
+    leisure,
+    maps,
+    toys,
+)
+from .things.office import (
+    deskware,
+    office,
+    paper,
     writing,
 )
-from .category import Category, model_of
-from .look import Look
+from .things.tools import (
+    craft,
+    hardware,
+    tools,
+    workbench,
+)
 
 _SHELVES = (
     *(cups, dining, cutlery, brewing, kitchen, bottles, pantry, food, bakery),

@@ -11,14 +11,21 @@ from jaxtyping import Float
 from ..errors import InputError, choices
 from ..geometry import parts_to_unit_box, to_unit_box
 from ..scene import TABLE, ConvexPart, Model, Physics, PlannedTable
-from . import textures
-from .collision import box_part, cylinder_part, hull_of
-from .colors import RGB, rgb, tinted
-from .look import METALS, WOODS
-from .outlines import ellipse, rectangle, rounded_polygon
-from .shape import Shape, mesh_of, shape
-from .solids import Solid, box, cylinder, loft, prism, tube
-from .textures import Tile
+from .build.collision import box_part, cylinder_part, hull_of
+from .build.outlines import ellipse, rectangle, rounded_polygon
+from .build.shape import Shape, mesh_of, shape
+from .build.solids import (
+    Solid,
+    box,
+    cylinder,
+    loft,
+    prism,
+    tube,
+)
+from .surfaces import textures
+from .surfaces.colors import RGB, rgb, tinted
+from .surfaces.look import METALS, WOODS
+from .surfaces.textures import Tile
 
 OUTLINES = ("rectangle", "square", "round", "oval", "triangle", "slatted")
 """Shapes of a top."""

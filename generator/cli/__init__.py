@@ -7,7 +7,7 @@ import sys
 import tyro
 
 from ..errors import TabletopError, exit_code
-from ..terminal import escaped, piped
+from ..io.terminal import escaped, piped
 from . import batching, cache, editing, evaluating, interrupts, looking, making, models
 
 DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.

@@ -12,14 +12,20 @@ from typing import TYPE_CHECKING, Any, Literal
 from tyro.conf import Positional
 
 from ..errors import InputError, require_number, require_seed
-from ..files import check_folder
-from ..terminal import escaped
+from ..io.files import check_folder
+from ..io.terminal import escaped
 from .choosing import USUAL, Chosen, lines_of, roles_of
 from .printing import emit
 
 if TYPE_CHECKING:
     from ..backends import Backends, Mix
-    from ..batch import Generating, Job, Maker, Outcome, Summary
+    from ..jobs import (
+        Generating,
+        Job,
+        Maker,
+        Outcome,
+        Summary,
+    )
 
 
 def batch(
@@ -68,7 +74,7 @@ def batch(
         prices: Table of what calls cost (TOML); as for generate.
         json: Print one JSON object instead of a table.
     """
-    from .. import batch as batches
+    from .. import jobs as batches
 
     require_seed(seed)
     check_folder(out)
@@ -108,8 +114,8 @@ def batch(
 
 
 def _generating(mix: Mix, calls: Path | None, prices: Path | None) -> Generating:
-    from ..batch import Generating
-    from ..running.prices import Prices
+    from ..calls.money.prices import Prices
+    from ..jobs import Generating
     from .paying import calls_folder
 
     table = Prices.shipped() if prices is None else Prices.load(prices)
@@ -142,7 +148,7 @@ def _tried(
     as_json: bool,
 ) -> int:
     """Print who answers, and what each scene would ask first; return the exit code."""
-    from .. import batch as batches
+    from .. import jobs as batches
 
     roles = roles_of(make.mix, backends)
     rows: list[dict[str, Any]] = []

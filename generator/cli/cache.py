@@ -7,7 +7,7 @@ import fnmatch
 import tyro
 from tyro.conf import Positional
 
-from ..terminal import escaped
+from ..io.terminal import escaped
 from . import looking
 from .printing import emit
 from .store import some

@@ -12,17 +12,17 @@ from typing import TYPE_CHECKING, Any
 from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError
-from ..terminal import escaped
+from ..io.terminal import escaped
 from .paying import answering, open_session, scene_key, told
 from .printing import emit
 from .store import find, one, some
 
 if TYPE_CHECKING:
     from ..backends import Backends
+    from ..calls import Session
     from ..evaluation import Evaluation
     from ..evaluation.judged import Picture
     from ..evaluation.perceptual import Available
-    from ..running import Session
     from ..scene import Scene
 
 
@@ -61,7 +61,7 @@ def evaluate(
     from ..bundle import load
     from ..evaluation import rates
     from ..evaluation.perceptual import available
-    from ..stages.reference import read_image
+    from ..method.reference import read_image
 
     session, asked, who = None, None, None
     if judge is not None:

@@ -12,8 +12,8 @@ from tyro import conf
 from tyro.conf import Positional
 
 from ..errors import InputError, MissingError, TabletopError
-from ..files import check_target
-from ..terminal import escaped
+from ..io.files import check_target
+from ..io.terminal import escaped
 from .printing import emit, print_scene
 from .store import find, one, some
 
@@ -70,7 +70,7 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
         picture: Write a PNG here instead of opening a window.
     """
     from ..bundle import load
-    from ..mjcf import compiled, scene_spec
+    from ..physics.mjcf import compiled, scene_spec
 
     path = one(bundle)
     if picture is not None:
@@ -85,8 +85,8 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
         # What was checked, not the file, which may be another by now.
         mujoco.viewer.launch(compiled(scene_spec(scene), scene.name))
         return 0
-    from ..figures import preview
-    from ..pictures import write_picture
+    from ..io.pictures import write_picture
+    from ..method.figures import preview
 
     target = picture or Path(f"{path.name}.png")
     write_picture(preview(scene), target)
@@ -111,8 +111,8 @@ def compare(
     """
     from .. import comparison
     from ..bundle import load, load_picture, load_segments
-    from ..pictures import write_picture
-    from ..stages.reference import read_image
+    from ..io.pictures import write_picture
+    from ..method.reference import read_image
 
     if not 1 <= len(sources) <= 2:
         raise InputError("Name one bundle, or a picture and the bundle made from it.")

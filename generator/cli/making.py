@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError, require_seed
-from ..files import check_folder
+from ..io.files import check_folder
 from ..scene import Intrinsics
 from .choosing import USUAL, Chosen, roles_of
 from .paying import answering, open_session, paid, scene_key, told
@@ -66,9 +66,9 @@ def generate(
         json: Print one JSON object instead of text.
     """
     from ..bundle import check_name
+    from ..method.reference import is_picture_name
     from ..pipeline import Config
     from ..pipeline import generate as run
-    from ..stages.reference import is_picture_name
 
     require_seed(seed)
     folder = store(out)
@@ -123,7 +123,7 @@ def compose(
     """
     from ..bundle import check_name, save
     from ..compose import compose as run
-    from ..figures import preview
+    from ..method.figures import preview
 
     folder = store(out)
     if name is not None:

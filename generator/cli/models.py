@@ -8,10 +8,10 @@ from typing import Any
 import tyro
 from tyro.conf import Positional
 
-from ..backends.huggingface.folder import missing, models_folder, snapshot
-from ..backends.huggingface.pins import Pin, pin, pins
+from ..backends.huggingface.weights.folder import missing, models_folder, snapshot
+from ..backends.huggingface.weights.pins import Pin, pin, pins
 from ..errors import InputError
-from ..terminal import escaped
+from ..io.terminal import escaped
 from .printing import emit
 
 app = tyro.extras.SubcommandApp()
@@ -51,7 +51,7 @@ def fetch(names: Positional[tuple[str, ...]], /, *, folder: Path | None = None) 
         names: Names that `tabletopgen models list` shows.
         folder: Where to put them; TABLETOPGEN_MODELS or the user cache if left out.
     """
-    from ..backends.huggingface.pulling import pull
+    from ..backends.huggingface.weights.pulling import pull
 
     if not names:
         raise InputError("Name at least one model; `tabletopgen models list` shows what there is.")

@@ -12,13 +12,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..errors import DryRunError, InputError
-from ..provenance import plain
-from ..reading import read_regular
-from ..terminal import escaped
+from ..io.reading import read_regular
+from ..io.terminal import escaped
+from ..scene.provenance import plain
 from .choosing import Roles, lines_of
 
 if TYPE_CHECKING:
-    from ..running import Session
+    from ..calls import Session
 
 VARIABLE = "TABLETOPGEN_CALLS"
 """Environment variable naming the folder where answers of servers are kept."""
@@ -38,9 +38,9 @@ def open_session(
     calls: Path | None, prices: Path | None, budget: float | None, dry: bool
 ) -> Session:
     """Return a session that keeps answers in ``calls_folder(calls)``."""
-    from ..running import Session
-    from ..running.prices import Prices
-    from ..running.store import CallStore
+    from ..calls import Session
+    from ..calls.money.prices import Prices
+    from ..calls.store import CallStore
 
     return Session(
         store=CallStore(calls_folder(calls)),
@@ -91,7 +91,7 @@ def answering(session: Session, scene: str) -> Iterator[None]:
 
 def paid(session: Session, made: Path) -> bool:
     """Return whether the bundle ``made`` is to get a ledger: one that has none, or has to grow."""
-    from ..running.account import LEDGER
+    from ..calls.money.account import LEDGER
 
     entries = session.account.entries
     now = any(entry.outcome != "cached" and not entry.earlier for entry in entries)

@@ -9,11 +9,11 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..terminal import escaped
+from ..io.terminal import escaped
 
 if TYPE_CHECKING:
-    from ..ledger import Seconds
-    from ..running import Session
+    from ..calls import Session
+    from ..method.ledger import Seconds
     from ..scene import Scene
 
 

@@ -15,7 +15,7 @@ def store(out: Path | None) -> Path:
     """
     import assets_cache
 
-    from ..files import check_folder
+    from ..io.files import check_folder
 
     if out is None:
         return assets_cache.user_root()

@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 
 from ..backends import Backends
-from ..backends.embedded.planner import plan_scene
 from ..errors import InputError, SceneError, require_seed
+from ..language.planner import plan_scene
+from ..method.assembly import body
+from ..method.salvage import without
 from ..pipeline import Config
-from ..provenance import plain, versions
-from ..salvage import without
 from ..scene import TABLE, Edit, EditKind, Model, Object, Placement, PlannedObject, Relation, Scene
-from ..stages.assembly import body
+from ..scene.provenance import plain, versions
 from . import planning
 from .asking import Planner, as_planned, understood, whereabouts
 from .edited import Edited, Opened

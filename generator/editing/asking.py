@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from ..errors import InputError, choices
+from ..method.supplement import fresh_names
 from ..scene import TABLE, Object, PlannedObject, Scene, ScenePlan
-from ..supplement import fresh_names
 
 Planner = Callable[[str, int], ScenePlan]
 """A reasoner's ``plan_scene``."""

@@ -15,7 +15,7 @@ from ..bundle import (
     save,
 )
 from ..errors import InputError, SceneError
-from ..figures import preview
+from ..method.figures import preview
 from ..scene import TABLE, Edit, Object, Scene
 
 

@@ -14,14 +14,14 @@ import numpy as np
 
 from ..backends import Backends
 from ..catalogue import CATEGORIES
-from ..catalogue.styles import STYLES
+from ..catalogue.build.styles import STYLES
 from ..errors import InputError, choices
 from ..layout import build_models, natural_yaw
+from ..method.extraction import extract
+from ..method.modeling import make_models
+from ..method.rotation import estimate_rotations
 from ..pipeline import Config
 from ..scene import TABLE, Instance, Model, PlannedObject, PlannedTable, Reference, Scene, ScenePlan
-from ..stages.extraction import extract
-from ..stages.modeling import make_models
-from ..stages.rotation import estimate_rotations
 
 EASEL = PlannedTable(size=(0.5, 0.4, 0.74))
 """The table on which a new thing is drawn: small, so that the thing is large in the drawing."""

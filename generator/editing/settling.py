@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 
 from ..errors import SceneError
+from ..method.assembly import reassemble
 from ..physics.seating import overlapping
 from ..pipeline import Config
 from ..scene import TABLE, Scene
-from ..stages.assembly import reassemble
 from .placing import check_held, loads, set_down
 
 

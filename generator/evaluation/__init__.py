@@ -1,8 +1,5 @@
 """How good a scene is (Secs. 4.1 to 4.3): collisions, soundness, likeness, errors against truth."""
 
-from .collisions import Collisions as Collisions
-from .collisions import collisions as collisions
-from .collisions import rates as rates
 from .external import load_external as load_external
 from .findings import Finding as Finding
 from .findings import Limits as Limits
@@ -16,4 +13,7 @@ from .report import ranking as ranking
 from .soundness import Rule as Rule
 from .soundness import Soundness as Soundness
 from .soundness import soundness as soundness
-from .sweep import best_views as best_views
+from .surfaces.collisions import Collisions as Collisions
+from .surfaces.collisions import collisions as collisions
+from .surfaces.collisions import rates as rates
+from .surfaces.sweep import best_views as best_views

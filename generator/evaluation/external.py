@@ -32,9 +32,9 @@ from scipy.spatial.transform import Rotation
 from ..bundle import MOST_BYTES, read_inside
 from ..errors import BundleError, InputError, choices
 from ..geometry import convex_outline, hull_points, quaternion_yaw, to_unit_box
+from ..io.reading import parse_object, printable
 from ..physics.inertia import body_mass
 from ..physics.parts import model_parts
-from ..reading import parse_object, printable
 from ..scene import (
     TABLE,
     ConvexPart,

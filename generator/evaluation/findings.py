@@ -11,10 +11,10 @@ import numpy as np
 from ..comparison import Comparison
 from ..errors import InputError
 from ..scene import TABLE
-from .collisions import THRESHOLD, Collisions
-from .silhouettes import Fit
 from .sizes import UsualSize
 from .soundness import PLAIN, Rule, Soundness
+from .surfaces.collisions import THRESHOLD, Collisions
+from .surfaces.silhouettes import Fit
 from .truth import TruthErrors
 
 Kind = Literal[

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Float, Int, UInt8
 
-from ..backends.modelers.surface import Surface, read_surface
 from ..errors import BackendError, InputError
+from ..meshes.reading.surface import Surface, read_surface
 from ..scene import Mesh
 
 MOST_FACES = 400_000

@@ -21,9 +21,9 @@ import cv2
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from ..backends.huggingface.pixels import IMAGENET, Norm, normalised
+from ..backends.huggingface.detection.pixels import IMAGENET, Norm, normalised
 from ..errors import BackendError, choices
-from .sweep import Metric
+from .surfaces.sweep import Metric
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -120,7 +120,7 @@ class HubSimilarity:
     """Cosine of a published vision model's image features; 1 is the same picture.
 
     ``name`` is the model's in the table of the ``huggingface`` backend, which pins its commit; it
-    is read from ``folder`` (see ``backends.huggingface.folder.models_folder``), and nowhere else.
+    is read from ``folder`` (see ``huggingface.weights.folder.models_folder``), and nowhere else.
     ``method`` says how features are taken: "pooled" (of ``Dinov2Model``) or "image" (of
     ``CLIPModel``). ``norm`` is the mean and deviation of RGB in [0, 1].
     """
@@ -133,9 +133,9 @@ class HubSimilarity:
 
     @cached_property
     def _network(self) -> Any:
-        from ..backends.huggingface.folder import models_folder
-        from ..backends.huggingface.loading import load_model
-        from ..backends.huggingface.pins import pin
+        from ..backends.huggingface.weights.folder import models_folder
+        from ..backends.huggingface.weights.loading import load_model
+        from ..backends.huggingface.weights.pins import pin
 
         try:
             return load_model(pin(self.name), models_folder(self.folder), f"{self.name}:")

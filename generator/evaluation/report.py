@@ -17,15 +17,15 @@ from ..comparison import Comparison, compare
 from ..errors import InputError
 from ..scene import Scene
 from . import findings as found_in
-from .collisions import Collisions, colliding, collisions
 from .external import TRANSFORMS, load_external
 from .findings import Finding, Limits
 from .judged import Marks, as_judge, judged, measured, ranked
 from .perceptual import Available
-from .silhouettes import Fit, fits
 from .sizes import UsualSize, usual_sizes
 from .soundness import Soundness, soundness
-from .sweep import Best, SweepConfig, best_views
+from .surfaces.collisions import Collisions, colliding, collisions
+from .surfaces.silhouettes import Fit, fits
+from .surfaces.sweep import Best, SweepConfig, best_views
 from .truth import TruthErrors, truth_errors
 
 Picture = UInt8[np.ndarray, "h w 3"]

@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ..catalogue import category
-from ..catalogue.look import SIZE_FACTORS
+from ..catalogue.surfaces.look import SIZE_FACTORS
 from ..errors import InputError
 from ..scene import Object, Scene
 

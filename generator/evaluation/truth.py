@@ -10,7 +10,7 @@ import numpy as np
 
 from ..geometry import quaternion_yaw
 from ..scene import Object, Scene
-from .symmetry import order, yaw_error
+from .surfaces.symmetry import order, yaw_error
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import Float
 
 from .. import catalogue
-from ..catalogue.styles import STYLES
+from ..catalogue.build.styles import STYLES
 from ..errors import SceneError
 from ..geometry import convex_outline
 from ..scene import ConvexPart, Mesh, Model, PlannedObject, PlannedTable, ScenePlan

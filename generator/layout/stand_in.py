@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..catalogue.category import Category, model_of
-from ..catalogue.collision import box_part, cylinder_part
-from ..catalogue.look import Look
-from ..catalogue.shape import Shape, shape
-from ..catalogue.solids import block, cylinder
+from ..catalogue.build.category import Category, model_of
+from ..catalogue.build.collision import box_part, cylinder_part
+from ..catalogue.build.shape import Shape, shape
+from ..catalogue.build.solids import block, cylinder
+from ..catalogue.surfaces.look import Look
 from ..scene import Model, PlannedObject
 
 SIZE = (0.1, 0.08, 0.09)

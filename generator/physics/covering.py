@@ -22,8 +22,8 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
-from ..mjcf import primitive
 from ..scene import ConvexPart
+from .mjcf import primitive
 
 TOLERANCE = 2.5e-4
 """A vertex may stick out of the parts by this much, metres: half of an overlap one could see."""

@@ -19,7 +19,7 @@ import platformdirs
 from jaxtyping import Float, Int
 
 from ..errors import SceneError
-from ..npz import read_arrays
+from ..io.npz import read_arrays
 from ..scene import ConvexPart, Mesh
 from .inertia import closed, welded
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Bool, Float, Int
 
-from ..mjcf import FLOOR, compiled, scene_spec
 from ..scene import Pose, Scene
+from .mjcf import FLOOR, compiled, scene_spec
 
 ON_TABLE = -1
 """Index of the table among a scene's objects, in contacts."""

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from jaxtyping import Float, Int, UInt8
 
-from ..cores import threads
 from ..geometry import Camera, quaternion_matrix
 from ..scene import Mesh
+from ..threads import threads
 from .backdrop import Backdrop
 from .scanlines import nearest, rasterise
 from .shading import Light, corner_normals, sample_texture, shade

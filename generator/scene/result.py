@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ..errors import InputError, choices
-from ..reading import printable
+from ..io.reading import printable
 from .arrays import FARTHEST, SMALLEST, freeze, frozen_array
 from .model import ConvexPart, Model
 from .picture import USUAL_VIEW, View

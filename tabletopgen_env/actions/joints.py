@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from jaxtyping import Float
 
-from ..world import World
+from ..world.world import World
 from .servos import Servos, box
 
 JOINT_STEP = 0.1

@@ -11,9 +11,9 @@ from jaxtyping import Float
 
 from generator.errors import InputError, choices
 
-from ..composition import TIMESTEP
 from ..robot.panda import HOME_CTRL
-from ..world import World
+from ..world.composition import TIMESTEP
+from ..world.world import World
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -12,7 +12,7 @@ from generator.geometry import rotation_yaw, wrap
 
 from ..robot.franka import JOINTS
 from ..robot.kinematics import HOME, forward, ik_step, pointing_down, rotation_vector
-from ..world import World
+from ..world.world import World
 from .servos import Servos, box
 
 EE_STEP = 0.025

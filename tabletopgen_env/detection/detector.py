@@ -14,17 +14,17 @@ import numpy as np
 from jaxtyping import Float, Float32
 
 from generator.errors import StorageError
-from generator.files import write_whole
 from generator.geometry import rotation_z
+from generator.io.files import write_whole
 
-from ..expert.choosing import Plan, reached
-from ..expert.grasps import TIP, Grasp, is_like
+from ..expert.planning.choosing import Plan, reached
+from ..expert.planning.grasps import TIP, Grasp, is_like
 from ..robot import franka
 from .look import Look, look
 from .network import LAYERS, TURNS, Rated, rate, turned
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 PATH = Path(__file__).with_name("grasps.safetensors")
 """The weights the package ships."""
@@ -37,8 +37,7 @@ _WIDEST = 2 * franka.FINGER_STROKE
 _MOST = 40  # grasps that the arm is asked for
 _POSSIBLE = -2.0  # logit below which nothing is taken for a grasp
 _RESTORE = (
-    "Install the package again, or train the detector: "
-    "python -m tabletopgen_env.detection.training --help"
+    "Install the package again, or train the detector: python -m research.grasps.training --help"
 )
 
 

@@ -10,10 +10,10 @@ from jaxtyping import Float, UInt8
 
 from generator.geometry import rotation_yaw
 
-from ..expert.heights import height_map, moved, surroundings
+from ..expert.planning.heights import height_map, moved, surroundings
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 CELLS, CELL, STEP = 64, 0.004, 0.002
 """Cells along a side of a map; their size, and the step of their heights, metres."""

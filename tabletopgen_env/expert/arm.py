@@ -19,8 +19,8 @@ from ..robot.kinematics import HOME, LOWER, UPPER, forward, pointing_down, solve
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from ..world import World
-    from .heights import HeightMap
+    from ..world.world import World
+    from .planning.heights import HeightMap
 
 INSIDE = 0.05
 """Radians that planned joints keep from their limits."""

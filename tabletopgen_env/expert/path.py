@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Float
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 ROOM = 0.1
 """Breadth of the corridor on either side of the way, metres: half a hand."""

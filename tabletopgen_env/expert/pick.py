@@ -26,11 +26,20 @@ from jaxtyping import Float
 from generator.errors import SceneError
 
 from ..robot import franka
-from ..tasks.goals import Goal, Raised
-from .choosing import HOVER, Plan, choose
+from ..tasks.goals.goal import Goal, Raised
 from .driver import NEAR, Expert, up
-from .dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
-from .grasps import TIP, Grasp
+from .planning.choosing import HOVER, Plan, choose
+from .planning.dropping import (
+    ABOVE,
+    Drop,
+    hanging,
+    let_go_at,
+    lift_of,
+    load,
+    lost,
+    met,
+)
+from .planning.grasps import TIP, Grasp
 
 Phase = Literal[
     "wait", "approach", "descend", "close", "lift", "hold", "carry", "lower", "release", "retreat",

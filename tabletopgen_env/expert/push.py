@@ -21,11 +21,18 @@ from jaxtyping import Float
 
 from generator.errors import SceneError
 
-from ..tasks.goals import Pushed
+from ..tasks.goals.goal import Pushed
 from .driver import Expert, up
-from .grasps import TIP
 from .path import clear_height
-from .strokes import HOVER, PAD, Care, beside, mass_center, plan_stroke
+from .planning.grasps import TIP
+from .planning.strokes import (
+    HOVER,
+    PAD,
+    Care,
+    beside,
+    mass_center,
+    plan_stroke,
+)
 
 Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from ..tasks.goals import Reached
+from ..tasks.goals.goal import Reached
 from .driver import Expert
-from .grasps import TIP
+from .planning.grasps import TIP
 
 
 class Reacher(Expert):

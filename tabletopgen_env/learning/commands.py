@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from tyro.conf import Positional, arg
 
 from generator.errors import InputError, TabletopError, require_number, require_seed
-from generator.files import check_folder, check_target
-from generator.terminal import escaped
+from generator.io.files import check_folder, check_target
+from generator.io.terminal import escaped
 
 from .extra import need_sb3
 
@@ -169,7 +169,7 @@ def plot(
         raise InputError("Name at least one run's folder to plot.")
     check_target(out)
     need_sb3()
-    from generator.pictures import write_picture
+    from generator.io.pictures import write_picture
 
     from .plotting import bands, draw, number
     from .runs import opened
@@ -243,7 +243,7 @@ def _unzipped(path: Path, trust: bool, recipe: str | None) -> _Loaded:
 def _write_strip(frames: list[Any], path: Path) -> None:
     import numpy as np
 
-    from generator.pictures import write_picture
+    from generator.io.pictures import write_picture
     from generator.render.sheet import grid
 
     picks = np.linspace(0, len(frames) - 1, STRIP).round().astype(int)

@@ -30,8 +30,8 @@ from ..scenes import FRESH, REFRESHING, STARTER, FreshScenes, SceneRef, SceneSou
 from ..scenes.splitting import Described, Side
 from ..tasks.task import Task
 from ..vector import TabletopVectorEnv
-from .goal_extractor import GoalExtractor
-from .network import TableExtractor
+from .networks.goal_extractor import GoalExtractor
+from .networks.network import TableExtractor
 from .recipes import Network, Recipe
 from .slots import SlotVecEnv
 

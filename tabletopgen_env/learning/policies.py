@@ -25,12 +25,18 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from torch import Tensor
 
 from generator.errors import InputError, choices
-from generator.files import write_whole
-from generator.reading import parse_object
+from generator.io.files import write_whole
+from generator.io.reading import parse_object
 
 from ..files import typed
 from ..tasks import NAMES
-from .actor import Actor, Squash, actor_of, inputs_of, tensors_of
+from .networks.actor import (
+    Actor,
+    Squash,
+    actor_of,
+    inputs_of,
+    tensors_of,
+)
 from .recipes import Network, Recipe, listed, network_of
 
 SHIPPED = Path(__file__).with_name("trained")

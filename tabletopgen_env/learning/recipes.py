@@ -16,9 +16,9 @@ from pathlib import Path
 from typing import Any, Literal, get_args
 
 from generator.errors import InputError, choices, require
-from generator.reading import parse_toml, printable, read_regular
+from generator.io.reading import parse_toml, printable, read_regular
 
-from ..scenes.recipe import MOST_SEEDS
+from ..scenes.making.recipe import MOST_SEEDS
 from ..tasks import NAMES
 
 Algorithm = Literal["sac", "td3", "ppo", "clone"]

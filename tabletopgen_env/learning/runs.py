@@ -34,13 +34,13 @@ from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
 from stable_baselines3.common.save_util import load_from_zip_file, recursive_setattr
 
 from generator.errors import InputError, StorageError
-from generator.files import write_whole
-from generator.reading import parse_object, read_regular
+from generator.io.files import write_whole
+from generator.io.reading import parse_object, read_regular
 
 from ..files import typed
+from .demonstrations.replay import read_buffer, write_buffer
 from .evaluating import Evaluation
 from .recipes import Recipe, recipe_of
-from .replay import read_buffer, write_buffer
 
 FORMAT = 1
 """Version of a run's folder; others are refused."""

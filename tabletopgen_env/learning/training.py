@@ -16,18 +16,18 @@ from stable_baselines3.common.base_class import BaseAlgorithm
 from stable_baselines3.common.off_policy_algorithm import OffPolicyAlgorithm
 from stable_baselines3.common.type_aliases import TrainFreq
 
-from generator.cores import torch_threads
 from generator.errors import InputError, TabletopError
+from generator.threads import torch_threads
 
 from ..scenes import SceneSource
 from ..scenes.source import close
 from ..tasks import task_named
-from .cloning import CloningConfig, Round, clone
+from .demonstrations.cloning import CloningConfig, Round, clone
+from .demonstrations.replay import fill
 from .ending import StopAsked, heeding
 from .making import blank_model, many_envs, new_model, shared, single_env, source_of
 from .policies import policy_bytes, policy_from
 from .recipes import Recipe
-from .replay import fill
 from .runs import Run, begin, differences, opened
 from .tracking import Plan, Progress, Say, Tracker, logger_of
 

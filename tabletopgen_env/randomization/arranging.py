@@ -16,10 +16,10 @@ from jaxtyping import Float
 from generator.geometry import inside_margin, rotation_z
 from generator.scene import Object, Pose, Scene
 
-from ..affordance import footprint
+from ..world.affordance import footprint
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
     from .settings import Randomization
 
 OVERLAP = 5e-4

@@ -9,12 +9,12 @@ from jaxtyping import Float
 
 from generator.scene import TABLE
 
-from ..affordance import MAX_MASS
-from ..composition import FRONT_CAMERA, PREFIX, TOP_CAMERA
 from ..robot.mount import PEDESTAL, Mount
+from ..world.affordance import MAX_MASS
+from ..world.composition import FRONT_CAMERA, PREFIX, TOP_CAMERA
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
     from .settings import Randomization, Range
 
 _FINGERS = (PREFIX + "left_finger", PREFIX + "right_finger")

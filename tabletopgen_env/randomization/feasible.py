@@ -12,14 +12,14 @@ from jaxtyping import Float
 from generator.geometry import rotation_yaw, wrap
 
 from ..expert.arm import stretch
-from ..expert.choosing import HOVER, Plan, choose
 from ..expert.driver import up
-from ..expert.grasps import grasps_along, is_like
-from ..expert.strokes import plan_stroke
-from ..tasks.goals import Goal, Pushed
+from ..expert.planning.choosing import HOVER, Plan, choose
+from ..expert.planning.grasps import grasps_along, is_like
+from ..expert.planning.strokes import plan_stroke
+from ..tasks.goals.goal import Goal, Pushed
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 
 class Feasible:

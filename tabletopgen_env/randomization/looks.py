@@ -10,11 +10,11 @@ from scipy.spatial.transform import Rotation
 
 from generator.scene import TABLE
 
-from ..room import exposure
-from ..views import CAMERAS
+from ..rendering.views import CAMERAS
+from ..world.room import exposure
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
     from .settings import Randomization
 
 

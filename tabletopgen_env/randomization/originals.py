@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from generator.scene import Scene
 
     from ..robot.mount import Mount
-    from ..world import World
+    from ..world.world import World
 
 _ARRAYS = (
     # looks

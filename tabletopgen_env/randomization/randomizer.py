@@ -12,17 +12,17 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from jaxtyping import Float
 
-from ..observations import Noise
-from ..tasks.goals import begun, named_by
+from ..observations.modes import Noise
+from ..rendering.views import SLOTS
+from ..tasks.goals.goal import begun, named_by
 from ..tasks.task import Episode
 from ..tasks.task import episode as begin
-from ..views import SLOTS
 from . import arranging, dynamics, looks, starting
 from .originals import Originals
 from .settings import SWITCHES, Randomization, resolve
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
     Draw = Callable[[Randomization, World, np.random.Generator], dict[str, Any]]
     Apply = Callable[[World, dict[str, Any]], None]

@@ -15,7 +15,8 @@ first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as so
 With no such draw it stays. Where the expert then finds no stroke for what is to be pushed, or no
 grasp that the arm reaches of what is to be taken (``feasible``), ``LESS`` of all draws is tried,
 then none. All moves keep what rests on the flat top at rest, so nothing is
-simulated. Goals that say where a thing stood follow it (``tasks.goals.begun``), marked spots stay.
+simulated. Goals that say where a thing stood follow it (``tasks.goals.goal.begun``), marked spots
+stay.
 """
 
 from __future__ import annotations
@@ -31,14 +32,19 @@ from generator.geometry import inside_margin
 from generator.scene import TABLE, Scene
 
 from ..robot.mount import CLEARANCE, TALL, obstacle
-from ..tasks.goals import Goal, OnSpot, Pushed, named_by
-from ..workspace import FREE_MARGIN
+from ..tasks.goals.goal import (
+    Goal,
+    OnSpot,
+    Pushed,
+    named_by,
+)
+from ..world.workspace import FREE_MARGIN
 from .arranging import bundles, moved
 from .feasible import Feasible, touches_robot
 from .outlines import Outline, apart, carried, hull, keeps, near
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
     from .settings import Randomization
 
 SHARES = np.array([1.0, 1.0, 1.0, 1.0, 0.5, 0.5, 0.25, 0.25])

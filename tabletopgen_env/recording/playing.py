@@ -19,7 +19,7 @@ from jaxtyping import Float, Shaped
 
 from generator.errors import SceneError
 
-from ..learning.demonstrations import demonstrate
+from ..learning.demonstrations.recorded import demonstrate
 from .config import RecordConfig
 
 CHUNK = 4

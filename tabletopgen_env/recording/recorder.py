@@ -17,7 +17,7 @@ from generator.errors import (
     choices,
     require_number,
 )
-from generator.files import check_folder
+from generator.io.files import check_folder
 
 from .config import FORMATS, Format, RecordConfig
 from .playing import Played, played

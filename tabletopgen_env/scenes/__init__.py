@@ -18,7 +18,7 @@ that a seeded environment sees the same tables again; only what is renewed by th
 ``FreshScenes(SceneDistribution(needs=task.needs))`` has the needs, too.
 """
 
-from generator.distribution import SceneDistribution as SceneDistribution
+from generator.language.distribution import SceneDistribution as SceneDistribution
 
 from .choosing import SceneChoice as SceneChoice
 from .choosing import resolve as resolve
@@ -31,7 +31,7 @@ from .finding import REFRESHING as REFRESHING
 from .finding import STARTER as STARTER
 from .fixed import FixedScenes as FixedScenes
 from .fresh import FreshScenes as FreshScenes
-from .recipe import Recipe as Recipe
+from .making.recipe import Recipe as Recipe
 from .refreshing import RefreshingScenes as RefreshingScenes
 from .sharing import SharedScenes as SharedScenes
 from .source import SceneRef as SceneRef

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from generator.distribution import Needs, SceneDistribution
 from generator.errors import InputError
+from generator.language.distribution import Needs, SceneDistribution
 
 from .finding import FRESH, REFRESHING, STARTER, FixedChoice, fixed_scenes
 from .fresh import FreshScenes

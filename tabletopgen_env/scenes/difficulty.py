@@ -9,7 +9,8 @@ from jaxtyping import Float
 
 from generator.scene import TABLE, Object, Scene
 
-from ..affordance import (
+from ..robot.mount import Mount
+from ..world.affordance import (
     FINGER_CLEARANCE,
     GRIPPER_OPENING,
     MIN_HEIGHT,
@@ -19,7 +20,6 @@ from ..affordance import (
     resting_height,
     why_not_graspable,
 )
-from ..robot.mount import Mount
 
 FULL = 0.35
 """Share of a tabletop that is covered where clutter is at its worst."""

@@ -7,10 +7,16 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from generator.distribution import SceneDistribution
 from generator.errors import InputError, SceneError
+from generator.language.distribution import SceneDistribution
 
-from .recipe import COMPOSE, GENERATE, MOST_SEEDS, Recipe, maker
+from .making.recipe import (
+    COMPOSE,
+    GENERATE,
+    MOST_SEEDS,
+    Recipe,
+    maker,
+)
 from .source import SceneRef
 from .splitting import Rule
 

@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 
-from generator.distribution import SceneDistribution
 from generator.errors import InputError, require, require_seed
+from generator.language.distribution import SceneDistribution
 
 from .finding import FixedChoice, fixed_scenes
 from .fixed import FixedScenes
 from .fresh import FreshScenes
-from .pool import Pace, Pool
+from .making.pool import Pace, Pool
 from .source import SceneRef
 from .splitting import Rule, admits
 

@@ -94,7 +94,7 @@ class Rule:
         Raises:
             InputError: there is no such category.
         """
-        from generator.distribution import categories_known
+        from generator.language.distribution import categories_known
 
         known = {*categories_known(), *present}
         for category in self.categories:

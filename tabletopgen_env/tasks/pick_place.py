@@ -13,11 +13,20 @@ import numpy as np
 
 from generator.scene import Object
 
-from .sampling import containers, drawn, into, known, liftable, named, on_spot, spot_of
+from .goals.sampling import (
+    containers,
+    drawn,
+    into,
+    known,
+    liftable,
+    named,
+    on_spot,
+    spot_of,
+)
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 
 class PickPlace(Task):

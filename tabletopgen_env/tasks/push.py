@@ -18,15 +18,22 @@ from generator.errors import InputError
 from generator.geometry import inside_margin, quaternion_matrix
 from generator.scene import Object
 
-from ..affordance import collision_points, grasp_width, resting_height
-from ..expert.strokes import beside, plan_stroke
-from .goals import SPOT, Pushed
-from .needs import LOW
-from .sampling import Reasons, blocked, drawn, given_point, on_table, rest_height
+from ..expert.planning.strokes import beside, plan_stroke
+from ..world.affordance import collision_points, grasp_width, resting_height
+from .goals.goal import SPOT, Pushed
+from .goals.needs import LOW
+from .goals.sampling import (
+    Reasons,
+    blocked,
+    drawn,
+    given_point,
+    on_table,
+    rest_height,
+)
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 WAY = (0.08, 0.25)
 """Shortest and longest way to push, metres."""

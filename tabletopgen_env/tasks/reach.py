@@ -14,12 +14,12 @@ from jaxtyping import Float
 from generator.errors import InputError, SceneError
 
 from ..expert.path import clear_height
-from .goals import Reached
-from .sampling import coordinates
+from .goals.goal import Reached
+from .goals.sampling import coordinates
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 HEIGHTS = (0.05, 0.30)
 """Lowest and highest goal above what stands below it, metres."""

@@ -23,20 +23,29 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
-from generator.distribution import Needs
 from generator.errors import InputError, SceneError, choices
+from generator.language.distribution import Needs
 from generator.scene import Object
 
 from . import TaskName
-from .goals import SPOT, Goal
-from .needs import FLAT, SMALL, TRAYS
-from .sampling import NO_GRASP, blocked, containers, into, liftable, nothing, on_spot, spot_of
+from .goals.goal import SPOT, Goal
+from .goals.needs import FLAT, SMALL, TRAYS
+from .goals.sampling import (
+    NO_GRASP,
+    blocked,
+    containers,
+    into,
+    liftable,
+    nothing,
+    on_spot,
+    spot_of,
+)
 from .stack import on_top, supports
 from .swap import Swap
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 
 NEEDS: Needs = (SMALL, SMALL, (*FLAT, *TRAYS))

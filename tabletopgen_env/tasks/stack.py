@@ -15,17 +15,23 @@ from generator.errors import InputError
 from generator.geometry import quaternion_matrix
 from generator.scene import Object
 
-from ..affordance import grasp_width, resting_height
 from ..expert.arm import stretch
-from ..expert.choosing import HOVER, choose
+from ..expert.planning.choosing import HOVER, choose
 from ..robot.mount import reachable
-from .goals import OnTop
-from .needs import FLAT, STANDING
-from .sampling import drawn, given_object, liftable, on_table, rest_height
+from ..world.affordance import grasp_width, resting_height
+from .goals.goal import OnTop
+from .goals.needs import FLAT, STANDING
+from .goals.sampling import (
+    drawn,
+    given_object,
+    liftable,
+    on_table,
+    rest_height,
+)
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 LEAST_TOP = 0.022
 """Least radius of a flat top to put things on, metres."""

@@ -16,14 +16,22 @@ import numpy as np
 from generator.geometry import inside_margin
 from generator.scene import Object
 
-from ..workspace import FREE_MARGIN
-from .goals import Goal, OnSpot, the
-from .needs import SMALL
-from .sampling import drawn, given_object, in_stead, liftable, on_spot, on_table, spot_of
+from ..world.workspace import FREE_MARGIN
+from .goals.goal import Goal, OnSpot, the
+from .goals.needs import SMALL
+from .goals.sampling import (
+    drawn,
+    given_object,
+    in_stead,
+    liftable,
+    on_spot,
+    on_table,
+    spot_of,
+)
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 
 class Swap(Task):

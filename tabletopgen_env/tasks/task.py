@@ -41,13 +41,13 @@ from typing import TYPE_CHECKING, ClassVar
 import numpy as np
 from jaxtyping import Bool, Float
 
-from generator.distribution import Needs
+from generator.language.distribution import Needs
 
 from . import TaskName
-from .goals import SPOT_RADIUS, Goal
+from .goals.goal import SPOT_RADIUS, Goal
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 GOAL_WEIGHTS: Mapping[str, float] = MappingProxyType({"place": 0.5, "met": 0.5})
 """Weights when only the achieved and the desired goal are known."""

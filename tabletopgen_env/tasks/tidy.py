@@ -15,14 +15,25 @@ import numpy as np
 from generator.errors import InputError
 from generator.scene import Object
 
-from ..affordance import Opening, grasp_width, resting_height
-from .goals import INSIDE, Goal, Into, the
-from .needs import TINY, TRAYS
-from .sampling import containers, given_object, into, liftable, nothing
+from ..world.affordance import Opening, grasp_width, resting_height
+from .goals.goal import (
+    INSIDE,
+    Goal,
+    Into,
+    the,
+)
+from .goals.needs import TINY, TRAYS
+from .goals.sampling import (
+    containers,
+    given_object,
+    into,
+    liftable,
+    nothing,
+)
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:
-    from ..world import World
+    from ..world.world import World
 
 SCENES = "tidy-task-*"
 """The bundles (a glob) with a tray and small things."""

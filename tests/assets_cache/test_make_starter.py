@@ -12,7 +12,7 @@ from toy import toy_object, toy_scene
 from assets_cache import make_starter
 from assets_cache.make_starter import Recipe, keep_certificates, remake
 from generator.bundle import save
-from tabletopgen_env.certificate import (
+from tabletopgen_env.certificates.certificate import (
     FILE,
     Certificate,
     Instance,

@@ -16,13 +16,18 @@ import torch
 import transformers
 from torch.nn import functional
 
-from generator.backends.huggingface.grounding_dino import GroundingDino
-from generator.backends.huggingface.loading import Once
-from generator.backends.huggingface.pixels import HALVES, IMAGENET, Norm, seen
-from generator.backends.huggingface.sam2 import Sam2
-from generator.backends.huggingface.sam3 import Sam3
+from generator.backends.huggingface.detection.grounding_dino import GroundingDino
+from generator.backends.huggingface.detection.pixels import (
+    HALVES,
+    IMAGENET,
+    Norm,
+    seen,
+)
+from generator.backends.huggingface.detection.sam2 import Sam2
+from generator.backends.huggingface.detection.sam3 import Sam3
+from generator.backends.huggingface.detection.tiles import Tile, tiles_of
 from generator.backends.huggingface.segmenter import Segmenter
-from generator.backends.huggingface.tiles import Tile, tiles_of
+from generator.backends.huggingface.weights.loading import Once
 from generator.geometry import mask_box
 
 SIDE = 96

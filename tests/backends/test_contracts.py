@@ -31,11 +31,11 @@ from generator.backends.select import PROTOCOLS
 from generator.catalogue import build, build_table
 from generator.errors import InputError
 from generator.geometry import mask_box
+from generator.method.extraction import extract
+from generator.method.modeling import quarter_turn
+from generator.method.rotation import RotationConfig, estimate_rotations
 from generator.render.crop import in_reference, tight_box
 from generator.scene import TABLE, Detection, Instance, Model, Reference, SizePrior, View
-from generator.stages.extraction import extract
-from generator.stages.modeling import quarter_turn
-from generator.stages.rotation import RotationConfig, estimate_rotations
 
 REASONERS = ("embedded", "cloud")
 """They are imagers, too."""

@@ -6,14 +6,14 @@ import cv2
 import numpy as np
 import pytest
 
-from generator.backends.embedded.cut_plane import (
+from generator.backends.embedded.plane.cut_plane import (
     VISIBLE_LENGTH,
     frame_share,
     is_cut,
     plane_from_view,
     scaled_plane,
 )
-from generator.backends.embedded.plane import OutlineShape, outline_distance, outline_points
+from generator.backends.embedded.plane.plane import OutlineShape, outline_distance, outline_points
 from generator.errors import SceneError
 from generator.geometry import Camera
 from generator.scene import View

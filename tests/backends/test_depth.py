@@ -9,8 +9,8 @@ import pytest
 from painted import SIZES
 from shots import FRAME, THINGS, scene_of, shoot
 
-from generator.backends.embedded.depth_measure import measure_solid, table_points
-from generator.backends.embedded.depth_plane import find_depth_plane
+from generator.backends.embedded.depth.measure import measure_solid, table_points
+from generator.backends.embedded.depth.plane import find_depth_plane
 from generator.backends.embedded.imager import Imager
 from generator.backends.embedded.reasoner import Reasoner
 from generator.catalogue import build

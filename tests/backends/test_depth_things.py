@@ -8,20 +8,16 @@ import numpy as np
 import pytest
 from shots import THINGS, Shot, scene_of, shoot
 
-from generator.backends.embedded.depth_plane import find_depth_plane
-from generator.backends.embedded.depth_things import (
-    confirmed,
-    height_above_floor,
-    things_above,
-)
+from generator.backends.embedded.depth.plane import find_depth_plane
+from generator.backends.embedded.depth.things import confirmed, height_above_floor, things_above
 from generator.backends.embedded.imager import Imager
-from generator.backends.embedded.plane import TablePlane
+from generator.backends.embedded.plane.plane import TablePlane
 from generator.backends.embedded.reasoner import Reasoner
 from generator.catalogue import build
 from generator.geometry import mask_box
+from generator.method.alignment import Alignment, align
+from generator.method.modeling import align_canonically
 from generator.scene import Detection, Model, Rotation
-from generator.stages.alignment import Alignment, align
-from generator.stages.modeling import align_canonically
 
 
 @pytest.fixture(scope="module")

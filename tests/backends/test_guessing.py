@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from generator.backends.embedded.guessing import guess_layout, guess_rotations
+from generator.backends.embedded.layout.guessing import guess_layout, guess_rotations
 from generator.backends.embedded.reasoner import Reasoner
 from generator.backends.protocols import PoseGuesser
 from generator.errors import InputError

@@ -8,7 +8,7 @@ import torch
 from painted import paint
 
 from generator.backends.embedded.eye.judge import ALONE, BOTH, Clues, Find, Judge, clues_of
-from generator.training.judging import Lesson, learned, lesson
+from research.eye.judging import Lesson, learned, lesson
 
 REGION = np.full((4, 40, 60), 0.25)
 

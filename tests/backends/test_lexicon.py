@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from generator.backends.embedded.lexicon import category_of
+from generator.language.parsing.lexicon import category_of
 
 
 @pytest.mark.parametrize(

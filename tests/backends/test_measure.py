@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from painted import SIZES, Picture, paint
 
-from generator.backends.embedded.measure import apparent_scale, usual_solid
+from generator.backends.embedded.plane.measure import apparent_scale, usual_solid
+from generator.backends.embedded.plane.tabletop import find_tabletop
 from generator.backends.embedded.reasoner import Reasoner
-from generator.backends.embedded.tabletop import find_tabletop
 from generator.catalogue import CATEGORIES, build
 from generator.geometry import mask_box
 from generator.scene import Instance, Reference

@@ -9,15 +9,15 @@ import pytest
 import shapely
 import trimesh
 
-from generator.backends.embedded import choosing, solids
-from generator.backends.embedded.baking import sample
-from generator.backends.embedded.completion import complete
-from generator.backends.embedded.framing import frame_to_mask
+from generator.backends.embedded.drawing.completion import complete
 from generator.backends.embedded.modeler import Modeler, small_mask
-from generator.backends.embedded.pixels import mask_iou
-from generator.backends.embedded.projection import Projection, camera_view
+from generator.backends.embedded.shapes import choosing, solids
+from generator.backends.embedded.shapes.framing import frame_to_mask
 from generator.catalogue import build
 from generator.geometry import Camera, mask_box, ray_view, rotation_z, yaw_quaternion
+from generator.meshes.baking import sample
+from generator.meshes.pixels import mask_iou
+from generator.meshes.projection import Projection, camera_view
 from generator.render.raster import Item, place, render
 from generator.scene import (
     Detection,

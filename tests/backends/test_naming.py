@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from generator.backends.embedded import naming
+from generator.language import naming
 
 KEYS = ("mug", "bowl", "apple")
 

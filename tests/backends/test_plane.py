@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from painted import paint
 
-from generator.backends.embedded.plane import outline_distance, outline_points
-from generator.backends.embedded.tabletop import find_tabletop
+from generator.backends.embedded.plane.plane import outline_distance, outline_points
+from generator.backends.embedded.plane.tabletop import find_tabletop
 from generator.errors import SceneError
 from generator.scene import View
 

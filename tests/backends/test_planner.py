@@ -11,12 +11,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from generator.backends.embedded import relations, themes
-from generator.backends.embedded.lexicon import category_of, singular, tokens
-from generator.backends.embedded.planner import MAX_CHARACTERS, plan_scene
-from generator.backends.embedded.vocabulary import COLLECTIVES, SYNONYMS
 from generator.catalogue import CATEGORIES
 from generator.errors import InputError
+from generator.language import relations, themes
+from generator.language.parsing.lexicon import category_of, singular, tokens
+from generator.language.parsing.vocabulary import COLLECTIVES, SYNONYMS
+from generator.language.planner import MAX_CHARACTERS, plan_scene
 from generator.scene import OutlineKind, PlannedObject, Relation, ScenePlan
 
 

@@ -18,14 +18,14 @@ import pytest
 from painted import as_shown, detections, paint
 
 from generator.backends import Backends
-from generator.backends.cloud import configuration
+from generator.backends.cloud.server import configuration
 from generator.backends.modelers.ai3d import SECRET_ID, SECRET_KEY
 from generator.backends.modelers.hunyuan3d import ADDRESS
 from generator.backends.modelers.sam3d import HOME
+from generator.calls import Session
+from generator.calls.store import CallStore
 from generator.physics.inertia import is_watertight
 from generator.render.crop import in_reference, tight_box
-from generator.running import Session
-from generator.running.store import CallStore
 from generator.scene import TABLE, Detection, Instance, Reference, SizePrior, View
 
 pytestmark = pytest.mark.real

@@ -8,8 +8,8 @@ import pytest
 
 from generator.backends import Backends, Mix, select
 from generator.backends.protocols import in_turn
+from generator.calls import Session
 from generator.errors import BackendError
-from generator.running import Session
 
 
 @dataclass(frozen=True)

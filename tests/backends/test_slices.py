@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import trimesh
 
-from generator.backends.embedded.choosing import stroke_share
-from generator.backends.embedded.pixels import mask_iou
-from generator.backends.embedded.projection import Projection
-from generator.backends.embedded.slices import fit_slices
-from generator.backends.embedded.solids import Posed, simplify_profile, stack_of_ellipses
+from generator.backends.embedded.shapes.choosing import stroke_share
+from generator.backends.embedded.shapes.slices import fit_slices
+from generator.backends.embedded.shapes.solids import Posed, simplify_profile, stack_of_ellipses
 from generator.geometry import view_direction, view_rotation
+from generator.meshes.pixels import mask_iou
+from generator.meshes.projection import Projection
 from generator.scene import View
 
 VIEW = View(0.0, np.deg2rad(35), np.deg2rad(36))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from generator.backends.embedded.stacking import stack, whole_mask
+from generator.backends.embedded.layout.stacking import stack, whole_mask
 from generator.geometry import mask_box
 from generator.scene import Instance
 

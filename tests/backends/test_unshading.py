@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from generator.backends.embedded.unshading import Shading, estimate_shading
+from generator.meshes.unshading import Shading, estimate_shading
 
 
 def sphere(count: int = 1500) -> np.ndarray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from generator.backends.embedded.unwrap import unwrap, welded
+from generator.meshes.unwrap import unwrap, welded
 
 
 def soup(count: int) -> tuple[np.ndarray, np.ndarray]:

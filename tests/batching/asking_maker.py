@@ -9,8 +9,9 @@ from typing import Any
 from running.paid_server import ask, session
 from toy import toy_scene
 
-from generator import batch, bundle
-from generator.running.store import CallStore
+from generator import bundle
+from generator import jobs as batch
+from generator.calls.store import CallStore
 from generator.scene import Report
 
 

@@ -19,13 +19,14 @@ from bounded import LONG, join, until
 from running.paid_server import Says, serving
 from toy_maker import ToyMaker, made
 
-from generator import batch, bundle
+from generator import bundle
+from generator import jobs as batch
 from generator.backends import Mix
-from generator.batch.crews import Processes, Task
-from generator.batch.records import PLACE, key_of
 from generator.errors import InputError, StorageError
+from generator.jobs.crews import Processes, Task
+from generator.jobs.records import PLACE, key_of
 from generator.pipeline import Config
-from generator.provenance import plain
+from generator.scene.provenance import plain
 
 HERE = Path(__file__).parent
 TEXTS = ("a cube", "bad words", "another cube", "broken code", "a third cube")
@@ -108,7 +109,7 @@ def test_a_process_that_dies_between_two_scenes_ends_no_batch(
             renewed.append(1)
             super().renew()
 
-    monkeypatch.setattr("generator.batch.running.Processes", Killed)
+    monkeypatch.setattr("generator.jobs.running.Processes", Killed)
     texts = ["a cube", "another cube", "third cube"]
     summary = batch.run(texts, tmp_path / "out", ToyMaker(str(log)), workers=1 + busy)
     assert [o.state for o in summary.outcomes] == ["made"] * 3

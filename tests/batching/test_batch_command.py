@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 from command import command
 
-from generator import batch
+from generator import jobs as batch
 from generator.backends import Mix
 from generator.bundle import save
 from generator.compose import compose
-from generator.figures import preview
+from generator.method.figures import preview
 
 TEXT = "a desk with a mug"
 

@@ -11,9 +11,10 @@ from command import command
 from toy import toy_object, toy_scene
 from toy_maker import ToyMaker
 
-from generator import batch, bundle
-from generator.batch.records import PLACE, key_of, work
+from generator import bundle
+from generator import jobs as batch
 from generator.errors import InputError, StorageError
+from generator.jobs.records import PLACE, key_of, work
 from generator.scene import Provenance, Report
 
 JOB = batch.Job("a cube")

@@ -12,8 +12,8 @@ from asking_maker import AskingMaker
 from bounded import until
 from running.paid_server import Asked, Says, Served, serving
 
-from generator import batch
-from generator.running.store import CallStore
+from generator import jobs as batch
+from generator.calls.store import CallStore
 
 pytestmark = pytest.mark.slow
 

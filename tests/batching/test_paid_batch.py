@@ -17,10 +17,11 @@ from running.paid_server import Says, Served, ask, serving
 from toy import toy_object, toy_scene
 from toy_maker import ToyMaker, made
 
-from generator import batch, bundle
+from generator import bundle
+from generator import jobs as batch
 from generator.backends import Mix, select
+from generator.calls import Session
 from generator.errors import BackendError, InputError, StorageError
-from generator.running import Session
 from generator.scene import Provenance, Report
 
 PRICES = """
@@ -142,7 +143,7 @@ def run(
     """A server, and the command whose scenes each ask it twice: 0.02 each time, at most 0.04."""
     roles = dict.fromkeys(select.PROTOCOLS, f"{__name__}:Remote")
     monkeypatch.setattr(select, "TABLE", {**select.TABLE, "remote": roles})
-    monkeypatch.setattr("generator.batch.running.Processes", Here)
+    monkeypatch.setattr("generator.jobs.running.Processes", Here)
     prompts, table = tmp_path / "prompts.txt", tmp_path / "prices.toml"
     prompts.write_text("one\ntwo\n")
     table.write_text(PRICES)
@@ -158,7 +159,7 @@ def run(
             return SimpleNamespace(save=lambda folder: bundle.save(scene, folder))
 
         monkeypatch.setattr("generator.pipeline.generate", generate)
-        monkeypatch.setattr("generator.batch.making._share", lambda: None)
+        monkeypatch.setattr("generator.jobs.making._share", lambda: None)
         given = ("batch", str(prompts), "--out", str(tmp_path / "out"), "--backend", "remote",
                  "--prices", str(table), "--calls", str(tmp_path / "calls"))  # fmt: skip
         yield served, lambda *more: command(*given, *more)

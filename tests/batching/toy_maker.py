@@ -12,12 +12,13 @@ from bounded import until
 from running.paid_server import ask, session
 from toy import toy_object, toy_scene
 
-from generator import batch, bundle
-from generator.cores import threads
+from generator import bundle
+from generator import jobs as batch
+from generator.calls.money.account import Account
+from generator.calls.money.budget import Purse
 from generator.errors import InputError
-from generator.running.account import Account
-from generator.running.purse import Purse
 from generator.scene import Provenance, Report
+from generator.threads import threads
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,8 @@ from generator.bundle import derived
 from generator.bundle.bounds import BOUNDS, Bounds, check_counts
 from generator.bundle.contents import decode_obj, decode_png, mesh_counts, picture_size
 from generator.errors import BundleError
-from generator.mjcf import encode_obj
 from generator.physics.gate import judge
+from generator.physics.mjcf import encode_obj
 
 LINE = b"v 0.000000 0.000000 0.000000\n"
 

@@ -23,8 +23,8 @@ from generator.bundle.encoding import dumps
 from generator.bundle.fields import numbers
 from generator.bundle.segments import Segments
 from generator.errors import BundleError, InputError, SceneError
-from generator.mjcf import compiled, document, scene_spec
 from generator.physics.gate import judge
+from generator.physics.mjcf import compiled, document, scene_spec
 from generator.scene import Provenance, View
 
 ESCAPE = "\x1b[2J\x1b[Hx"

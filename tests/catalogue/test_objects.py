@@ -7,8 +7,8 @@ import pytest
 from solidity import fingerprint, is_closed, mass_of
 
 from generator.catalogue import CATEGORIES, build, category
+from generator.catalogue.build.solids import signed_volume
 from generator.catalogue.sheet import draw
-from generator.catalogue.solids import signed_volume
 from generator.errors import InputError
 from generator.scene import Mesh
 

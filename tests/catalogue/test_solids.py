@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 from solidity import is_closed
 
-from generator.catalogue import outlines, solids, textures
-from generator.catalogue.shape import mesh_of, pack, shape
+from generator.catalogue.build import outlines, solids
+from generator.catalogue.build.shape import mesh_of, pack, shape
+from generator.catalogue.surfaces import textures
 from generator.scene import Mesh
 
 

@@ -7,8 +7,8 @@ import pytest
 from solidity import fingerprint, is_closed, mass_of
 
 from generator.catalogue import CATEGORIES, build
-from generator.catalogue.solids import signed_volume
-from generator.catalogue.styles import STYLES, flattened, styled
+from generator.catalogue.build.solids import signed_volume
+from generator.catalogue.build.styles import STYLES, flattened, styled
 from generator.errors import InputError
 from generator.scene import Model
 
@@ -79,7 +79,7 @@ def test_flattened_tile_has_few_vivid_colours():
 
 
 def test_styled_leaves_the_plain_shape_alone():
-    from generator.catalogue.look import Look
+    from generator.catalogue.surfaces.look import Look
 
     made = CATEGORIES["mug"].shape(Look(np.random.default_rng(0), {}))
     assert styled(made, "") is made

@@ -17,10 +17,10 @@ from tabletopgen_env.detection.look import Look, look
 from tabletopgen_env.detection.model import GraspNetwork
 from tabletopgen_env.detection.network import MIDDLES, PLACES, SEEN, TURNS, rate, turned
 from tabletopgen_env.expert.arm import wrist_is_free, wrists_are_free
-from tabletopgen_env.expert.grasps import TIP, Grasp, is_like
-from tabletopgen_env.expert.heights import surroundings
+from tabletopgen_env.expert.planning.grasps import TIP, Grasp, is_like
+from tabletopgen_env.expert.planning.heights import surroundings
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 
 def world_of(*objects) -> World:

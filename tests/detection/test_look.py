@@ -8,7 +8,7 @@ from toy import toy_object, toy_scene
 
 from tabletopgen_env.detection.look import CELL, CELLS, STEP, look
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 
 def world_of(*objects) -> World:

@@ -11,16 +11,28 @@ import torch
 from toy import toy_object, toy_scene
 
 from generator.errors import BundleError
-from tabletopgen_env.detection import training
+from research.grasps import training
+from research.grasps.labels import (
+    COLUMNS,
+    Lesson,
+    lesson,
+    lessons,
+)
+from research.grasps.training import (
+    batch_of,
+    gather,
+    judged,
+    loss_of,
+    read,
+    train,
+)
 from tabletopgen_env.detection.detector import GraspDetector
-from tabletopgen_env.detection.labels import COLUMNS, Lesson, lesson, lessons
 from tabletopgen_env.detection.model import GraspNetwork
 from tabletopgen_env.detection.network import PLACES, TURNS, Rated
-from tabletopgen_env.detection.training import batch_of, gather, judged, loss_of, read, train
-from tabletopgen_env.expert.grasps import plan_grasps
+from tabletopgen_env.expert.planning.grasps import plan_grasps
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import resolve
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 BOX = toy_object("box", (0.1, 0.04, 0.06), (0.1, 0.05), yaw=0.5)
 PLAIN = np.ones((1, 2), int)

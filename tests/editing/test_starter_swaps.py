@@ -12,9 +12,9 @@ import assets_cache
 from generator import bundle, editing
 from generator.backends import Backends
 from generator.editing import edited
+from generator.method.rotation.config import RotationConfig
 from generator.physics.gate import judge
 from generator.pipeline import Config
-from generator.stages.rotation.config import RotationConfig
 
 pytestmark = pytest.mark.slow
 

@@ -20,9 +20,9 @@ from tabletopgen_env.actions import (
     checked,
     controller,
 )
-from tabletopgen_env.composition import TIMESTEP
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.robot.kinematics import rotation_vector
+from tabletopgen_env.world.composition import TIMESTEP
 
 
 @pytest.fixture

@@ -13,9 +13,9 @@ from generator.scene import ConvexPart, Object, Pose, Scene
 from tabletopgen_env.env import make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.randomization.arranging import apply_poses, bundles, leaving
-from tabletopgen_env.rendering import drawer
+from tabletopgen_env.rendering.drawer import drawer
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 
 def on(thing: Object, support: str, inside: bool = False) -> Object:

@@ -15,10 +15,16 @@ import pytest
 from assets_cache import find
 from generator.bundle import load
 from generator.errors import BundleError, InputError, SceneError
-from tabletopgen_env import certificate
-from tabletopgen_env import certify as certify_module
-from tabletopgen_env.certificate import FILE, Certificate, Instance, Terms, scene_digest
-from tabletopgen_env.certify import instance_of, offered
+from tabletopgen_env.certificates import certificate
+from tabletopgen_env.certificates import certify as certify_module
+from tabletopgen_env.certificates.certificate import (
+    FILE,
+    Certificate,
+    Instance,
+    Terms,
+    scene_digest,
+)
+from tabletopgen_env.certificates.certify import instance_of, offered
 from tabletopgen_env.env import make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.tasks import NAMES, TaskName
@@ -27,7 +33,7 @@ from tabletopgen_env.tasks.push import Push
 from tabletopgen_env.tasks.sequence import PRESETS, Sequence
 from tabletopgen_env.tasks.task import Episode
 from tabletopgen_env.vector import TabletopVectorEnv
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 Certify = Callable[..., Path]
 

@@ -17,10 +17,16 @@ from generator.bundle import load, save, verify
 from generator.errors import BundleError, InputError
 from generator.physics.gate import judge
 from generator.scene import Scene
-from tabletopgen_env import certify as certify_module
 from tabletopgen_env.__main__ import run
-from tabletopgen_env.certificate import FILE, STARTS, Instance, Terms, read_certificate
-from tabletopgen_env.certify import (
+from tabletopgen_env.certificates import certify as certify_module
+from tabletopgen_env.certificates.certificate import (
+    FILE,
+    STARTS,
+    Instance,
+    Terms,
+    read_certificate,
+)
+from tabletopgen_env.certificates.certify import (
     DEFAULT,
     certified_instances,
     certify,

@@ -17,18 +17,29 @@ from toy import toy_scene
 import assets_cache
 from generator.bundle import load
 from generator.geometry import rotation_z
-from generator.mjcf import FLOOR
+from generator.physics.mjcf import FLOOR
 from generator.scene import TABLE, Scene
-from tabletopgen_env.composition import FRONT_CAMERA, TOP_CAMERA, WRIST_CAMERA, front_camera
 from tabletopgen_env.randomization import PRESETS
 from tabletopgen_env.randomization.looks import apply_lights, draw_lights
-from tabletopgen_env.rendering import Profile, drawer
+from tabletopgen_env.rendering.drawer import Profile, drawer
+from tabletopgen_env.rendering.software import model_camera, visible_shapes
 from tabletopgen_env.robot.mount import Mount
 from tabletopgen_env.robot.outline import arm_points
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.room import AMBIENT, BRIGHTEST, HEADLIGHT, SUN, exposure
-from tabletopgen_env.software import model_camera, visible_shapes
-from tabletopgen_env.world import World
+from tabletopgen_env.world.composition import (
+    FRONT_CAMERA,
+    TOP_CAMERA,
+    WRIST_CAMERA,
+    front_camera,
+)
+from tabletopgen_env.world.room import (
+    AMBIENT,
+    BRIGHTEST,
+    HEADLIGHT,
+    SUN,
+    exposure,
+)
+from tabletopgen_env.world.world import World
 
 pytestmark = pytest.mark.slow
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from generator.errors import StorageError
-from generator.files import write_whole
+from generator.io.files import write_whole
 from tabletopgen_env.files import typed
 
 

@@ -14,10 +14,10 @@ import pytest
 from toy import toy_scene
 
 from generator.errors import BackendError
-from tabletopgen_env.composition import FRONT_CAMERA
 from tabletopgen_env.env import make_env
-from tabletopgen_env.rendering import drawer
-from tabletopgen_env.software import SoftwareDrawer
+from tabletopgen_env.rendering.drawer import drawer
+from tabletopgen_env.rendering.software import SoftwareDrawer
+from tabletopgen_env.world.composition import FRONT_CAMERA
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 PIXELS: dict[str, Any] = {"observation": "pixels", "image_size": 16}

@@ -12,7 +12,12 @@ from generator.errors import InputError, SceneError
 from generator.geometry import yaw_quaternion
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.tasks import NAMES, task_named
-from tabletopgen_env.tasks.goals import RAISED, Into, OnTop, Raised
+from tabletopgen_env.tasks.goals.goal import (
+    RAISED,
+    Into,
+    OnTop,
+    Raised,
+)
 from tabletopgen_env.tasks.push import WAY
 
 STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])

@@ -15,9 +15,9 @@ from generator.errors import InputError, SceneError
 from generator.geometry import rotation_z, wrap
 from tabletopgen_env.detection.detector import read_detector
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.expert.choosing import choose
+from tabletopgen_env.expert.planning.choosing import choose
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.grasp_hint import HINT_BOUNDS, GraspHint
+from tabletopgen_env.observations.grasp_hint import HINT_BOUNDS, GraspHint
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.vector import TabletopVectorEnv
 
@@ -90,7 +90,7 @@ def test_plans_of_the_start_are_kept_where_the_base_stands_as_given(monkeypatch)
     env.reset(seed=0, options=CUBE)
     kept = env.world.first_plan("cube_1", choose)
     with monkeypatch.context() as idle:
-        idle.setattr("tabletopgen_env.expert.choosing.plan_grasps", lambda *_: 1 / 0)
+        idle.setattr("tabletopgen_env.expert.planning.choosing.plan_grasps", lambda *_: 1 / 0)
         env.reset(seed=1, options=CUBE)
         assert env.world.first_plan("cube_1", choose) is kept
 

@@ -8,7 +8,7 @@ import pytest
 from toy import toy_object, toy_scene
 
 from tabletopgen_env.env import make_env
-from tabletopgen_env.expert.grasps import plan_grasps
+from tabletopgen_env.expert.planning.grasps import plan_grasps
 from tabletopgen_env.robot import kinematics
 from tabletopgen_env.robot.kinematics import (
     HOME,
@@ -21,7 +21,7 @@ from tabletopgen_env.robot.kinematics import (
 )
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.tasks import task_named
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 
 def plain_step(world: World, substeps: int, before: np.ndarray) -> np.ndarray:

@@ -11,7 +11,7 @@ from toy import toy_object, toy_scene
 from generator.scene import ConvexPart, Object
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.tasks.push import LONGEST, Push, slidable, tips
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 
 def ball(radius: float) -> Object:

@@ -9,11 +9,11 @@ import pytest
 from toy import toy_objects, toy_scene
 
 from generator.errors import BackendError, InputError
-from tabletopgen_env import rendering
-from tabletopgen_env.composition import FRONT_CAMERA, WRIST_CAMERA
 from tabletopgen_env.env import make_env
-from tabletopgen_env.rendering import GlDrawer, drawer
-from tabletopgen_env.software import SoftwareDrawer, visible_shapes
+from tabletopgen_env.rendering import drawer as rendering
+from tabletopgen_env.rendering.drawer import GlDrawer, drawer
+from tabletopgen_env.rendering.software import SoftwareDrawer, visible_shapes
+from tabletopgen_env.world.composition import FRONT_CAMERA, WRIST_CAMERA
 
 
 def has_gl() -> bool:

@@ -10,7 +10,7 @@ from toy import toy_object, toy_scene
 from tabletopgen_env.robot.kinematics import solve_ik
 from tabletopgen_env.robot.mount import Mount
 from tabletopgen_env.robot.panda import HOME_CTRL, Panda
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 DOWN = np.diag([1.0, -1.0, -1.0])
 ASIDE, UP = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])

@@ -17,9 +17,9 @@ from generator.scene import Scene
 from tabletopgen_env.actions import ACTIONS
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.observations import MODES, SLOTS
+from tabletopgen_env.observations.modes import MODES, SLOTS
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.worlds import Masters
+from tabletopgen_env.world.worlds import Masters
 
 IDS = sorted(name for name in gym.registry if name.startswith("TabletopGen/"))
 

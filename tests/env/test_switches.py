@@ -13,7 +13,7 @@ from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.robot.kinematics import forward
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 
 def test_lights_turn_and_take_color() -> None:

@@ -13,16 +13,16 @@ from generator.errors import SceneError
 from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan
 from tabletopgen_env.actions import SUBSTEPS
-from tabletopgen_env.composition import FRONT_CAMERA, TOP_CAMERA
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.language import refer
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.robot.mount import Mount
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.tasks import NAMES, task_named
-from tabletopgen_env.tasks.goals import SPOT, the
+from tabletopgen_env.tasks.goals.goal import SPOT, the
+from tabletopgen_env.tasks.goals.instructions import refer
 from tabletopgen_env.tasks.pick_place import PickPlace
-from tabletopgen_env.world import World
+from tabletopgen_env.world.composition import FRONT_CAMERA, TOP_CAMERA
+from tabletopgen_env.world.world import World
 
 STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
 

@@ -17,7 +17,7 @@ from tabletopgen_env.env import make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import SceneRef, resolve
 from tabletopgen_env.vector import TabletopVectorEnv
-from tabletopgen_env.worlds import Masters
+from tabletopgen_env.world.worlds import Masters
 
 ID = "tabletopgen_env:TabletopGen/PickPlace-v0"
 MODES = [mode.value for mode in AutoresetMode]

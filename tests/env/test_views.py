@@ -8,15 +8,12 @@ from test_rendering import needs_gl
 from toy import toy_object, toy_scene, toy_table
 
 from generator.errors import InputError
-from tabletopgen_env.composition import FRONT_CAMERA, MARKER, TOP_CAMERA
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.observations import slot_order
-from tabletopgen_env.point_cloud import ABOVE, point_cloud, unprojected
-from tabletopgen_env.rendering import drawer
-from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.software import model_camera
-from tabletopgen_env.tasks.sampling import into
-from tabletopgen_env.views import (
+from tabletopgen_env.observations.modes import slot_order
+from tabletopgen_env.rendering.drawer import drawer
+from tabletopgen_env.rendering.point_cloud import ABOVE, point_cloud, unprojected
+from tabletopgen_env.rendering.software import model_camera
+from tabletopgen_env.rendering.views import (
     DEPTH_FAR,
     SLOTS,
     TABLETOP,
@@ -24,7 +21,10 @@ from tabletopgen_env.views import (
     geom_labels,
     pictures,
 )
-from tabletopgen_env.world import World
+from tabletopgen_env.robot.panda import Panda
+from tabletopgen_env.tasks.goals.sampling import into
+from tabletopgen_env.world.composition import FRONT_CAMERA, MARKER, TOP_CAMERA
+from tabletopgen_env.world.world import World
 
 RENDERERS = [pytest.param("gl", marks=needs_gl), "software"]
 KINDS = ("rgb", "depth", "segmentation")

@@ -9,7 +9,7 @@ from toy import toy_object, toy_objects, toy_scene
 from generator.errors import SceneError
 from tabletopgen_env.robot.mount import Mount
 from tabletopgen_env.robot.panda import HOME_QPOS, Panda
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 
 @pytest.fixture

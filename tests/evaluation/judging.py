@@ -10,7 +10,7 @@ from typing import Any
 from running.paid_server import ask
 
 from generator.backends.embedded.reasoner import Reasoner
-from generator.running import Session
+from generator.calls import Session
 
 SERVER = "JUDGE_OF_THE_TESTS"
 """Environment variable naming the server that ``PaidJudging`` asks."""

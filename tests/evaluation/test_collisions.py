@@ -13,7 +13,7 @@ from toy import cube_mesh, toy_object, toy_scene
 
 from generator.catalogue import build
 from generator.errors import InputError
-from generator.evaluation.collisions import (
+from generator.evaluation.surfaces.collisions import (
     Collisions,
     Overlap,
     colliding,
@@ -21,8 +21,8 @@ from generator.evaluation.collisions import (
     overlap_depth,
     rates,
 )
-from generator.evaluation.shells import Shell, shells
-from generator.evaluation.triangles import nearest_on_triangles, solid_angles
+from generator.evaluation.surfaces.shells import Shell, shells
+from generator.evaluation.surfaces.triangles import nearest_on_triangles, solid_angles
 from generator.geometry import yaw_quaternion
 from generator.scene import Mesh, Object, Placement, Pose
 

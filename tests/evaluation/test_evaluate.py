@@ -22,7 +22,7 @@ from generator.errors import InputError
 from generator.evaluation import Evaluation, Limits, evaluate
 from generator.evaluation.perceptual import EMBEDDED, PUBLISHED
 from generator.evaluation.soundness import PLAIN
-from generator.evaluation.sweep import Station
+from generator.evaluation.surfaces.sweep import Station
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
 
 QUICK = Limits(rule=dataclasses.replace(PLAIN, seconds=1.0))
@@ -239,7 +239,7 @@ def test_the_command_sweeps_for_the_view_nearest_to_the_picture(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     few = (Station(50, 1.3), Station(0, 2.5))
-    monkeypatch.setattr("generator.evaluation.sweep.stations", lambda config: few)
+    monkeypatch.setattr("generator.evaluation.surfaces.sweep.stations", lambda config: few)
     assert command("evaluate", saved(taken.scene, store, taken), "--sweep", "--json") == 0
     (scene,) = json.loads(capsys.readouterr().out)["scenes"]
     told = {**scene["perceptual"], **scene["perceptual_missing"]}

@@ -10,7 +10,7 @@ from toy import toy_object, toy_scene
 
 from generator.errors import InputError
 from generator.evaluation.soundness import PLAIN, VARIANTS, Rule, robustness, soundness
-from generator.mjcf import FLAT_SPOT
+from generator.physics.mjcf import FLAT_SPOT
 from generator.scene import Object
 
 SHORT = dataclasses.replace(PLAIN, seconds=0.5)

@@ -10,7 +10,7 @@ from toy import toy_object, toy_scene
 
 from generator.errors import InputError
 from generator.evaluation.perceptual import EMBEDDED
-from generator.evaluation.sweep import (
+from generator.evaluation.surfaces.sweep import (
     Station,
     SweepConfig,
     best_views,

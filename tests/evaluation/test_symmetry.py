@@ -10,7 +10,7 @@ from printed import box
 from shapes import cylinder_mesh, sphere_mesh
 
 from generator.catalogue import build
-from generator.evaluation.symmetry import order, yaw_error
+from generator.evaluation.surfaces.symmetry import order, yaw_error
 from generator.scene import Mesh
 
 MUG = build("mug", 5)

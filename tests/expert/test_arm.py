@@ -21,10 +21,10 @@ from tabletopgen_env.expert.arm import (
     wrist_is_free,
     wrists_are_free,
 )
-from tabletopgen_env.expert.grasps import TIP
-from tabletopgen_env.expert.heights import HeightMap, surroundings
+from tabletopgen_env.expert.planning.grasps import TIP
+from tabletopgen_env.expert.planning.heights import HeightMap, surroundings
 from tabletopgen_env.robot.kinematics import UPPER
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 TOP = 0.74
 

@@ -5,8 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tabletopgen_env.expert.heights import Solid
-from tabletopgen_env.expert.runs import PAD_HEIGHT, RISE, STEP_U, Runs, find_runs, slabs
+from tabletopgen_env.expert.planning.heights import Solid
+from tabletopgen_env.expert.planning.runs import (
+    PAD_HEIGHT,
+    RISE,
+    STEP_U,
+    Runs,
+    find_runs,
+    slabs,
+)
 
 FLOOR = 0.74
 LEVELS = FLOOR + RISE * (np.arange(12) + 0.5)

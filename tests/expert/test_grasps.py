@@ -5,11 +5,11 @@ import pytest
 from toy import toy_object, toy_scene
 
 from generator.scene import Object
-from tabletopgen_env.expert.grasps import TIP, Grasp, plan_grasps
-from tabletopgen_env.expert.heights import height_map, moved
 from tabletopgen_env.expert.path import CLEAR, clear_height
+from tabletopgen_env.expert.planning.grasps import TIP, Grasp, plan_grasps
+from tabletopgen_env.expert.planning.heights import height_map, moved
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 
 def world_of(*objects: Object) -> World:

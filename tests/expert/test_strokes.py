@@ -11,11 +11,11 @@ from toy import toy_object, toy_scene
 
 from generator.scene import Object
 from tabletopgen_env.env import make_env
+from tabletopgen_env.expert.planning.strokes import plan_stroke
 from tabletopgen_env.expert.push import Pusher
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.expert.strokes import plan_stroke
-from tabletopgen_env.tasks.goals import Pushed
-from tabletopgen_env.world import World
+from tabletopgen_env.tasks.goals.goal import Pushed
+from tabletopgen_env.world.world import World
 
 TOP = 0.74
 BOOK = toy_object("book", (0.12, 0.12, 0.03), (0.0, 0.0))

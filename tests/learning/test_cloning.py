@@ -9,14 +9,14 @@ import torch
 from stable_baselines3 import SAC
 from toy import toy_scene
 
-from generator.cores import torch_threads
 from generator.errors import InputError
+from generator.threads import torch_threads
 from tabletopgen_env.env import make_env
 from tabletopgen_env.episodes import HOLD
-from tabletopgen_env.learning.cloning import CloningConfig, clone, policy_of
-from tabletopgen_env.learning.demonstrations import demonstrate
-from tabletopgen_env.learning.network import TableExtractor
-from tabletopgen_env.observations import SLOTS
+from tabletopgen_env.learning.demonstrations.cloning import CloningConfig, clone, policy_of
+from tabletopgen_env.learning.demonstrations.recorded import demonstrate
+from tabletopgen_env.learning.networks.network import TableExtractor
+from tabletopgen_env.observations.modes import SLOTS
 
 
 def lift() -> gym.Env:

@@ -16,8 +16,8 @@ from toy import toy_scene
 from generator.errors import InputError, StorageError
 from tabletopgen_env.env import make_env
 from tabletopgen_env.learning import commands, policies
-from tabletopgen_env.learning.actor import inputs_of, tensors_of
 from tabletopgen_env.learning.making import new_model, single_env, source_of
+from tabletopgen_env.learning.networks.actor import inputs_of, tensors_of
 from tabletopgen_env.learning.policies import (
     FORMAT,
     KEY,
@@ -27,8 +27,8 @@ from tabletopgen_env.learning.policies import (
     policy_from,
     save_policy,
 )  # fmt: skip
-from tabletopgen_env.observations import observation_space
-from tabletopgen_env.views import ObservationConfig
+from tabletopgen_env.observations.modes import observation_space
+from tabletopgen_env.rendering.views import ObservationConfig
 
 GOAL = {"observation": "goal"}
 KINDS = [
@@ -221,15 +221,17 @@ def test_a_network_that_computes_otherwise_is_refused(small, tmp_path: Path, mon
         path = save_policy(policy, tmp_path / "p.safetensors", half)
         load_policy(path)
         with monkeypatch.context() as changed:
-            changed.setattr("tabletopgen_env.learning.network._ROBOT_SCALE", np.full(40, 0.7))
+            changed.setattr(
+                "tabletopgen_env.learning.networks.network._ROBOT_SCALE", np.full(40, 0.7)
+            )
             with pytest.raises(InputError, match="answers otherwise"):
                 load_policy(path)
 
 
 @pytest.mark.slow
 def test_goals_are_looked_at_as_the_state_is() -> None:
-    from tabletopgen_env.learning.goal_extractor import GoalExtractor
-    from tabletopgen_env.learning.network import TableExtractor
+    from tabletopgen_env.learning.networks.goal_extractor import GoalExtractor
+    from tabletopgen_env.learning.networks.network import TableExtractor
 
     for hint in (False, True):
         features = []

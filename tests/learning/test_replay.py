@@ -12,9 +12,9 @@ from stable_baselines3 import HerReplayBuffer
 
 from generator.errors import InputError, SceneError
 from tabletopgen_env.episodes import HOLD
-from tabletopgen_env.learning.demonstrations import demonstrate
+from tabletopgen_env.learning.demonstrations.recorded import demonstrate
+from tabletopgen_env.learning.demonstrations.replay import fill, read_buffer, write_buffer
 from tabletopgen_env.learning.making import many_envs, new_model, single_env, source_of
-from tabletopgen_env.learning.replay import fill, read_buffer, write_buffer
 
 LIMIT = 60  # of Reach
 
@@ -120,7 +120,9 @@ def test_more_than_fits_is_refused(small) -> None:
 
 
 def test_an_expert_that_solves_nothing_ends_in_an_error(small, monkeypatch) -> None:
-    monkeypatch.setattr("tabletopgen_env.learning.replay.demonstrate", lambda *a, **k: None)
+    monkeypatch.setattr(
+        "tabletopgen_env.learning.demonstrations.replay.demonstrate", lambda *a, **k: None
+    )
     with pytest.raises(SceneError, match="solves none of 100"):
         filled(small())
 

@@ -18,8 +18,9 @@ from stable_baselines3.common.vec_env import VecMonitor
 
 from generator.errors import InputError, SceneError, TabletopError
 from tabletopgen_env.env import TabletopEnv
-from tabletopgen_env.learning import extra, replay, tracking, training
-from tabletopgen_env.learning.demonstrations import demonstrate
+from tabletopgen_env.learning import extra, tracking, training
+from tabletopgen_env.learning.demonstrations import replay
+from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 from tabletopgen_env.learning.making import load_zip
 from tabletopgen_env.learning.policies import load_policy
 from tabletopgen_env.learning.runs import BEST, LATEST, opened
@@ -255,7 +256,9 @@ def test_a_wrong_recipe_leaves_nothing_behind(small, folder: Path) -> None:
 
 
 def test_a_run_that_never_began_leaves_nothing_behind(small, folder: Path, monkeypatch) -> None:
-    monkeypatch.setattr("tabletopgen_env.learning.replay.demonstrate", lambda *a, **k: None)
+    monkeypatch.setattr(
+        "tabletopgen_env.learning.demonstrations.replay.demonstrate", lambda *a, **k: None
+    )
     with pytest.raises(SceneError, match="solves none"):
         train(small(demonstrations=2), folder, QUICK, say=quiet)
     assert not folder.exists()

@@ -19,10 +19,10 @@ import transformers
 from torch import Tensor
 from torch.nn import functional
 
-from generator.backends.huggingface.folder import snapshot
-from generator.backends.huggingface.phrases import questions
-from generator.backends.huggingface.pins import pins
-from generator.backends.huggingface.pixels import IMAGENET, bounded, seen
+from generator.backends.huggingface.detection.phrases import questions
+from generator.backends.huggingface.detection.pixels import IMAGENET, bounded, seen
+from generator.backends.huggingface.weights.folder import snapshot
+from generator.backends.huggingface.weights.pins import pins
 from generator.geometry import mask_box
 
 SIDE = 96

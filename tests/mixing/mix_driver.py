@@ -17,13 +17,13 @@ from fitted_models import SIDE
 from generator.backends import Backends
 from generator.backends.huggingface.encoder import Encoder
 from generator.backends.huggingface.segmenter import Segmenter
+from generator.calls import Session
+from generator.calls.http.waiting import Patience
+from generator.calls.money.prices import Price, Prices
+from generator.calls.store import CallStore
+from generator.method.refinement import RefinementConfig
+from generator.method.rotation import RotationConfig
 from generator.pipeline import Config, Generation, generate
-from generator.running import Session
-from generator.running.prices import Price, Prices
-from generator.running.store import CallStore
-from generator.running.waiting import Patience
-from generator.stages.refinement import RefinementConfig
-from generator.stages.rotation import RotationConfig
 
 CONFIG = Config(
     rotation=RotationConfig(

@@ -37,8 +37,8 @@ from laid_table import THINGS
 from mix_servers import KEY, Asked, Servers, Watch
 
 from generator import bundle
-from generator.running.account import LEDGER
-from generator.running.store import CallStore
+from generator.calls.money.account import LEDGER
+from generator.calls.store import CallStore
 
 SEED = 7
 KILLS = 5

@@ -15,7 +15,7 @@ from posing.cases import (
 from posing.meshes import load_model, mesh_files
 
 from generator.errors import InputError
-from generator.evaluation.symmetry import order
+from generator.evaluation.surfaces.symmetry import order
 from generator.scene import Model
 
 

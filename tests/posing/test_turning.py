@@ -8,7 +8,7 @@ from posing.turning import best_turn, posed
 from shapes import cylinder_mesh
 
 from generator.catalogue import build
-from generator.evaluation.symmetry import Cloud, cloud
+from generator.evaluation.surfaces.symmetry import Cloud, cloud
 from generator.geometry import wrap
 from generator.scene import Mesh, Model
 

@@ -20,7 +20,7 @@ from assets_cache import find
 from generator.bundle import load_digest
 from generator.errors import InputError, SceneError, StorageError
 from tabletopgen_env.__main__ import run
-from tabletopgen_env.learning.demonstrations import demonstrate
+from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 from tabletopgen_env.recording import RecordConfig, record
 from tabletopgen_env.recording.playing import played
 

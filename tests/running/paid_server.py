@@ -13,9 +13,9 @@ from typing import Any
 
 from local_server import local_server
 
-from generator.running import Session
-from generator.running.prices import Price, Prices
-from generator.running.waiting import Patience
+from generator.calls import Session
+from generator.calls.http.waiting import Patience
+from generator.calls.money.prices import Price, Prices
 
 KEY = "marker-key-5d1f0c"
 """The secret that nothing may hold."""

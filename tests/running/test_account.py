@@ -10,10 +10,10 @@ from pathlib import Path
 import pytest
 from bounded import LONG, at_once
 
+from generator.calls.money.account import Account
+from generator.calls.money.entries import Entry
+from generator.calls.money.prices import Price, Prices
 from generator.errors import BudgetError, InputError, StoppedError, StorageError
-from generator.running.account import Account
-from generator.running.entries import Entry
-from generator.running.prices import Price, Prices
 
 CALLS = (
     Entry("cloud", "plan_scene", "m", "failed", 1.0),

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from generator.calls import Session
+from generator.calls.http.address import checked_address, linked, local
 from generator.errors import BackendError
-from generator.running import Session
-from generator.running.address import checked_address, linked, local
 
 
 @pytest.mark.parametrize(

@@ -13,8 +13,8 @@ from pathlib import Path
 import pytest
 from bounded import LONG, at_once, line_of, running
 
+from generator.calls.store import MOST_ANSWER_BYTES, Answer, CallStore
 from generator.errors import InputError, StorageError
-from generator.running.store import MOST_ANSWER_BYTES, Answer, CallStore
 
 ANSWER = Answer(200, "application/json", b'{"a": 1}\n\x00\xff')
 
@@ -146,9 +146,9 @@ def test_one_answer_is_bounded_in_a_store_of_any_size(
     (file,) = (tmp_path / "answers").glob("*/*")
     with file.open("r+b") as opened:
         opened.truncate(MOST_ANSWER_BYTES + 1)  # sparse
-    monkeypatch.setattr("generator.reading._read", lambda *_: pytest.fail("it was read"))
+    monkeypatch.setattr("generator.io.reading._read", lambda *_: pytest.fail("it was read"))
     assert store.get(key("q")) is None and not file.exists()
-    monkeypatch.setattr("generator.running.store.MOST_ANSWER_BYTES", 300)
+    monkeypatch.setattr("generator.calls.store.MOST_ANSWER_BYTES", 300)
     with pytest.raises(StorageError, match="300 an answer"):
         CallStore(tmp_path).put(key("q"), Answer(200, "", bytes(300)))
 
@@ -201,7 +201,7 @@ def test_a_question_is_held_by_one_thread(tmp_path: Path) -> None:
 
 HOLD = """
 import sys
-from generator.running.store import CallStore
+from generator.calls.store import CallStore
 with CallStore(sys.argv[1]).holding(sys.argv[2]):
     print("held", flush=True)
     sys.stdin.read()
@@ -232,7 +232,7 @@ def test_another_process_holds_it_until_it_is_killed(tmp_path: Path) -> None:
 
 WRITE = """
 import os, sys, time
-from generator.running.store import Answer, CallStore
+from generator.calls.store import Answer, CallStore
 
 def slow(number):
     print("writing", flush=True)

@@ -18,9 +18,9 @@ import pytest
 from local_server import raw_server
 from paid_server import CHAT, Says, ask, serving, session
 
+from generator.calls.http import dialing
+from generator.calls.http.dialing import proxy_for
 from generator.errors import BackendError, TabletopError, UnusableError
-from generator.running import dialing
-from generator.running.dialing import proxy_for
 
 TIMEOUT = 0.5
 HEAD = b"HTTP/1.1 200 OK\r\ncontent-type: application/json\r\n"

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import pytest
 
+from generator.calls.money.account import Account
+from generator.calls.money.budget import FILE, Purse
+from generator.calls.money.entries import Entry
+from generator.calls.money.prices import Prices
+from generator.calls.money.spending import Spending
+from generator.calls.store import Answer, CallStore
 from generator.errors import InputError, StorageError
-from generator.running.account import Account
-from generator.running.entries import Entry
-from generator.running.prices import Prices
-from generator.running.purse import FILE, Purse
-from generator.running.spending import Spending
-from generator.running.store import Answer, CallStore
 
 ANSWER = Answer(200, "application/json", b"{}")
 KEY = "ab" + "0" * 62

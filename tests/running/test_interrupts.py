@@ -15,8 +15,8 @@ import pytest
 from bounded import running, until
 from paid_server import Asked, Says, Served, ask, serving, session
 
+from generator.calls.store import CallStore
 from generator.errors import StoppedError
-from generator.running.store import CallStore
 
 pytestmark = pytest.mark.slow
 

@@ -18,8 +18,8 @@ from toy import toy_scene
 
 from generator import bundle
 from generator.backends import select
+from generator.calls import Session
 from generator.physics.gate import judge
-from generator.running import Session
 from generator.scene import Scene
 
 TEXT = "a desk with a mug"

@@ -15,14 +15,14 @@ import pytest
 from bounded import LONG, at_once, line_of
 from paid_server import PRICES, Says, ask, serving, session
 
+from generator.calls.money.account import Account
+from generator.calls.money.budget import FILE, Purse, Spender
+from generator.calls.money.entries import Entry
 from generator.errors import BudgetError, InputError, StorageError
-from generator.running.account import Account
-from generator.running.entries import Entry
-from generator.running.purse import FILE, Purse, Spender
 
 HOLDS = """
 import sys, time
-from generator.running.purse import Purse
+from generator.calls.money.budget import Purse
 with Purse.open(sys.argv[1], "USD").spending() as spender:
     assert spender.hold(0.25, 1.0, "a call") and spender.hold(0.25, 1.0, "another")
     spender.settle(0.25, 0.125)

@@ -7,8 +7,13 @@ from typing import Any
 import httpx2
 import pytest
 
-from generator.running.prices import Price, Prices
-from generator.running.question import Usage, failed, question, usage
+from generator.calls.money.prices import Price, Prices
+from generator.calls.question import (
+    Usage,
+    failed,
+    question,
+    usage,
+)
 
 PRICES = Prices(
     models={

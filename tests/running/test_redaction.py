@@ -8,7 +8,7 @@ from urllib.parse import quote
 
 import pytest
 
-from generator.running.redaction import holds, plain_url, redacted
+from generator.calls.http.redaction import holds, plain_url, redacted
 
 KEY = 'mark/er+"7f3a'
 

@@ -13,8 +13,8 @@ import pytest
 from leaks import chain, everything
 from paid_server import CHAT, KEY, PRICES, Asked, Says, ask, serving, session
 
+from generator.calls.store import CallStore
 from generator.errors import BackendError
-from generator.running.store import CallStore
 
 ECHO = {"error": {"message": f"Incorrect API key provided: {KEY}", "code": "invalid_api_key"}}
 

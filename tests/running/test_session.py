@@ -10,9 +10,9 @@ import pytest
 from bounded import join, until
 from paid_server import Asked, Says, ask, serving, session
 
+from generator.calls.http.waiting import Patience
+from generator.calls.store import CallStore
 from generator.errors import BackendError, DryRunError, InputError, StoppedError
-from generator.running.store import CallStore
-from generator.running.waiting import Patience
 
 PATIENT = Patience(first=20.0, longest=20.0)
 

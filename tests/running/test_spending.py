@@ -13,14 +13,14 @@ import pytest
 from bounded import at_once, running, until
 from paid_server import KEY, PRICES, Asked, Says, ask, serving, session
 
+from generator.calls import Session
+from generator.calls.money.account import Account
+from generator.calls.money.budget import Purse
+from generator.calls.money.entries import Entry
+from generator.calls.money.prices import Price, Prices
+from generator.calls.money.spending import Spending
+from generator.calls.store import CallStore
 from generator.errors import BudgetError, InputError, StorageError
-from generator.running import Session
-from generator.running.account import Account
-from generator.running.entries import Entry
-from generator.running.prices import Price, Prices
-from generator.running.purse import Purse
-from generator.running.spending import Spending
-from generator.running.store import CallStore
 
 MOST = 0.04004
 """What a call of the tests may cost at most."""

@@ -16,14 +16,14 @@ import pytest
 from bounded import running, until
 from paid_server import CHAT, KEY, Asked, Says, ask, serving, session
 
+from generator.calls import Session
+from generator.calls.http.waiting import Patience
+from generator.calls.money.account import Account
+from generator.calls.money.budget import Purse
+from generator.calls.money.prices import Price, Prices
+from generator.calls.store import CallStore
+from generator.calls.used import Used
 from generator.errors import BackendError, BudgetError, DryRunError, UnusableError
-from generator.running import Session
-from generator.running.account import Account
-from generator.running.prices import Price, Prices
-from generator.running.purse import Purse
-from generator.running.store import CallStore
-from generator.running.used import Used
-from generator.running.waiting import Patience
 
 
 def outcomes(shared: Any) -> list[str]:
@@ -152,7 +152,7 @@ def test_a_fault_of_the_program_is_entered_and_holds_no_key(
     def fault(*given: Any) -> None:
         raise RuntimeError(f"{given[1].headers}")
 
-    monkeypatch.setattr("generator.running.transport.exchange", fault)
+    monkeypatch.setattr("generator.calls.transport.exchange", fault)
     shared = session()
     with serving([Says()]) as server, pytest.raises(BackendError, match="RuntimeError") as caught:
         ask(shared, server.url)
@@ -534,7 +534,7 @@ def test_a_key_in_an_address_is_refused(key: str) -> None:
 CHILD = """
 import sys
 from paid_server import ask, session
-from generator.running.store import CallStore
+from generator.calls.store import CallStore
 for text in "abc":
     ask(session(store=CallStore(sys.argv[1])), sys.argv[2], text)
 """

@@ -6,8 +6,8 @@ from datetime import UTC, datetime
 
 import pytest
 
+from generator.calls.http.waiting import Breaker, Patience, retry_after
 from generator.errors import BackendError, InputError
-from generator.running.waiting import Breaker, Patience, retry_after
 
 
 def test_waits_double_up_to_the_longest() -> None:

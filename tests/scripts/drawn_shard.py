@@ -9,8 +9,13 @@ from posing.truth import photograph
 
 from generator.catalogue import CATEGORIES
 from generator.compose import compose
-from generator.training.sample import BACKGROUND, OBJECT, TOP, Sample
-from generator.training.shards import ShardWriter
+from research.eye.sample import (
+    BACKGROUND,
+    OBJECT,
+    TOP,
+    Sample,
+)
+from research.eye.shards import ShardWriter
 
 
 def write_shard(path: Path) -> None:

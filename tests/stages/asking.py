@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from local_server import local_server
 
-from generator.running import Session
+from generator.calls import Session
 from generator.scene import Detection, Instance, Mesh, Model, Reference, SizePrior, View
 
 

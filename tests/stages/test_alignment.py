@@ -10,9 +10,19 @@ import pytest
 from shapes import sphere_mesh
 from toy import cube_mesh
 
-from generator.backends.embedded.planner import plan_scene
 from generator.errors import InputError
 from generator.geometry import rotated_extent
+from generator.language.planner import plan_scene
+from generator.method.alignment import (
+    AlignmentConfig,
+    align,
+    metres_per_pixel,
+    own_extent,
+    pixel_area_and_ratio_error,
+    rectangle_box,
+    rma_score,
+    select_anchor,
+)
 from generator.render.contact import Body, resting_height
 from generator.scene import (
     Detection,
@@ -26,16 +36,6 @@ from generator.scene import (
     Stacking,
     TopView,
     View,
-)
-from generator.stages.alignment import (
-    AlignmentConfig,
-    align,
-    metres_per_pixel,
-    own_extent,
-    pixel_area_and_ratio_error,
-    rectangle_box,
-    rma_score,
-    select_anchor,
 )
 
 

@@ -13,11 +13,11 @@ import pytest
 from asking import Asking, slow_server
 
 from generator.backends import Backends
+from generator.calls import Session
 from generator.geometry import mask_box
-from generator.running import Session
+from generator.method.extraction import extract
+from generator.method.modeling import make_models
 from generator.scene import Detection, Reference, SizePrior, View
-from generator.stages.extraction import extract
-from generator.stages.modeling import make_models
 
 IMAGE = np.full((60, 160, 3), 255, np.uint8)
 VIEW = View(0.0, 0.9, 0.6)

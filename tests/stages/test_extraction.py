@@ -9,6 +9,12 @@ import pytest
 
 from generator.errors import InputError, SceneError
 from generator.geometry import fill_holes, mask_box
+from generator.method.extraction import (
+    ExtractionConfig,
+    clean,
+    extract,
+    unique_names,
+)
 from generator.scene import (
     Detection,
     Instance,
@@ -16,12 +22,6 @@ from generator.scene import (
     PlannedTable,
     Reference,
     ScenePlan,
-)
-from generator.stages.extraction import (
-    ExtractionConfig,
-    clean,
-    extract,
-    unique_names,
 )
 
 IMAGE = np.full((100, 120, 3), 255, np.uint8)

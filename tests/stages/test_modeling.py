@@ -10,6 +10,14 @@ import pytest
 
 from generator.errors import BackendError, InputError
 from generator.geometry import quaternion_matrix, ray_view
+from generator.method.modeling import (
+    apply_quarter_turns,
+    make_models,
+    measured_size,
+    quarter_turn,
+    size_axes_turn,
+    turned,
+)
 from generator.scene import (
     ConvexPart,
     Instance,
@@ -18,14 +26,6 @@ from generator.scene import (
     Reference,
     SizePrior,
     View,
-)
-from generator.stages.modeling import (
-    apply_quarter_turns,
-    make_models,
-    measured_size,
-    quarter_turn,
-    size_axes_turn,
-    turned,
 )
 
 AXES = "xyz"

@@ -8,8 +8,13 @@ import pytest
 from PIL import Image
 
 from generator.errors import InputError
+from generator.method.reference import (
+    ReferenceConfig,
+    is_picture_name,
+    read_image,
+    refer,
+)
 from generator.scene import PlannedTable, ScenePlan
-from generator.stages.reference import ReferenceConfig, is_picture_name, read_image, refer
 
 
 class Artist:

@@ -10,8 +10,8 @@ from command import command
 from PIL import Image
 
 from generator.errors import InputError
+from generator.method.reference import ReferenceConfig, refer
 from generator.scene import Intrinsics, Reference
-from generator.stages.reference import ReferenceConfig, refer
 
 CAMERA = Intrinsics(120.0, 121.0, 60.0, 44.0)
 PICTURE = np.full((90, 120, 3), 128, np.uint8)

@@ -11,10 +11,10 @@ from generator.backends.embedded.encoder import Encoder
 from generator.catalogue import build
 from generator.errors import InputError
 from generator.geometry import wrap
+from generator.method import rotation as dro
+from generator.method.rotation import RotationConfig
 from generator.render.soft import Surface
 from generator.scene import TABLE, Mesh, Model, View
-from generator.stages import rotation as dro
-from generator.stages.rotation import RotationConfig
 
 
 def doubled(value):

@@ -12,13 +12,13 @@ from toy import toy_object, toy_scene
 from generator import bundle
 from generator.backends.embedded.encoder import Encoder
 from generator.catalogue import build
-from generator.cores import single_thread
 from generator.errors import InputError
 from generator.geometry import rotation_z, wrap
+from generator.method import rotation as dro
+from generator.method.rotation import Found, prior
 from generator.physics.gate import judge
 from generator.scene import Model, Rotation
-from generator.stages import rotation as dro
-from generator.stages.rotation import Found, prior
+from generator.threads import single_thread
 
 PLAIN = (0.16, 0.09, 0.06)
 YAW = 0.6

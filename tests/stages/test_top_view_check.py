@@ -9,9 +9,9 @@ import pytest
 from toy import cube_mesh
 
 from generator.geometry import Camera, mask_box, yaw_quaternion
+from generator.method.alignment import check_top_view
 from generator.render.raster import place, render
 from generator.scene import TABLE, Instance, Model, Rotation, Stacking, TopView, View
-from generator.stages.alignment import check_top_view
 
 SIZE = (640, 480)
 VIEW = View(azimuth=0.15, elevation=np.deg2rad(50.0), fov=np.deg2rad(45.0))

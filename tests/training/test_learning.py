@@ -12,10 +12,10 @@ from generator.backends.embedded.eye.network import REGIONS, STRIDE, Eye
 from generator.catalogue import CATEGORIES
 from generator.errors import InputError
 from generator.scene import View
-from generator.training import losses, train
-from generator.training.sample import OBJECT, TOP, Sample
-from generator.training.shards import ShardWriter
-from generator.training.targets import cut
+from research.eye import losses, train
+from research.eye.sample import OBJECT, TOP, Sample
+from research.eye.shards import ShardWriter
+from research.eye.targets import cut
 
 
 def sample() -> Sample:

@@ -12,12 +12,23 @@ import pytest
 from scipy.ndimage import binary_dilation, binary_erosion
 
 from generator.errors import BackendError
-from generator.training import gl, renders
-from generator.training.gl import Painter
-from generator.training.rendering import draw, render_sample
-from generator.training.sample import BACKGROUND, OBJECT, TABLE_REST, TOP, Sample
-from generator.training.staging import stage
-from generator.training.supply import KEYS, SEEDS, Supply, supply
+from research.eye.pictures import gl, renders
+from research.eye.pictures.gl import Painter
+from research.eye.pictures.rendering import draw, render_sample
+from research.eye.pictures.staging import stage
+from research.eye.pictures.supply import (
+    KEYS,
+    SEEDS,
+    Supply,
+    supply,
+)
+from research.eye.sample import (
+    BACKGROUND,
+    OBJECT,
+    TABLE_REST,
+    TOP,
+    Sample,
+)
 
 SIDE = 256
 

@@ -11,8 +11,14 @@ import pytest
 
 from generator.errors import StorageError
 from generator.scene import View
-from generator.training.sample import OBJECT, TOP, Sample, filled, latitude
-from generator.training.shards import ShardReader, ShardWriter
+from research.eye.sample import (
+    OBJECT,
+    TOP,
+    Sample,
+    filled,
+    latitude,
+)
+from research.eye.shards import ShardReader, ShardWriter
 
 SIDE = 64
 

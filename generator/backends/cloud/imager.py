@@ -8,9 +8,9 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from jaxtyping import UInt8
 
+from ...calls.session import Session
+from ...calls.used import Used
 from ...errors import BackendError, UnusableError, choices
-from ...running.session import Session
-from ...running.used import Used
 from ...scene import (
     TABLE,
     Detection,
@@ -22,15 +22,22 @@ from ...scene import (
     TopView,
     View,
 )
-from . import configuration, cutting, planning
-from .asking import Chat, Manners
-from .calling import Server
-from .checking import faults
-from .drawing import RATIOS, Form, Painter, Tolerated
-from .labelled import Labelled
-from .pictures import on_white, padded, shrunk
+from .drawing import cutting
+from .drawing.asking import (
+    RATIOS,
+    Form,
+    Painter,
+    Tolerated,
+)
+from .drawing.pictures import on_white, padded, shrunk
 from .prompts import prompt
-from .reading import Wrong
+from .questions import planning
+from .questions.checking import faults
+from .questions.labelled import Labelled
+from .server import configuration
+from .server.asking import Chat, Manners
+from .server.calling import Server
+from .server.reading import Wrong
 
 REDRAWS = 2
 """How often at most a picture is drawn again that does not show what it should."""
@@ -155,7 +162,7 @@ class Imager:
         Raises:
             BackendError: a server gave no answer at all.
         """
-        from ..embedded.topview import top_view
+        from ..embedded.drawing.topview import top_view
 
         try:
             return self._drawn_top_view(reference, instances, models)

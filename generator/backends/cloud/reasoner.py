@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from jaxtyping import UInt8
 
-from ...running.session import Session
+from ...calls.session import Session
 from ...scene import (
     TABLE,
     Instance,
@@ -20,12 +20,18 @@ from ...scene import (
     Stacking,
     View,
 )
-from . import configuration, estimating, judging, orientation, planning
-from .answers import OrientationAnswer, PlanAnswer
-from .asking import Chat, Manners
-from .calling import Server
-from .pictures import on_white
+from .drawing.pictures import on_white
 from .prompts import prompt as worded
+from .questions import (
+    estimating,
+    judging,
+    orientation,
+    planning,
+)
+from .server import configuration
+from .server.answers import OrientationAnswer, PlanAnswer
+from .server.asking import Chat, Manners
+from .server.calling import Server
 
 
 @dataclass(frozen=True)

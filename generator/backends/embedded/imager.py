@@ -9,7 +9,7 @@ import numpy as np
 from jaxtyping import UInt8
 
 from ...scene import Detection, Instance, Model, Reference, Rotation, ScenePlan, TopView, View
-from . import completion, painter, topview
+from .drawing import completion, painter, topview
 
 
 @dataclass(frozen=True)

@@ -11,17 +11,17 @@ from jaxtyping import Bool, Float
 
 from ...catalogue import Category
 from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
+from ...language.naming import known
+from ...meshes import baking
+from ...meshes.pixels import mask_iou
+from ...meshes.projection import Projection
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
-from . import baking
-from .choosing import best_solid
-from .framing import proportion_gap
-from .likeness import Likeness, fit_likeness
-from .naming import known
-from .painting import PROJECT, painted
-from .pixels import mask_iou
-from .projection import Projection
-from .solids import Posed
-from .table_likeness import model_table
+from .shapes.choosing import best_solid
+from .shapes.framing import proportion_gap
+from .shapes.likeness import Likeness, fit_likeness
+from .shapes.painting import PROJECT, painted
+from .shapes.solids import Posed
+from .tables.likeness import model_table
 
 _COARSE = 100  # of those that catalogue shapes are searched with
 _WORKING = 200  # longer side of the silhouettes that are compared, pixels

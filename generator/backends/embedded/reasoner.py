@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...language.naming import known
+from ...language.planner import plan_scene
 from ...scene import (
     TABLE,
     Instance,
@@ -18,12 +20,20 @@ from ...scene import (
     Stacking,
     View,
 )
-from . import guessing
-from .measure import apparent_scale, measured_extent, usual_solid, whole_box
-from .naming import known
-from .planner import plan_scene
+from .layout import guessing
+from .layout.survey import (
+    Survey,
+    solid_size,
+    stacking_of,
+    survey,
+)
+from .plane.measure import (
+    apparent_scale,
+    measured_extent,
+    usual_solid,
+    whole_box,
+)
 from .segmenter import GENERIC
-from .survey import Survey, solid_size, stacking_of, survey
 
 _TAU = 0.25  # tolerance of proportions, as in the RMA-Score
 _HEIGHT = 0.74

@@ -11,16 +11,21 @@ from jaxtyping import Bool, Float, UInt8
 
 from ...errors import SceneError
 from ...geometry import main_parts, mask_box
+from ...language.naming import (
+    assigned,
+    free_labels,
+    shape_word,
+    weighed,
+)
 from ...scene import TABLE, Detection, Intrinsics
-from .depth_plane import find_depth_plane
-from .depth_things import confirmed
+from .depth.plane import find_depth_plane
+from .depth.things import confirmed
 from .eye.sight import Sight, Thing, see
 from .eye.weights import load_weights
-from .measure import apparent_scale, usual_solid
-from .naming import assigned, free_labels, shape_word, weighed
-from .outline import top_of
-from .plane import TablePlane
-from .tabletop import find_tabletop
+from .plane.measure import apparent_scale, usual_solid
+from .plane.outline import top_of
+from .plane.plane import TablePlane
+from .plane.tabletop import find_tabletop
 
 GENERIC = "object"
 """The label that asks for anything on the table."""

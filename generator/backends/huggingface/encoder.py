@@ -9,10 +9,10 @@ from jaxtyping import Float
 
 from ...errors import BackendError, require
 from ..installing import working
-from .folder import models_folder
-from .loading import Once, device_for, load_model
-from .pins import pin
-from .pixels import IMAGENET, normalised
+from .detection.pixels import IMAGENET, normalised
+from .weights.folder import models_folder
+from .weights.loading import Once, device_for, load_model
+from .weights.pins import pin
 
 if TYPE_CHECKING:
     from torch import Tensor

@@ -14,16 +14,28 @@ from ...errors import SceneError, require
 from ...geometry import mask_box
 from ...scene import TABLE, Detection, Intrinsics
 from ..installing import working
-from .finds import Find, Finder, Masker
-from .folder import models_folder
-from .ground import on_table
-from .grounding_dino import GroundingDino
-from .loading import Once, device_for, load_model, load_tokenizer
-from .merging import ALIKE, cleaned, distinct, named, separate, union_share
-from .pins import pin
-from .sam2 import Sam2
-from .sam3 import Sam3
-from .tiles import Tile, tiles_of
+from .detection.detections import Find, Finder, Masker
+from .detection.ground import on_table
+from .detection.grounding_dino import GroundingDino
+from .detection.merging import (
+    ALIKE,
+    cleaned,
+    distinct,
+    named,
+    separate,
+    union_share,
+)
+from .detection.sam2 import Sam2
+from .detection.sam3 import Sam3
+from .detection.tiles import Tile, tiles_of
+from .weights.folder import models_folder
+from .weights.loading import (
+    Once,
+    device_for,
+    load_model,
+    load_tokenizer,
+)
+from .weights.pins import pin
 
 DETECTOR = "TABLETOPGEN_DETECTOR"
 """The environment's name for the detector, where a segmenter is chosen by name."""

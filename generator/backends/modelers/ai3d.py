@@ -9,11 +9,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from ...calls.http.redaction import excerpt
+from ...calls.session import Session
+from ...calls.used import Used
 from ...errors import BackendError
-from ...reading import parse_object, printable, split_url
-from ...running.redaction import excerpt
-from ...running.session import Session
-from ...running.used import Used
+from ...io.reading import parse_object, printable, split_url
 from .signing import KIND
 
 if TYPE_CHECKING:

@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ...errors import BackendError, choices
-from ...reading import read_regular
+from ...io.reading import read_regular
+from ...meshes.normalising import Normal, foreign_model, normal_mesh
+from ...meshes.reading.bounds import MOST_BYTES
+from ...meshes.reading.companions import companions
+from ...meshes.reading.surface import Axis
 from ...scene import Instance, Mesh, Model, SizePrior, View
 from ..embedded.modeler import known_category
 from ..protocols import Modeler
-from .bounds import MOST_BYTES
-from .companions import companions
-from .normalising import Normal, foreign_model, normal_mesh
-from .surface import Axis
 
 ASSETS = "TABLETOPGEN_ASSETS"
 """The environment's name for the folder, where ``Folder.path`` is empty."""

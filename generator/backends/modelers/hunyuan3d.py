@@ -8,16 +8,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from ...calls.http.address import checked_address
+from ...calls.session import Session
+from ...calls.used import Used
 from ...errors import BackendError, choices, require
-from ...png import encode_png
-from ...reading import parse_object
-from ...running.address import checked_address
-from ...running.session import Session
-from ...running.used import Used
+from ...io.png import encode_png
+from ...io.reading import parse_object
+from ...meshes.normalising import Normal, foreign_model, normal_mesh
+from ...meshes.reading.inspection import inspect_glb
 from ...scene import Instance, Model, SizePrior, View
 from .cutout import cutout
-from .inspection import inspect_glb
-from .normalising import Normal, foreign_model, normal_mesh
 
 ADDRESS = "TABLETOPGEN_HUNYUAN3D_URL"
 """The environment's name for the server's address, where ``Hunyuan3D.url`` is empty."""

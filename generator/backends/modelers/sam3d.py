@@ -17,10 +17,10 @@ from jaxtyping import Float
 
 from ...errors import BackendError
 from ...geometry import quaternion_matrix, view_rotation
+from ...meshes.normalising import Normal, foreign_model, normal_trimesh
 from ...scene import Instance, Model, SizePrior, View
 from ..installing import working
 from .installed import call, only_mesh
-from .normalising import Normal, foreign_model, normal_trimesh
 
 HOME = "TABLETOPGEN_SAM3D"
 """The environment's name for the checkout, where ``Sam3D.home`` is empty."""

@@ -9,18 +9,18 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, get_args
 
+from ...calls.http.address import linked, local
+from ...calls.http.redaction import excerpt
+from ...calls.session import Session
+from ...calls.used import Used
 from ...errors import BackendError, choices, require
-from ...png import encode_png
-from ...reading import split_url
-from ...running.address import linked, local
-from ...running.redaction import excerpt
-from ...running.session import Session
-from ...running.used import Used
+from ...io.png import encode_png
+from ...io.reading import split_url
+from ...meshes.normalising import Normal, foreign_model, normal_mesh
+from ...meshes.reading.inspection import inspect_glb
 from ...scene import Instance, Model, SizePrior, View
 from .ai3d import LostJob, Service, read_keys
 from .cutout import cutout
-from .inspection import inspect_glb
-from .normalising import Normal, foreign_model, normal_mesh
 from .signing import signature
 
 HOSTS = (".myqcloud.com", ".tencentcos.cn", ".tencentcos.com")

@@ -12,11 +12,11 @@ import numpy as np
 from PIL import Image
 
 from ...errors import BackendError, choices, require
+from ...meshes.normalising import Normal, foreign_model, normal_trimesh
 from ...scene import Instance, Model, SizePrior, View
 from ..installing import module, working
 from .cutout import cutout
 from .installed import call, only_mesh
-from .normalising import Normal, foreign_model, normal_trimesh
 
 _HOW = "Install github.com/microsoft/TRELLIS (16 GB of GPU memory) or TRELLIS.2 (24 GB)."
 _WEIGHTS: Mapping[str, str] = {

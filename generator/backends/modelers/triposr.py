@@ -11,11 +11,11 @@ from typing import Any
 from PIL import Image
 
 from ...errors import require
+from ...meshes.normalising import Normal, foreign_model, normal_trimesh
 from ...scene import Instance, Model, SizePrior, View
 from ..installing import module, working
 from .cutout import cutout, on_grey
 from .installed import call, only_mesh
-from .normalising import Normal, foreign_model, normal_trimesh
 
 _HOW = "Install github.com/VAST-AI-Research/TripoSR and put it on the path."
 _CHUNK = 8192  # points of its renderer worked on at once

@@ -11,8 +11,8 @@ from openai_server import CHAT, IMAGES, KEY, Running, start
 
 from generator.backends.cloud.imager import Imager
 from generator.backends.cloud.reasoner import Reasoner
-from generator.running.session import Session
-from generator.running.waiting import Patience
+from generator.calls.http.waiting import Patience
+from generator.calls.session import Session
 
 QUICK = Patience(first=0.01, longest=0.02, rest=0.05)
 

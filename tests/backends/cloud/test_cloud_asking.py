@@ -14,14 +14,14 @@ from desk import reference
 from leaks import everything
 from openai_server import KEY, Request, Running, from_uri, pixels
 
-from generator.backends.cloud import calling, configuration
-from generator.backends.cloud.asking import ANSWER, REASKS
 from generator.backends.cloud.reasoner import Reasoner
+from generator.backends.cloud.server import calling, configuration
+from generator.backends.cloud.server.asking import ANSWER, REASKS
+from generator.calls.money.prices import Price, Prices
+from generator.calls.session import Session
+from generator.calls.store import CallStore
+from generator.calls.used import Used
 from generator.errors import BackendError, BudgetError, DryRunError
-from generator.running.prices import Price, Prices
-from generator.running.session import Session
-from generator.running.store import CallStore
-from generator.running.used import Used
 
 KINDS = json.dumps({"kinds": [{"noun": "Mug", "count": 2}, {"noun": "table", "count": 1}]})
 NOUNS = ("table", "mug", "mug")

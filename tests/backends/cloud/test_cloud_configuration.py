@@ -10,9 +10,9 @@ from desk import reference
 from openai_server import CHAT, IMAGES, Running
 
 from generator.backends import Backends
-from generator.backends.cloud import configuration
 from generator.backends.cloud.imager import Imager
 from generator.backends.cloud.reasoner import Reasoner
+from generator.backends.cloud.server import configuration
 from generator.errors import BackendError
 
 OPENAI = "https://api.openai.com/v1"

@@ -18,16 +18,16 @@ from openai_server import KEY, Request, Running
 from PIL import Image
 from toy import cube_mesh
 
-from generator.backends.cloud.asking import data_uri
+from generator.backends.cloud.drawing.pictures import padded
 from generator.backends.cloud.imager import REDRAWS, Imager
-from generator.backends.cloud.pictures import padded
+from generator.backends.cloud.server.asking import data_uri
+from generator.calls.session import Session
+from generator.calls.store import CallStore
+from generator.calls.used import Used
 from generator.errors import BackendError, UnusableError
 from generator.geometry import mask_box
-from generator.png import encode_png
+from generator.io.png import encode_png
 from generator.render.crop import in_reference, tight_box
-from generator.running.session import Session
-from generator.running.store import CallStore
-from generator.running.used import Used
 from generator.scene import Model, PlannedObject, PlannedTable, Relation, ScenePlan, TopView
 
 Make = Callable[..., Imager]

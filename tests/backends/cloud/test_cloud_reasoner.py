@@ -12,12 +12,13 @@ from desk import SIZES, THINGS, VIEW, instances, listed, reference
 from openai_server import Request, Running
 from toy import cube_mesh
 
-from generator.backends.cloud.answers import OrientationAnswer
-from generator.backends.cloud.labelled import Labelled
-from generator.backends.cloud.orientation import six_sides, turns
-from generator.backends.cloud.reading import Wrong
+from generator.backends.cloud.questions.labelled import Labelled
+from generator.backends.cloud.questions.orientation import six_sides, turns
 from generator.backends.cloud.reasoner import Reasoner
+from generator.backends.cloud.server.answers import OrientationAnswer
+from generator.backends.cloud.server.reading import Wrong
 from generator.errors import BackendError, InputError
+from generator.method.modeling import quarter_turn
 from generator.scene import (
     TABLE,
     Intrinsics,
@@ -29,7 +30,6 @@ from generator.scene import (
     ScenePlan,
     SizePrior,
 )
-from generator.stages.modeling import quarter_turn
 
 NUMBERS = {1: "book_1", 2: "mug_1", 3: "pen_1"}
 

@@ -15,12 +15,12 @@ from openai_server import IMAGES, Request, Running
 
 from generator.backends.cloud.imager import REDRAWS, Imager
 from generator.backends.cloud.reasoner import Reasoner
+from generator.calls.http.waiting import Patience
+from generator.calls.money.prices import Price, Prices
+from generator.calls.session import Session
+from generator.calls.store import CallStore
 from generator.errors import BackendError, BudgetError, DryRunError, UnusableError
-from generator.png import encode_png
-from generator.running.prices import Price, Prices
-from generator.running.session import Session
-from generator.running.store import CallStore
-from generator.running.waiting import Patience
+from generator.io.png import encode_png
 from generator.scene import PlannedObject, PlannedTable, ScenePlan, TopView
 
 KINDS = json.dumps({"kinds": [{"noun": "mug", "count": 1}]})
@@ -248,7 +248,7 @@ VIEWED = json.dumps(
 def geometry(monkeypatch: pytest.MonkeyPatch) -> None:
     """A top view by geometry that takes no time."""
     made = TopView(np.zeros((4, 6, 3), np.uint8), np.array([0, 0, 6, 4.0]), {})
-    monkeypatch.setattr("generator.backends.embedded.topview.top_view", lambda *known: made)
+    monkeypatch.setattr("generator.backends.embedded.drawing.topview.top_view", lambda *known: made)
 
 
 def top_view(session: Session) -> tuple[str, ...]:

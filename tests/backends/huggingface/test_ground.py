@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from generator.backends.huggingface.finds import Find
-from generator.backends.huggingface.ground import on_table
+from generator.backends.huggingface.detection.detections import Find
+from generator.backends.huggingface.detection.ground import on_table
 from generator.geometry import mask_box
 
 SHAPE = (120, 160)

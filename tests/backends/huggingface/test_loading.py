@@ -21,10 +21,20 @@ from safetensors.torch import load_file, save_file
 
 from generator.backends import Backends
 from generator.backends.huggingface.encoder import Encoder
-from generator.backends.huggingface.folder import found, missing, models_folder, snapshot
-from generator.backends.huggingface.loading import Once, device_for, load_model, load_tokenizer
-from generator.backends.huggingface.pins import WEIGHTS, pin, pins
 from generator.backends.huggingface.segmenter import Segmenter
+from generator.backends.huggingface.weights.folder import (
+    found,
+    missing,
+    models_folder,
+    snapshot,
+)
+from generator.backends.huggingface.weights.loading import (
+    Once,
+    device_for,
+    load_model,
+    load_tokenizer,
+)
+from generator.backends.huggingface.weights.pins import WEIGHTS, pin, pins
 from generator.errors import BackendError, InputError
 
 DINOV2 = pins()["dinov2"]

@@ -5,8 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from generator.backends.huggingface.finds import Find
-from generator.backends.huggingface.merging import cleaned, distinct, named, overlap, separate
+from generator.backends.huggingface.detection.detections import Find
+from generator.backends.huggingface.detection.merging import (
+    cleaned,
+    distinct,
+    named,
+    overlap,
+    separate,
+)
 from generator.geometry import mask_box
 
 SHAPE = (60, 80)

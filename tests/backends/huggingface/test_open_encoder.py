@@ -12,11 +12,11 @@ import torch
 from torch.nn import functional
 
 from generator.backends.huggingface import encoder as module
+from generator.backends.huggingface.detection.pixels import IMAGENET
 from generator.backends.huggingface.encoder import Encoder
-from generator.backends.huggingface.folder import snapshot
-from generator.backends.huggingface.loading import load_model
-from generator.backends.huggingface.pins import pins
-from generator.backends.huggingface.pixels import IMAGENET
+from generator.backends.huggingface.weights.folder import snapshot
+from generator.backends.huggingface.weights.loading import load_model
+from generator.backends.huggingface.weights.pins import pins
 from generator.backends.protocols import Encoder as Protocol
 from generator.errors import BackendError
 

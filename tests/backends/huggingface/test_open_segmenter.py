@@ -13,13 +13,13 @@ import transformers
 from painted import paint
 from played_models import play, tokenizer
 
-from generator.backends.huggingface.finds import Find
-from generator.backends.huggingface.grounding_dino import GroundingDino
-from generator.backends.huggingface.loading import load_model
-from generator.backends.huggingface.pins import pins
-from generator.backends.huggingface.sam2 import Sam2, enlarged
+from generator.backends.huggingface.detection.detections import Find
+from generator.backends.huggingface.detection.grounding_dino import GroundingDino
+from generator.backends.huggingface.detection.sam2 import Sam2, enlarged
+from generator.backends.huggingface.detection.tiles import tiles_of
 from generator.backends.huggingface.segmenter import Segmenter
-from generator.backends.huggingface.tiles import tiles_of
+from generator.backends.huggingface.weights.loading import load_model
+from generator.backends.huggingface.weights.pins import pins
 from generator.backends.protocols import Segmenter as Protocol
 from generator.errors import BackendError, SceneError
 from generator.geometry import mask_box
@@ -229,7 +229,7 @@ def test_boxes_and_scores_are_those_of_transformers_own_processor(tiny_models: P
 def test_many_boxes_at_once_are_masked_as_each_by_itself(
     tiny_models: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("generator.backends.huggingface.sam2._BATCH", 2)
+    monkeypatch.setattr("generator.backends.huggingface.detection.sam2._BATCH", 2)
     masker = Sam2(load_model(pins()["sam2"], tiny_models, "who:"))
     image, tiles = noise(60, 80), tiles_of(80, 60, 2, 0.25)
     boxes = [(4, 4, 20, 30), (50, 20, 75, 55), (0, 0, 80, 60), (30, 25, 36, 30), (8, 6, 24, 20)]
@@ -248,7 +248,7 @@ def test_a_box_s_mask_is_that_of_the_network_given_the_pixels(tiny_models: Path)
     network = load_model(pins()["sam2"], tiny_models, "who:")
     image, box = noise(64, 64), np.array([10.0, 12, 40, 50])
     (found,) = Sam2(network).mask(image, [Find("a", 1.0, box)], tiles_of(64, 64, 1, 0.25))
-    from generator.backends.huggingface.pixels import IMAGENET, seen
+    from generator.backends.huggingface.detection.pixels import IMAGENET, seen
 
     with torch.inference_mode():
         answer = network(

@@ -8,7 +8,7 @@ import tiny_models
 import torch
 import transformers
 
-from generator.backends.huggingface.phrases import best_words, plain, questions
+from generator.backends.huggingface.detection.phrases import best_words, plain, questions
 
 WORDS = ("table", "stuffed toy", "magnifying glass", "glass")
 

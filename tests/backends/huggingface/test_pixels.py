@@ -7,7 +7,13 @@ import pytest
 import torch
 import transformers
 
-from generator.backends.huggingface.pixels import HALVES, IMAGENET, bounded, normalised, seen
+from generator.backends.huggingface.detection.pixels import (
+    HALVES,
+    IMAGENET,
+    bounded,
+    normalised,
+    seen,
+)
 
 
 @pytest.mark.parametrize("size", [(64, 48), (48, 64), (300, 40), (40, 300), (50, 50)])

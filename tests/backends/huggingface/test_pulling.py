@@ -20,13 +20,13 @@ from hub_server import Hub
 from huggingface_hub import file_download
 from local_server import local_server
 
-from generator.backends.huggingface import pins as pins_module
-from generator.backends.huggingface.downloading import download, watched
 from generator.backends.huggingface.encoder import Encoder
-from generator.backends.huggingface.folder import missing, snapshot
-from generator.backends.huggingface.loading import load_model
-from generator.backends.huggingface.pins import WEIGHTS, Pin, pins
-from generator.backends.huggingface.pulling import pull
+from generator.backends.huggingface.weights import pins as pins_module
+from generator.backends.huggingface.weights.downloading import download, watched
+from generator.backends.huggingface.weights.folder import missing, snapshot
+from generator.backends.huggingface.weights.loading import load_model
+from generator.backends.huggingface.weights.pins import WEIGHTS, Pin, pins
+from generator.backends.huggingface.weights.pulling import pull
 from generator.errors import BackendError, StorageError
 
 pytestmark = pytest.mark.slow

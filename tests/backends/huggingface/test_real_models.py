@@ -10,9 +10,9 @@ import torch
 from painted import paint
 
 from generator.backends.huggingface.encoder import Encoder
-from generator.backends.huggingface.folder import MODELS, missing, models_folder
-from generator.backends.huggingface.pins import pins
 from generator.backends.huggingface.segmenter import Segmenter
+from generator.backends.huggingface.weights.folder import MODELS, missing, models_folder
+from generator.backends.huggingface.weights.pins import pins
 from generator.evaluation.perceptual import CLIP, DINOV2, HubSimilarity
 from generator.scene import TABLE
 

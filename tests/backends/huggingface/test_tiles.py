@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from generator.backends.huggingface.tiles import Tile, closest, tiles_of
+from generator.backends.huggingface.detection.tiles import Tile, closest, tiles_of
 
 WHOLE = Tile(0, 0, 100, 80, 100, 80)
 CORNER = Tile(50, 0, 100, 40, 100, 80)

@@ -11,9 +11,9 @@ from http.server import BaseHTTPRequestHandler
 
 from local_server import local_server, sent_to
 
-from generator.running.session import Session
-from generator.running.store import CallStore
-from generator.running.waiting import Patience
+from generator.calls.http.waiting import Patience
+from generator.calls.session import Session
+from generator.calls.store import CallStore
 
 
 @dataclass(frozen=True)

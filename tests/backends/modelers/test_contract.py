@@ -24,9 +24,9 @@ from generator.backends.modelers.trellis import Trellis
 from generator.backends.modelers.triposr import TripoSR
 from generator.backends.protocols import Modeler
 from generator.errors import BackendError
+from generator.method.modeling import align_canonically
 from generator.physics.inertia import body_mass, is_watertight
 from generator.scene import USUAL_VIEW, Model
-from generator.stages.modeling import align_canonically
 
 SIZE = (1.0, 0.8, 0.7)
 THING = glb(striped_box(SIZE))

@@ -23,9 +23,9 @@ from backends.modelers.server import Answer, Call, quick, serving
 from PIL import Image
 
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
+from generator.calls.session import Session
+from generator.calls.store import CallStore
 from generator.errors import BackendError, DryRunError, InputError
-from generator.running.session import Session
-from generator.running.store import CallStore
 from generator.scene import USUAL_VIEW, Model
 
 GOOD = glb(striped_box((1.0, 2.0, 1.0)))

@@ -23,11 +23,11 @@ from backends.modelers.foreign import (
 )
 from PIL import Image, ImageFile
 
-from generator.backends.modelers import inspection
-from generator.backends.modelers.inspection import inspect_glb, inspect_obj
-from generator.backends.modelers.normalising import Normal, normal_mesh
-from generator.backends.modelers.surface import read_surface
 from generator.errors import BackendError
+from generator.meshes.normalising import Normal, normal_mesh
+from generator.meshes.reading import inspection
+from generator.meshes.reading.inspection import inspect_glb, inspect_obj
+from generator.meshes.reading.surface import read_surface
 
 GOOD = glb(striped_box())
 

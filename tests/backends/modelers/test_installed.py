@@ -18,8 +18,8 @@ from generator.backends.modelers.trellis import Trellis
 from generator.backends.modelers.triposr import TripoSR
 from generator.errors import BackendError, InputError
 from generator.geometry import Camera
+from generator.method.rotation import prior_yaw
 from generator.scene import USUAL_VIEW, Model, View
-from generator.stages.rotation import prior_yaw
 
 
 def install(monkeypatch, name: str, **members) -> None:

@@ -9,11 +9,11 @@ import pytest
 import trimesh
 from backends.modelers.foreign import edited, glb, instance, plain, striped_box, textured
 
-from generator.backends.modelers import coloring, reducing
-from generator.backends.modelers.normalising import Normal, foreign_model, normal_mesh
-from generator.backends.modelers.surface import surface_of
 from generator.catalogue import category
 from generator.errors import BackendError, InputError
+from generator.meshes import coloring, reducing
+from generator.meshes.normalising import Normal, foreign_model, normal_mesh
+from generator.meshes.reading.surface import surface_of
 from generator.physics.inertia import body_mass, is_watertight
 from generator.render.shading import sample_texture
 from generator.scene import Mesh, SizePrior

@@ -10,11 +10,11 @@ import trimesh
 from backends.modelers.foreign import glb, striped_box, textured
 from PIL import Image
 
-from generator.backends.modelers import pictures
-from generator.backends.modelers.normalising import normal_mesh
-from generator.backends.modelers.pictures import Pictures
-from generator.backends.modelers.surface import read_surface, surface_of
 from generator.errors import BackendError
+from generator.meshes.normalising import normal_mesh
+from generator.meshes.reading import textures as pictures
+from generator.meshes.reading.surface import read_surface, surface_of
+from generator.meshes.reading.textures import Pictures
 
 WHITE = np.ones(3)
 

@@ -7,9 +7,14 @@ import pytest
 import trimesh
 from backends.modelers.foreign import glb
 
-from generator.backends.modelers.normalising import Normal, normal_mesh
-from generator.backends.modelers.repairing import filled, flaws, tidied, welded_shape
 from generator.errors import BackendError
+from generator.meshes.normalising import Normal, normal_mesh
+from generator.meshes.repairing import (
+    filled,
+    flaws,
+    tidied,
+    welded_shape,
+)
 from generator.physics.inertia import is_watertight
 from generator.scene import Mesh
 

@@ -19,13 +19,13 @@ from PIL import Image
 from generator.backends.modelers.ai3d import Service
 from generator.backends.modelers.signing import authorization
 from generator.backends.modelers.tencent import HOSTS, Tencent
+from generator.calls.money.prices import Price, Prices
+from generator.calls.question import question
+from generator.calls.session import Session
+from generator.calls.store import CallStore
+from generator.calls.used import KEY as KEPT
+from generator.calls.used import Used
 from generator.errors import BackendError, InputError
-from generator.running.prices import Price, Prices
-from generator.running.question import question
-from generator.running.session import Session
-from generator.running.store import CallStore
-from generator.running.used import KEY as KEPT
-from generator.running.used import Used
 from generator.scene import USUAL_VIEW, Model
 
 GOOD = glb(striped_box((1.0, 2.0, 1.0)))

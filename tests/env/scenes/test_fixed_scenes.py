@@ -17,7 +17,7 @@ from tabletopgen_env.env import make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import FixedScenes, SceneRef, SceneSource, resolve
 from tabletopgen_env.scenes.finding import fixed_scenes
-from tabletopgen_env.worlds import WorldCache
+from tabletopgen_env.world.worlds import WorldCache
 
 
 @pytest.fixture

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from toy import toy_scene
 
-from generator.distribution import SceneDistribution
 from generator.errors import InputError, SceneError
+from generator.language.distribution import SceneDistribution
 from generator.scene import Report, Scene, ScenePlan
 from tabletopgen_env.env import make_env
 from tabletopgen_env.scenes import FreshScenes, Recipe, Rule

@@ -30,9 +30,9 @@ from tabletopgen_env.scenes import (
     Rule,
     SceneDistribution,
 )
-from tabletopgen_env.scenes.crew import Crew
 from tabletopgen_env.scenes.finding import fixed_scenes
-from tabletopgen_env.scenes.pool import Pace
+from tabletopgen_env.scenes.making.crew import Crew
+from tabletopgen_env.scenes.making.pool import Pace
 
 
 def initial(count: int = 3) -> FixedScenes:
@@ -234,7 +234,7 @@ def test_pools_of_one_seed_get_the_same_scenes_whoever_makes_them(pool) -> None:
 
 
 def test_a_process_says_nothing_of_its_own_so_that_last_words_are_the_cause(tmp_path) -> None:
-    given = [sys.executable, "-m", "tabletopgen_env.scenes.worker", str(tmp_path / "scenes")]
+    given = [sys.executable, "-m", "tabletopgen_env.scenes.making.worker", str(tmp_path / "scenes")]
     done = subprocess.run(given, stdin=subprocess.DEVNULL, capture_output=True, timeout=LONG)
     assert (done.returncode, done.stdout, done.stderr) == (0, b"", b"")
 
@@ -280,7 +280,7 @@ def test_whatever_goes_wrong_is_told_once_and_counted(pool, making, reason) -> N
 
 def test_pauses_grow_with_failures_in_a_row_and_a_job_has_its_time(tmp_path, monkeypatch) -> None:
     now = [0.0]
-    monkeypatch.setattr("tabletopgen_env.scenes.crew.time.monotonic", lambda: now[0])
+    monkeypatch.setattr("tabletopgen_env.scenes.making.crew.time.monotonic", lambda: now[0])
     crew = Crew(1, rest=1.0, patience=5.0)
     ends, starts = [], []
     try:
@@ -323,7 +323,7 @@ def test_a_lost_temporary_folder_is_made_good(pool, tmp_path) -> None:
 
 
 def test_a_process_that_cannot_start_is_a_failure_like_any_other(pool, monkeypatch) -> None:
-    monkeypatch.setattr("tabletopgen_env.scenes.crew.sys.executable", "/no/python")
+    monkeypatch.setattr("tabletopgen_env.scenes.making.crew.sys.executable", "/no/python")
     source, rng = pool(), np.random.default_rng(0)
     with pytest.warns(RuntimeWarning, match="no process could be started"):
 

@@ -10,8 +10,8 @@ import pytest
 from toy import toy_scene
 
 import assets_cache
-from generator.distribution import SceneDistribution
 from generator.errors import BundleError, InputError, TabletopError
+from generator.language.distribution import SceneDistribution
 from tabletopgen_env.env import make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import (
@@ -26,7 +26,7 @@ from tabletopgen_env.scenes import (
 from tabletopgen_env.tasks import task_named
 from tabletopgen_env.tasks.tidy import Tidy
 from tabletopgen_env.vector import TabletopVectorEnv
-from tabletopgen_env.world import World
+from tabletopgen_env.world.world import World
 
 
 def keys(source: SceneSource) -> list[str]:

@@ -13,8 +13,8 @@ import pytest
 from toy import toy_object, toy_scene
 
 import assets_cache
-from generator.distribution import SceneDistribution
 from generator.errors import BundleError, InputError, SceneError
+from generator.language.distribution import SceneDistribution
 from generator.scene import Scene
 from tabletopgen_env.scenes import (
     CurriculumScenes,

@@ -18,8 +18,8 @@ from jaxtyping import Bool, Float, UInt8
 from torch import Tensor
 from torch.nn import functional
 
-from ....cores import single_thread
 from ....geometry import mask_box
+from ....threads import single_thread
 from .closeups import closeup
 from .finds import FAINT, Finds, answers, ask, tensor
 from .frames import Frame

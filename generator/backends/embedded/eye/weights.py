@@ -11,7 +11,7 @@ import torch
 from torch import nn
 
 from ....errors import BackendError
-from ....reading import parse_json, printable
+from ....io.reading import parse_json, printable
 from .judge import Judge
 from .network import Eye
 
@@ -26,7 +26,7 @@ _MOST_NOTE = 2**16  # bytes of the list of categories
 _RESTORE = (
     "Install the package again, restore the file from the repository "
     "(git checkout -- generator/backends/embedded/eye), or train it: "
-    "python -m generator.training.{} --help"
+    "python -m research.eye.{} --help"
 )
 
 

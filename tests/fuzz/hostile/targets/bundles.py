@@ -19,8 +19,8 @@ from generator.bundle.decoding import decode_scene
 from generator.bundle.encoding import dumps
 from generator.bundle.segments import Segments
 from generator.errors import BundleError
-from generator.mjcf import compiled, document, scene_spec
 from generator.physics.gate import judge
+from generator.physics.mjcf import compiled, document, scene_spec
 from generator.scene import (
     Edit,
     PlannedObject,
@@ -118,7 +118,11 @@ def files(rng: random.Random, folder: Path) -> Run:
 
 def certificates(rng: random.Random, folder: Path) -> Run:
     """Certificates beside a sound bundle."""
-    from tabletopgen_env.certificate import SCHEMA, certified_instances, read_certificate
+    from tabletopgen_env.certificates.certificate import (
+        SCHEMA,
+        certified_instances,
+        read_certificate,
+    )
     from tabletopgen_env.env import make_env
 
     raw, kept = base()
@@ -379,7 +383,7 @@ def _simulated(place: Path) -> bool:
         env.close()
 
     def preview() -> None:
-        from generator.figures import preview as drawn
+        from generator.method.figures import preview as drawn
 
         drawn(load(place))
 

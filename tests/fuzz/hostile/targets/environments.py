@@ -15,9 +15,9 @@ from toy import toy_object, toy_scene
 from generator.backends.embedded.reasoner import Reasoner
 from generator.compose import compose
 from generator.errors import TabletopError
-from generator.paper_json import from_paper
 from generator.physics.gate import judge
 from generator.scene import ScenePlan
+from generator.scene.paper_json import from_paper
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.scenes import resolve

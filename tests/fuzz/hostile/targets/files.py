@@ -14,18 +14,19 @@ from typing import Any
 
 from toy import toy_object, toy_scene
 
-from generator import batch, bundle
-from generator.batch import running as batch_running
-from generator.batch.place import PLACE
-from generator.batch.records import key_of
+from generator import bundle
+from generator import jobs as batch
+from generator.calls.money.account import Account
+from generator.calls.money.budget import Purse
+from generator.calls.money.entries import Entry
+from generator.calls.money.prices import Prices
+from generator.calls.money.spending import Spending
+from generator.calls.store import Answer, CallStore
 from generator.errors import InputError, TabletopError
+from generator.jobs import running as batch_running
+from generator.jobs.place import PLACE
+from generator.jobs.records import key_of
 from generator.physics.gate import judge
-from generator.running.account import Account
-from generator.running.entries import Entry
-from generator.running.prices import Prices
-from generator.running.purse import Purse
-from generator.running.spending import Spending
-from generator.running.store import Answer, CallStore
 from generator.scene import Provenance, Scene
 
 from ..judging import accepts, accepts_any, command

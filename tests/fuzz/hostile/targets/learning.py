@@ -15,7 +15,7 @@ import numpy as np
 
 from generator.physics import decomposition
 from tabletopgen_env.learning import plotting, runs
-from tabletopgen_env.learning.actor import Actor
+from tabletopgen_env.learning.networks.actor import Actor
 from tabletopgen_env.learning.policies import (
     KEY,
     Card,
@@ -177,7 +177,7 @@ def _checkpoint() -> tuple[bytes, bytes, dict[str, Any]]:
     """Return a run's model.zip, its replay buffer, and its counts."""
     import tempfile
 
-    from tabletopgen_env.learning.replay import write_buffer
+    from tabletopgen_env.learning.demonstrations.replay import write_buffer
 
     with tempfile.TemporaryDirectory() as place:
         model = _model()
@@ -289,7 +289,7 @@ def _lying(rng: random.Random) -> bytes:
 
 def arrays(rng: random.Random, folder: Path) -> Run:
     """Arrays that are kept: convex hulls in the user's cache, lessons of the grasp detector."""
-    from tabletopgen_env.detection import training
+    from research.grasps import training
 
     hulls = io.BytesIO()
     np.savez(hulls, np.zeros((4, 3)), np.eye(3))

@@ -17,10 +17,10 @@ from backends.modelers.foreign import glb as packed
 from backends.modelers.foreign import instance, prior, striped_box
 
 from generator.backends.modelers.folder import Folder
-from generator.backends.modelers.normalising import normal_mesh
 from generator.evaluation.external import load_external
 from generator.evaluation.glb import read_glb
-from generator.png import encode_png
+from generator.io.png import encode_png
+from generator.meshes.normalising import normal_mesh
 from generator.scene import USUAL_VIEW
 
 from ..judging import accepts, accepts_any, command

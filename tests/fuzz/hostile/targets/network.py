@@ -18,11 +18,11 @@ from generator.backends.cloud.imager import Imager
 from generator.backends.cloud.reasoner import Reasoner
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
 from generator.backends.modelers.tencent import Tencent
+from generator.calls.http.waiting import Patience
+from generator.calls.session import Session
+from generator.calls.store import CallStore
 from generator.errors import BackendError
-from generator.png import encode_png
-from generator.running.session import Session
-from generator.running.store import CallStore
-from generator.running.waiting import Patience
+from generator.io.png import encode_png
 from generator.scene import USUAL_VIEW, PlannedObject, PlannedTable, ScenePlan
 
 from ..judging import accepts

@@ -11,13 +11,13 @@ from typing import Any
 import numpy as np
 from PIL import Image
 
-from generator.backends.cloud.pictures import NotAPicture, decoded
-from generator.backends.modelers.inspection import check_pictures
+from generator.backends.cloud.drawing.pictures import NotAPicture, decoded
 from generator.bundle.contents import decode_png
 from generator.bundle.segments import decode_segments
 from generator.errors import InputError
+from generator.meshes.reading.inspection import check_pictures
+from generator.method.reference import read_image, refer
 from generator.scene import Intrinsics
-from generator.stages.reference import read_image, refer
 
 from ..judging import accepts, accepts_any, command
 from ..streams import hostile_png, spoiled

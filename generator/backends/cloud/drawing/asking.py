@@ -1,0 +1,264 @@
+"""Pictures asked of an image model, in the two forms that servers have.
+
+"openai": drawn by images/generations, edited by images/edits, a multipart form with the pictures
+and a mask; answered as base64. "seedream": both by images/generations, the pictures as ``data:``
+URIs in the field ``image``; answered as base64 or as an address.
+"""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import hashlib
+import json
+import re
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+import openai
+from jaxtyping import UInt8
+
+from ....calls.http.address import linked
+from ....calls.used import Used
+from ....errors import UnusableError
+from ....io.png import encode_png
+from ..server import configuration
+from ..server.asking import data_uri
+from ..server.calling import Rejected, Server
+from .pictures import RGBA, NotAPicture, decoded
+
+Form = Literal["openai", "seedream"]
+
+_SIZES = ((1024, 1024), (1536, 1024), (1024, 1536))
+"""What OpenAI's image models draw, width and height."""
+
+RATIOS: dict[Form, tuple[float, float]] = {"openai": (2 / 3, 1.5), "seedream": (0.4, 2.5)}
+"""Least and greatest width over height that a picture may have."""
+
+_SEEDREAM = {
+    "response_format": "b64_json",
+    "watermark": False,
+    "sequential_image_generation": "disabled",
+}
+"""What Seedream is told beside text and size."""
+
+_LONG = 2048  # pixels of the longer side, in the form that takes any size
+_BLOCKED = re.compile(
+    r"moderation|content[_ ]policy|safety system|(?<!case)(?<!case[-_ ])(?<!in)sensitive"
+)
+
+
+class _Unusable(ValueError):
+    """An answer without a picture that can be used."""
+
+
+@dataclass
+class Tolerated:
+    """Options that a server has been found not to know."""
+
+    unknown: set[str] = field(default_factory=set)
+    lock: threading.Lock = field(default_factory=threading.Lock, repr=False)
+
+
+@dataclass(frozen=True)
+class Painter:
+    """An image model, the form in which it is asked, and what its server does not know."""
+
+    server: Server
+    form: Form
+    tolerated: Tolerated
+
+    def paint(
+        self,
+        question: str,
+        text: str,
+        ratio: float,
+        pictures: Sequence[UInt8[np.ndarray, "h w 3"]] = (),
+        keep: UInt8[np.ndarray, "h w 4"] | None = None,
+        *,
+        clear: bool = False,
+        used: Used | None = None,
+    ) -> RGBA:
+        """Return a drawn picture.
+
+        Args:
+            question: what it is for.
+            text: what to draw.
+            ratio: width over height; the nearest that the server can draw is asked for.
+            pictures: to be looked at or edited; the first is edited.
+            keep: where the first picture stays (opaque) and is drawn anew (clear); where the
+                server takes no mask, the text alone says so.
+            clear: ask for nothing behind what is drawn; not all servers can.
+            used: the answers so far where several drawings answer the question; they go with this
+                one if it is of no use.
+
+        Raises:
+            UnusableError: the model refuses, or its answer is no picture.
+            BackendError: the call failed.
+        """
+        files = [encode_png(picture) for picture in pictures]
+        options: dict[str, Any] = {"size": self._size(ratio)}
+        if self.form == "openai" and files:
+            options |= _editing(keep, clear)
+            request = self._edit(files, text)
+        else:
+            options |= _SEEDREAM if self.form == "seedream" else {}
+            request = self._generation([data_uri(file) for file in files], text)
+        meant, told = _meaning(text, options, files), ""
+        used = used or Used(self.server.session.store)
+        with used.dropped_on(UnusableError):
+            for memo in ("yes", "renew"):  # an address may have expired, or one answer be of no use
+                data = self._tolerant(question, request, options, used, meant, memo)
+                try:
+                    return self._picture(question, data, used, memo)
+                except _Unusable as error:
+                    told = str(error)
+            raise self.server.unusable(question, told)
+
+    def _generation(self, pictures: list[str], text: str) -> Callable[..., Any]:
+        named = ("size", "response_format")
+
+        def request(client: openai.OpenAI, headers: dict[str, str], options: dict[str, Any]) -> Any:
+            extra: dict[str, Any] = {k: v for k, v in options.items() if k not in named}
+            if pictures:
+                extra["image"] = pictures if len(pictures) > 1 else pictures[0]
+            return client.images.with_raw_response.generate(
+                model=self.server.model,
+                prompt=text,
+                n=1 if self.form == "openai" else openai.omit,
+                extra_headers=headers,
+                extra_body=extra or None,
+                **{k: v for k, v in options.items() if k in named},
+            )
+
+        return request
+
+    def _edit(self, pictures: list[bytes], text: str) -> Callable[..., Any]:
+        files = [(f"{k}.png", p, "image/png") for k, p in enumerate(pictures, start=1)]
+
+        def request(client: openai.OpenAI, headers: dict[str, str], options: dict[str, Any]) -> Any:
+            return client.images.with_raw_response.edit(
+                model=self.server.model,
+                prompt=text,
+                image=files if len(files) > 1 else files[0],
+                extra_headers=headers,
+                **options,
+            )
+
+        return request
+
+    def _tolerant(
+        self,
+        question: str,
+        request: Callable[..., Any],
+        options: dict[str, Any],
+        used: Used,
+        meant: str,
+        memo: str,
+    ) -> dict[str, Any]:
+        """Make a call; options that the server rejects are left out, and not tried again."""
+        left = {k: v for k, v in options.items() if k not in self.tolerated.unknown}
+        while True:
+            sent = dict(left)
+            try:
+                data = self.server.call(
+                    question, lambda c, h, sent=sent: request(c, h, sent), used, meant, memo
+                )
+            except Rejected as error:
+                said = str(error).replace(self.server.model, "").lower()
+                if _BLOCKED.search(said):
+                    raise self.server.unusable(question, f"the model refuses: {error}") from None
+                named = [k for k in left if k in said]
+                if not left:
+                    raise
+                for name in named or list(left):
+                    del left[name]
+                continue
+            with self.tolerated.lock:
+                self.tolerated.unknown.update(set(options) - set(left))
+            return data
+
+    def _size(self, ratio: float) -> str:
+        if self.form == "openai":
+            width, height = min(_SIZES, key=lambda s: abs(np.log(s[0] / s[1] / ratio)))
+            return f"{width}x{height}"
+        ratio = float(np.clip(ratio, *RATIOS[self.form]))
+        width, height = _LONG * min(1.0, ratio), _LONG * min(1.0, 1 / ratio)
+        return f"{round(width / 16) * 16}x{round(height / 16) * 16}"
+
+    def _picture(self, question: str, data: dict[str, Any], used: Used, memo: str) -> RGBA:
+        try:
+            first = data["data"][0]
+            coded, address = first.get("b64_json"), first.get("url")
+        except (KeyError, IndexError, TypeError, AttributeError):
+            raise _Unusable("the answer holds no picture.") from None
+        if isinstance(address, str) and address.startswith("data:"):
+            coded = coded or address.partition(",")[2]
+        if not isinstance(coded, str | None) or not isinstance(address, str | None):
+            raise _Unusable("the answer holds no picture, but values of other types.")
+        if not coded and not address:
+            told = self.server.quoted(str(first.get("error") or "neither b64_json nor url"))
+            raise _Unusable(f"the answer holds no picture: {told}.")
+        try:
+            whole = base64.b64decode(coded, validate=True) if coded else None
+        except (binascii.Error, TypeError, ValueError):
+            raise _Unusable("the picture is no base64.") from None
+        try:
+            if whole is None:
+                whole = self._fetched(question, str(address), used, memo)
+            return decoded(whole)
+        except NotAPicture as error:
+            raise _Unusable(f"{error}.") from None
+
+    def _fetched(self, question: str, address: str, used: Used, memo: str) -> bytes:
+        """Return what is at the address of a picture; the key is not sent there.
+
+        Kept is the picture of the drawing that ``used`` noted last: a server may give each the same
+        address.
+        """
+        server = self.server
+        try:
+            linked(address, "the picture's address", UnusableError)
+        except UnusableError as error:  # not asked again at once: it would be paid for again
+            raise server.unusable(question, str(error)) from None
+        host = configuration.host(address)
+        if not configuration.may_fetch(address, server.base_url):
+            raise server.failure(
+                question,
+                f"the picture is at {host or 'no host'!r}, where none may be fetched from. If that "
+                "host is trusted, add it to TABLETOPGEN_CLOUD_IMAGE_HOSTS.",
+            )
+        headers = {
+            "x-tabletopgen-question": question,
+            "x-tabletopgen-model": server.model,
+            "x-tabletopgen-memo": memo,
+            "x-tabletopgen-meant": used.keys[-1],
+        }
+        with server.session.client(f"cloud/{server.name}", address, timeout=120.0) as http:
+            response = http.get(address, headers=headers)
+            status, data = response.status_code, response.content
+        used.add(response.headers)
+        if status != 200:
+            raise _Unusable(f"the picture did not come: {host} answered with status {status}.")
+        return data
+
+
+def _editing(keep: UInt8[np.ndarray, "h w 4"] | None, clear: bool) -> dict[str, Any]:
+    """Return what OpenAI's image models are told of an edit; see ``Painter.paint``."""
+    options: dict[str, Any] = {"input_fidelity": "high"}
+    if clear:
+        options["background"] = "transparent"
+    if keep is not None:
+        options["mask"] = ("mask.png", encode_png(keep), "image/png")
+    return options
+
+
+def _meaning(text: str, options: Mapping[str, Any], pictures: Sequence[bytes]) -> str:
+    """Return a digest of what is to be drawn, whichever of the options the server knows."""
+    files = [*pictures, *(value[1] for value in options.values() if isinstance(value, tuple))]
+    words = {name: value for name, value in options.items() if not isinstance(value, tuple)}
+    digests = [hashlib.sha256(file).hexdigest() for file in files]
+    return hashlib.sha256(json.dumps([text, words, digests]).encode()).hexdigest()

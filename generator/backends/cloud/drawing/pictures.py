@@ -1,0 +1,136 @@
+"""Pictures as image models answer with them: decoded with care, told from their background."""
+
+from __future__ import annotations
+
+import io
+import warnings
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+from numpy.typing import ArrayLike
+
+from ....geometry import main_parts
+from ..server.reading import Wrong
+
+MOST_PIXELS = 40_000_000
+"""Larger pictures are not decoded: no model draws them, and a small file can hold one."""
+
+LEAST_SIDE = 64
+
+_SCANS = 100  # of a JPEG; each goes over all of the picture, and takes next to no bytes
+
+_NEAR = 30  # grey levels by which a flat background may differ
+_FLAT = 0.7  # share of the picture's border that a flat background fills
+_LEAST, _MOST = 0.004, 0.97  # share of the picture that a thing drawn alone may fill
+
+RGBA = UInt8[np.ndarray, "h w 4"]
+
+
+class NotAPicture(ValueError):
+    """Bytes that cannot be used as a picture; the message says why."""
+
+
+def decoded(data: bytes) -> RGBA:
+    """Return an encoded picture (PNG, JPEG or WebP) as RGBA.
+
+    Raises:
+        NotAPicture: it is none, is damaged, or too large or small.
+    """
+    from PIL import Image, UnidentifiedImageError
+
+    try:
+        with warnings.catch_warnings():  # our own limit on pixels comes next
+            warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+            picture = Image.open(io.BytesIO(data), formats=("PNG", "JPEG", "WEBP"))
+        width, height = picture.size
+        if width * height > MOST_PIXELS:
+            raise NotAPicture(
+                f"the picture claims {width}x{height} pixels; at most {MOST_PIXELS:,} are decoded"
+            )
+        if min(width, height) < LEAST_SIDE:
+            raise NotAPicture(
+                f"the picture is {width}x{height} pixels; a side has at least {LEAST_SIDE}"
+            )
+        if data.count(b"\xff\xda") > _SCANS and picture.format == "JPEG":
+            raise NotAPicture(f"the picture is a JPEG of more than {_SCANS} scans")
+        return np.asarray(picture.convert("RGBA"), np.uint8)
+    except NotAPicture:
+        raise
+    except UnidentifiedImageError:
+        kind = "HTML" if data.lstrip()[:1] == b"<" else "no PNG, JPEG or WebP"
+        raise NotAPicture(f"the picture is {kind} ({len(data)} bytes)") from None
+    except Image.DecompressionBombError:
+        raise NotAPicture(f"the picture has more than {MOST_PIXELS:,} pixels") from None
+    except Exception as error:  # whatever a decoder may stumble over in a foreign file
+        raise NotAPicture(f"the picture is damaged ({error})") from None
+
+
+def on_white(picture: RGBA) -> UInt8[np.ndarray, "h w 3"]:
+    """Return a picture with white behind what is transparent."""
+    alpha = picture[..., 3:].astype(np.float32) / 255
+    return np.round(picture[..., :3] * alpha + 255 * (1 - alpha)).astype(np.uint8)
+
+
+def shrunk(picture: UInt8[np.ndarray, "h w c"], most: int) -> UInt8[np.ndarray, "a b c"]:
+    """Return a picture with no side longer than ``most`` pixels."""
+    height, width = picture.shape[:2]
+    factor = most / max(width, height)
+    if factor >= 1:
+        return picture
+    size = max(1, round(width * factor)), max(1, round(height * factor))
+    return cv2.resize(picture, size, interpolation=cv2.INTER_AREA)
+
+
+def padded(
+    picture: UInt8[np.ndarray, "h w 3"], least: float, most: float
+) -> UInt8[np.ndarray, "a b 3"]:
+    """Return a picture with white at its sides, so that width over height is within limits."""
+    height, width = picture.shape[:2]
+    across = max(width, int(np.ceil(height * least)))
+    down = max(height, int(np.ceil(width / most)))
+    x, y = (across - width) // 2, (down - height) // 2
+    canvas = np.full((down, across, 3), 255, np.uint8)
+    canvas[y : y + height, x : x + width] = picture
+    return canvas
+
+
+def thing_in(picture: RGBA) -> Bool[np.ndarray, "h w"]:
+    """Return where the thing is that was drawn alone, on nothing or on a flat background.
+
+    Raises:
+        Wrong: the background is not flat, or the thing fills next to nothing, or everything.
+    """
+    alpha = picture[..., 3]
+    clear = _border(alpha < 128).mean()
+    mask = alpha > 127 if clear > _FLAT else ~_flat_ground(picture[..., :3])
+    mask = main_parts(mask, 0.02)
+    share = float(mask.mean())
+    if not _LEAST <= share <= _MOST:
+        raise Wrong(f"the thing fills {share:.1%} of the picture; draw it as large as it was.")
+    return mask
+
+
+def apart(colors: UInt8[np.ndarray, "*n 3"], color: ArrayLike) -> Float[np.ndarray, "*n"]:
+    """Return how far colours are from one, in grey levels of the channel that differs most."""
+    off = np.abs(colors.astype(np.float32) - np.asarray(color, np.float32))
+    return np.maximum(np.maximum(off[..., 0], off[..., 1]), off[..., 2])
+
+
+def _border(picture: np.ndarray) -> np.ndarray:
+    return np.concatenate([picture[0], picture[-1], picture[:, 0], picture[:, -1]])
+
+
+def _flat_ground(picture: UInt8[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]:
+    """Return where the flat colour of the border reaches without a break."""
+    border = _border(picture)
+    usual = np.median(border, axis=0)
+    if (apart(border, usual) <= _NEAR).mean() < _FLAT:
+        raise Wrong("the background is not one flat colour up to the picture's edges.")
+    near = (apart(picture, usual) <= _NEAR).astype(np.uint8)
+    count, found = cv2.connectedComponents(near, connectivity=4)
+    numbers = np.asarray(found, np.intp)
+    reached = np.zeros(count, bool)
+    reached[_border(numbers)] = True
+    reached[0] = False  # what is not near
+    return reached[numbers]

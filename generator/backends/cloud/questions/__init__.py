@@ -1,0 +1,1 @@
+"""The questions of the stages, asked of a chat model."""

@@ -1,0 +1,127 @@
+"""Things by number: boxes drawn on the picture, a list of them in words, answers matched to them.
+
+Numbers, not names, are what a model is asked about and answers with: names that sound like several
+things, or alike, cannot be mixed up. 0 is the table, 1 and up the things in their order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol, TypeVar
+
+import numpy as np
+from jaxtyping import Float, UInt8
+from PIL import Image, ImageDraw, ImageFont
+
+from ....render.sheet import draw_boxes
+from ....scene import TABLE, Instance
+from ..server.reading import Wrong
+
+GRID = 1000
+"""Boxes are told and answered on a grid of this many steps in both directions."""
+
+
+class Numbered(Protocol):
+    """An answer about one thing."""
+
+    @property
+    def id(self) -> int:
+        """Its number."""
+        ...
+
+
+N = TypeVar("N", bound=Numbered)
+
+
+@dataclass(frozen=True, eq=False)
+class Labelled:
+    """The instances of a picture by number."""
+
+    image: UInt8[np.ndarray, "h w 3"]
+    by_number: Mapping[int, Instance]
+
+    @classmethod
+    def of(
+        cls,
+        image: UInt8[np.ndarray, "h w 3"],
+        instances: Sequence[Instance],
+        *,
+        table: bool = True,
+    ) -> Labelled:
+        """Number instances; ``table`` False leaves the table out."""
+        tables = [i for i in instances if i.name == TABLE and table]
+        things = [i for i in instances if i.name != TABLE]
+        numbered = {0: tables[0]} if tables else {}
+        return cls(np.asarray(image), {**numbered, **dict(enumerate(things, start=1))})
+
+    @property
+    def numbers(self) -> Mapping[str, int]:
+        """Number of each name."""
+        return {i.name: number for number, i in self.by_number.items()}
+
+    def picture(self) -> UInt8[np.ndarray, "h w 3"]:
+        """Return the picture with a box around each thing, and its number on a tag at the box.
+
+        Tags are above their boxes where there is room, so that they cover nothing that is meant.
+        """
+        boxes = {str(k): np.asarray(i.box, float) for k, i in self.by_number.items()}
+        picture = Image.fromarray(draw_boxes(self.image, boxes))
+        draw, size = ImageDraw.Draw(picture), max(14, self.image.shape[1] // 50)
+        font = ImageFont.load_default(size)
+        for number, (x0, y0, _, _) in boxes.items():
+            left, top, right, bottom = draw.textbbox((0, 0), number, font)
+            width, height = right - left + 6, bottom - top + 6
+            x = min(max(x0, 0), picture.width - width)
+            y = y0 - height if y0 >= height else max(y0, 0)
+            draw.rectangle((x, y, x + width, y + height), fill=(0, 0, 0))
+            draw.text((x + 3 - left, y + 3 - top), number, (255, 255, 255), font)
+        return np.asarray(picture, np.uint8)
+
+    def listing(self, facts: Callable[[Instance], str] | None = None) -> str:
+        """Return a line for each thing: number, label, ``facts`` if any, box on the grid."""
+        lines = []
+        for number, instance in self.by_number.items():
+            told = f"; {facts(instance)}" if facts else ""
+            box = " ".join(str(v) for v in self.on_grid(instance.box))
+            lines.append(f"{number}: {instance.label}{told}; box {box}")
+        return "\n".join(lines)
+
+    def names(self) -> str:
+        """Return a line for each thing but the table: number and label."""
+        return "\n".join(f"{n}: {i.label}" for n, i in self.by_number.items() if n)
+
+    @property
+    def count(self) -> int:
+        """How many things there are, the table not counted."""
+        return sum(number > 0 for number in self.by_number)
+
+    def on_grid(self, box: Float[np.ndarray, "4"]) -> tuple[int, ...]:
+        """Return a pixel box on the grid."""
+        height, width = self.image.shape[:2]
+        shares = np.asarray(box) / [width, height, width, height]
+        return tuple(int(v) for v in np.clip(np.round(shares * GRID), 0, GRID))
+
+    def matched(self, answers: Sequence[N], without: Sequence[int] = ()) -> dict[str, N]:
+        """Return the answers by instance name, one for each number but ``without``.
+
+        Raises:
+            Wrong: a number is missing, unknown, or there twice.
+        """
+        wanted = [n for n in self.by_number if n not in without]
+        given = [a.id for a in answers if a.id not in without]
+        unknown = sorted(set(given) - set(wanted))
+        missing = sorted(set(wanted) - set(given))
+        twice = sorted({n for n in given if given.count(n) > 1})
+        faults = [
+            f"{what} {', '.join(map(str, numbers))}"
+            for what, numbers in (
+                ("the list has no number", unknown),
+                ("there is no answer for number", missing),
+                ("more than one answer for number", twice),
+            )
+            if numbers
+        ]
+        if faults:
+            raise Wrong("; ".join(faults) + ". Answer for each number of the list once.")
+        return {self.by_number[a.id].name: a for a in answers if a.id not in without}

@@ -1,0 +1,67 @@
+"""A model shown from six sides, and the quarter turns that follow from what was said of them."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import UInt8
+
+from ....geometry import Camera
+from ....render.raster import Item, render
+from ....render.sheet import grid
+from ....scene import Mesh
+from ..server.answers import OrientationAnswer
+from ..server.reading import Wrong
+
+_SIDE = 224  # pixels of each view
+_DISTANCE = 12.0  # of the model's half diagonal: hardly any perspective
+
+_UP: dict[str, tuple[tuple[str, int], ...]] = {
+    "+z": (),
+    "-z": (("x", 180),),
+    "+x": (("y", -90),),
+    "-x": (("y", 90),),
+    "+y": (("x", 90),),
+    "-y": (("x", -90),),
+}
+"""The turn about a fixed axis that brings each axis up."""
+
+_VIEWS: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
+    "+z": ((1, 0, 0), (0, 0, -1)),
+    "-z": ((1, 0, 0), (0, 0, 1)),
+    "+x": ((0, 1, 0), (-1, 0, 0)),
+    "-x": ((0, -1, 0), (1, 0, 0)),
+    "+y": ((-1, 0, 0), (0, -1, 0)),
+    "-y": ((1, 0, 0), (0, 1, 0)),
+}
+"""By the axis towards the camera: what is right in the picture, and where the camera looks."""
+
+
+def six_sides(mesh: Mesh) -> UInt8[np.ndarray, "h w 3"]:
+    """Return a sheet of a mesh seen along each of its axes, named by the one towards the camera."""
+    middle = (mesh.bounds[0] + mesh.bounds[1]) / 2
+    radius = float(np.linalg.norm(mesh.extent)) / 2
+    item = Item(mesh.vertices - middle, mesh.faces, mesh.uv, mesh.texture, 0, mesh.opacity)
+    fov = 2 * float(np.arctan(1.1 / _DISTANCE))
+    views = []
+    for right, forward in _VIEWS.values():
+        ahead = np.array(forward, float)
+        rows = np.stack([np.array(right, float), np.cross(ahead, right), ahead])
+        camera = Camera(-ahead * _DISTANCE * radius, rows, fov, _SIDE, _SIDE)
+        views.append(render([item], camera, shadows=False).image)
+    return grid(views, tuple(_VIEWS), columns=3, cell=_SIDE + 16)
+
+
+def turns(answer: OrientationAnswer) -> tuple[tuple[str, int], ...]:
+    """Return the steps that turn ``up`` upward, and then ``along`` to the x axis.
+
+    Raises:
+        Wrong: the two are the same axis.
+    """
+    if answer.up[1] == answer.along[1]:
+        raise Wrong(f'"along" is {answer.along}, but {answer.up} is up: they must be two axes.')
+    steps = _UP[answer.up]
+    lies = "xyz".index(answer.along[1])
+    for axis, degrees in steps:
+        if degrees % 180 and axis != "xyz"[lies]:
+            lies = 3 - lies - "xyz".index(axis)
+    return (*steps, ("z", 90)) if lies == 1 else steps

@@ -1,0 +1,1 @@
+"""Chat servers: settings, questions sent, answers read."""

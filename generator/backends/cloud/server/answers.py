@@ -1,0 +1,228 @@
+"""What each question is answered with: types for pydantic, units in the names of the fields."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field
+
+from ....scene import OutlineKind, RelationKind
+
+Id = Annotated[int, Field(ge=0, le=999)]
+MOST_ANSWERED = 1000
+"""Things that an answer may tell of: it names no more than it was shown."""
+
+
+def _shown(word: str) -> str:
+    if not word.isprintable():
+        raise ValueError("holds characters that cannot be printed")
+    return word
+
+
+Word = Annotated[str, Field(min_length=1, max_length=60), AfterValidator(_shown)]
+Centimetres = Annotated[float, Field(gt=0.05, le=600)]
+Degrees = Annotated[float, Field(ge=-360, le=360)]
+GridBox = Annotated[list[Annotated[float, Field(ge=0, le=1000)]], Field(min_length=4, max_length=4)]
+Axis = Literal["+x", "-x", "+y", "-y", "+z", "-z"]
+
+
+class Answer(BaseModel):
+    """What a model answers: frozen, finite numbers only; keys that nobody asked for are passed."""
+
+    model_config = ConfigDict(extra="ignore", frozen=True, allow_inf_nan=False)
+
+
+class RelationAnswer(Answer):
+    """``target`` is a thing's number, 0 the table."""
+
+    kind: RelationKind
+    target: Id
+
+
+class ThingAnswer(Answer):
+    """One planned thing."""
+
+    id: Annotated[int, Field(ge=1, le=200)]
+    noun: Word
+    color: Word | None
+    material: Word | None
+    size_word: Literal["small", "large"] | None
+    state: Word | None
+    size_cm: Annotated[list[Centimetres], Field(min_length=3, max_length=3)] | None
+    relations: Annotated[list[RelationAnswer], Field(max_length=6)]
+
+
+class TableAnswer(Answer):
+    """The planned table."""
+
+    outline: OutlineKind
+    material: Word
+    color: Word | None
+    legs: Literal["straight", "tapered", "splayed", "trestle", "pedestal", "hairpin", "metal"]
+    length_cm: Annotated[float, Field(ge=30, le=400)]
+    width_cm: Annotated[float, Field(ge=30, le=400)]
+    height_cm: Annotated[float, Field(ge=20, le=130)]
+
+
+class PlanAnswer(Answer):
+    """``plan_scene``."""
+
+    table: TableAnswer
+    style: Word
+    things: Annotated[list[ThingAnswer], Field(min_length=1, max_length=60)]
+
+
+class KindAnswer(Answer):
+    """One kind of things."""
+
+    noun: Word
+    count: Annotated[int, Field(ge=1, le=60)]
+
+
+class KindsAnswer(Answer):
+    """``list_objects``."""
+
+    kinds: Annotated[list[KindAnswer], Field(min_length=1, max_length=60)]
+
+
+class ViewAnswer(Answer):
+    """``estimate_view``, degrees."""
+
+    elevation: Annotated[float, Field(ge=5, le=90)]
+    azimuth: Annotated[float, Field(ge=-45, le=45)]
+    vertical_fov: Annotated[float, Field(ge=10, le=100)]
+
+
+class SizeAnswer(Answer):
+    """One thing's size, centimetres."""
+
+    id: Id
+    placement: Word
+    length: Centimetres
+    width: Centimetres
+    height: Centimetres
+    length_is: Word
+    width_is: Word
+    height_is: Word
+
+
+class SizesAnswer(Answer):
+    """``estimate_sizes``."""
+
+    sizes: Annotated[list[SizeAnswer], Field(max_length=MOST_ANSWERED)]
+
+
+class OrientationAnswer(Answer):
+    """``review_orientation``: axes of the model."""
+
+    up: Axis
+    along: Axis
+
+
+class RestAnswer(Answer):
+    """What carries one thing."""
+
+    id: Id
+    how: Literal["on", "in"]
+    support: Id
+    leans_at: Id | None
+
+
+class RestsAnswer(Answer):
+    """``stacking_order``."""
+
+    things: Annotated[list[RestAnswer], Field(max_length=MOST_ANSWERED)]
+
+
+class MarkAnswer(Answer):
+    """One criterion's mark."""
+
+    criterion: Word
+    why: Annotated[str, Field(max_length=4000)]
+    mark: Annotated[float, Field(ge=1, le=7)]
+
+
+class MarksAnswer(Answer):
+    """``rate``."""
+
+    marks: Annotated[list[MarkAnswer], Field(max_length=MOST_ANSWERED)]
+
+
+class OrderAnswer(Answer):
+    """``rank``: letters, the best first."""
+
+    order: Annotated[list[Word], Field(max_length=MOST_ANSWERED)]
+
+
+class TurnAnswer(Answer):
+    """One thing's yaw, degrees."""
+
+    id: Id
+    yaw: Degrees
+
+
+class TurnsAnswer(Answer):
+    """``guess_rotations``."""
+
+    turns: Annotated[list[TurnAnswer], Field(max_length=MOST_ANSWERED)]
+
+
+class PlaceAnswer(Answer):
+    """One thing's place and size, centimetres."""
+
+    id: Id
+    x: Annotated[float, Field(ge=-400, le=400)]
+    y: Annotated[float, Field(ge=-400, le=400)]
+    length: Centimetres
+    width: Centimetres
+    height: Centimetres
+
+
+class PlacesAnswer(Answer):
+    """``guess_layout``."""
+
+    places: Annotated[list[PlaceAnswer], Field(max_length=MOST_ANSWERED)]
+
+
+class SightAnswer(Answer):
+    """Where a thing is seen in a drawn top view: boxes (x0, y0, x1, y1) on the grid."""
+
+    id: Id
+    boxes: Annotated[list[GridBox], Field(max_length=20)]
+    covered: bool
+
+
+class TopViewAnswer(Answer):
+    """``check_top_view``."""
+
+    from_above: bool
+    things: Annotated[list[SightAnswer], Field(max_length=MOST_ANSWERED)]
+    extra: Annotated[list[Word], Field(max_length=40)]
+
+
+_LIMITS = {"minimum", "maximum", "exclusiveMinimum", "exclusiveMaximum", "minLength", "maxLength",
+           "minItems", "maxItems", "title", "description", "default"}  # fmt: skip
+
+
+def strict_schema(answer: type[Answer]) -> dict[str, Any]:
+    """Return the JSON schema of an answer, as strict servers take it.
+
+    Every key is required and none may be added. Limits on numbers and lengths are left out, as not
+    all servers know them: the prompts name them, and the answer is checked against them.
+    """
+    return _strict(answer.model_json_schema(), properties=False)
+
+
+def _strict(part: Any, properties: bool) -> Any:
+    if isinstance(part, list):
+        return [_strict(p, False) for p in part]
+    if not isinstance(part, dict):
+        return part
+    kept = {
+        k: _strict(v, k in ("properties", "$defs"))
+        for k, v in part.items()
+        if properties or k not in _LIMITS
+    }
+    if not properties and kept.get("type") == "object":
+        kept |= {"additionalProperties": False, "required": list(kept.get("properties", {}))}
+    return kept

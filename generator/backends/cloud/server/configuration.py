@@ -1,0 +1,195 @@
+"""Which server, models and keys the cloud backend uses: fields first, then the environment.
+
+========================================  ==========================================================
+``TABLETOPGEN_CLOUD_BASE_URL``            the chat server, default ``https://api.openai.com/v1``
+``TABLETOPGEN_CLOUD_KEY``                 its key; else the provider's own: ``OPENAI_API_KEY``,
+                                          ``OPENROUTER_API_KEY`` or ``ARK_API_KEY``, by the host
+``TABLETOPGEN_CLOUD_CHAT_MODEL``          the chat model; needed unless the server is OpenAI's
+``TABLETOPGEN_CLOUD_IMAGE_BASE_URL``      the image server, default the chat server
+``TABLETOPGEN_CLOUD_IMAGE_KEY``           its key; default as for chat, if it is the same host
+``TABLETOPGEN_CLOUD_IMAGE_MODEL``         the image model; needed unless the server is OpenAI's
+``TABLETOPGEN_CLOUD_IMAGE_HOSTS``         more hosts that pictures may be fetched from, by commas
+========================================  ==========================================================
+
+A key is read when a call is made, goes to its own host only, and is kept nowhere. A server on this
+machine (Ollama, vLLM) needs none. What else the ``openai`` package reads from the environment is
+not sent (``OPENAI_CUSTOM_HEADERS``), or to OpenAI alone (``OPENAI_ORG_ID``, ``OPENAI_PROJECT_ID``).
+"""
+
+from __future__ import annotations
+
+import os
+from typing import Literal
+
+from ....calls.http.address import checked_address, local
+from ....errors import BackendError
+from ....io.reading import split_url
+
+Purpose = Literal["chat", "image"]
+
+OPENAI = "https://api.openai.com/v1"
+
+_USUAL = {"chat": "gpt-4o", "image": "gpt-image-1"}
+"""What OpenAI's own server is asked, if nothing else is said."""
+
+_PROVIDERS = {
+    "api.openai.com": ("openai", "OPENAI_API_KEY"),
+    "openrouter.ai": ("openrouter", "OPENROUTER_API_KEY"),
+    "ark.cn-beijing.volces.com": ("ark", "ARK_API_KEY"),
+    "ark.ap-southeast.bytepluses.com": ("ark", "ARK_API_KEY"),
+}
+"""Host to the provider's name and the variable of its key."""
+
+_STORES = {
+    "openai": (".blob.core.windows.net",),
+    "ark": (".volces.com", ".bytepluses.com"),
+}
+"""Where a provider keeps the pictures whose addresses it answers with."""
+
+
+def base_url(purpose: Purpose) -> str:
+    """Return the server of the environment."""
+    chat = os.environ.get("TABLETOPGEN_CLOUD_BASE_URL") or OPENAI
+    if purpose == "chat":
+        return chat
+    return os.environ.get("TABLETOPGEN_CLOUD_IMAGE_BASE_URL") or chat
+
+
+def chat_base_url() -> str:
+    """Return the chat server of the environment."""
+    return base_url("chat")
+
+
+def image_base_url() -> str:
+    """Return the image server of the environment."""
+    return base_url("image")
+
+
+def chat_model() -> str:
+    """Return the chat model of the environment.
+
+    Raises:
+        BackendError: none is named, and the server is not OpenAI's.
+    """
+    return _model("chat")
+
+
+def image_model() -> str:
+    """Return the image model of the environment; see ``chat_model``."""
+    return _model("image")
+
+
+def _model(purpose: Purpose) -> str:
+    variable = f"TABLETOPGEN_CLOUD_{purpose.upper()}_MODEL"
+    named = os.environ.get(variable)
+    if named:
+        return named
+    url = base_url(purpose)
+    if host(url) == host(OPENAI):
+        return _USUAL[purpose]
+    raise BackendError(
+        f"cloud: no {purpose} model is named for {url}. Set {variable} to one the server has, or "
+        "pass model=... to the backend's class."
+    )
+
+
+def checked_url(url: str) -> str:
+    """Return a server's base URL without a slash at its end.
+
+    Raises:
+        BackendError: it is no http(s) URL, or holds a user name or a password.
+    """
+    variables = "TABLETOPGEN_CLOUD_BASE_URL or TABLETOPGEN_CLOUD_IMAGE_BASE_URL"
+    url = checked_address(
+        url, "cloud: the base URL",
+        f"Correct {variables}; keys belong into TABLETOPGEN_CLOUD_KEY.",
+    )  # fmt: skip
+    if split_url(url, "cloud: the base URL", BackendError).query:
+        raise BackendError(
+            f"cloud: the base URL of {host(url)} holds a query. Keys belong into "
+            "TABLETOPGEN_CLOUD_KEY."
+        )
+    return url
+
+
+def host(url: str) -> str:
+    """Return a URL's host in lower case; "" if it has none, or is no URL."""
+    try:
+        return split_url(url, "It", BackendError).hostname or ""
+    except BackendError:
+        return ""
+
+
+def server_name(url: str) -> str:
+    """Return the provider's name, or host and port."""
+    known = _PROVIDERS.get(host(url))
+    return known[0] if known else split_url(url, "cloud: the URL", BackendError).netloc.lower()
+
+
+def key(url: str, purpose: Purpose, what: str = "cloud") -> str:
+    """Return the key that goes to a server; ``what`` names who needs it, and what for.
+
+    Raises:
+        BackendError: there is none; the message names the variables.
+    """
+    variables = key_variables(url, purpose)
+    found = next(iter(keys(url, purpose)), None)
+    if found is None and local(host(url)):
+        return "none-needed"
+    if found is None:
+        raise BackendError(
+            f"{what}: no key for {server_name(url)} ({url}). Set {' or '.join(variables)}; the key "
+            "stays in the environment and is written nowhere."
+        )
+    return found
+
+
+def keys(url: str, purpose: Purpose) -> tuple[str, ...]:
+    """Return the keys that are set for a server: what no message may hold."""
+    values = (os.environ.get(v, "").strip() for v in key_variables(url, purpose))
+    return tuple(value for value in values if value)
+
+
+def key_variables(url: str, purpose: Purpose) -> tuple[str, ...]:
+    """Return the variables that may hold the key of a server, the first that is set counts.
+
+    A provider's own key goes to its own hosts alone, and the chat server's to no other host.
+    """
+    names = ["TABLETOPGEN_CLOUD_IMAGE_KEY"] if purpose == "image" else []
+    if purpose == "chat" or host(url) == host(base_url("chat")):
+        names.append("TABLETOPGEN_CLOUD_KEY")
+    if host(url) in _PROVIDERS:
+        names.append(_PROVIDERS[host(url)][1])
+    return tuple(names)
+
+
+def own_headers(url: str) -> tuple[str, ...]:
+    """Return the headers that a server alone is sent: OpenAI's, who of its users asks.
+
+    The ``openai`` package reads them from ``OPENAI_ORG_ID`` and ``OPENAI_PROJECT_ID``.
+    """
+    return ("openai-organization", "openai-project") if host(url) == host(OPENAI) else ()
+
+
+def may_fetch(address: str, server: str) -> bool:
+    """Tell whether a picture may be fetched from an address that the server ``server`` gave.
+
+    Allowed is https at the server's own host, at its provider's stores (``.volces.com`` and
+    ``.bytepluses.com`` of Ark, ``.blob.core.windows.net`` of OpenAI), and at the hosts of
+    ``TABLETOPGEN_CLOUD_IMAGE_HOSTS``, where a leading dot means all below; http only at a server
+    that is itself spoken to by http.
+    """
+    try:
+        parts, here = split_url(address, "The picture's address", BackendError), host(address)
+        own = split_url(server, "cloud: the URL", BackendError)
+    except BackendError:
+        return False
+    if parts.scheme != "https" and not (parts.scheme == "http" == own.scheme):
+        return False
+    if "@" in parts.netloc:
+        return False
+    if here == host(server):
+        return parts.scheme == "https" or parts.netloc == own.netloc
+    more = os.environ.get("TABLETOPGEN_CLOUD_IMAGE_HOSTS", "").lower().split(",")
+    allowed = (*_STORES.get(server_name(server), ()), *(m.strip() for m in more if m.strip()))
+    return any(here == a or (a.startswith(".") and here.endswith(a)) for a in allowed)

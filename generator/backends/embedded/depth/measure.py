@@ -1,0 +1,221 @@
+"""How large things are, where they stand and on what, from the points of a depth map."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float
+
+from ....geometry import Camera, rotation_z
+from ....scene import TABLE, Instance, Stacking
+from ..plane.plane import TablePlane
+from .plane import smooth
+
+_FEW = 12  # points: fewer measure nothing
+_TAIL = 1.0  # percent of the points left out at each end
+_STRAY = 0.06  # metres of empty space that part a thing's points from stray ones
+_MOST = 4000  # points looked at per thing
+_LEVEL = 0.03  # metres between a support's top and what stands on it
+_HELD = 0.5  # share of a thing's footprint points over its support
+_NARROW = 0.85  # of its length: what a thing's top is less than if it tapers
+_HOLLOW = 0.025  # metres that the middle of a container lies below its rim
+_GROUND = 0.008  # metres: of what is clearly taller, nothing lower than this is counted
+
+
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """What the camera saw of one thing, in the table's frame (metres, z = 0 the tabletop).
+
+    ``center`` and ``yaw`` are those of its upright box, ``extent`` the box's (length, width) with
+    length >= width, ``bottom`` and ``top`` its lowest and highest point seen. ``points`` are a
+    sample of the points themselves.
+    """
+
+    center: Float[np.ndarray, "2"]
+    yaw: float
+    extent: tuple[float, float]
+    bottom: float
+    top: float
+    points: Float[np.ndarray, "n 3"]
+
+    @property
+    def tapers(self) -> bool:
+        """Whether it is clearly shorter at its top than below, and so may hide its own back."""
+        high = self.points[:, 2] > self.top - 0.2 * (self.top - self.bottom)
+        along = self._own()[:, 0]
+        if high.sum() < _FEW:
+            return False
+        return bool(np.ptp(np.percentile(along[high], [_TAIL, 100 - _TAIL])) < 2 * _NARROW)
+
+    @property
+    def inner(self) -> float:
+        """How high its middle lies: the inside of a container."""
+        middle = self._within(0.3)
+        heights = self.points[middle, 2] if middle.any() else self.points[:, 2]
+        return float(np.percentile(heights, 20))
+
+    @property
+    def hollow(self) -> bool:
+        """Whether its middle lies well below a rim on all sides, as seen from above."""
+        middle = self._within(0.3)
+        turned = self._own()
+        rims = [
+            self.points[self._ring() & (turned[:, k] * side > 0), 2]
+            for k in (0, 1)
+            for side in (-1, 1)
+        ]
+        if middle.sum() < _FEW / 2 or min(len(r) for r in rims) < _FEW / 2:
+            return False
+        rim = min(float(np.percentile(r, 85)) for r in rims)
+        return bool(np.median(self.points[middle, 2]) < rim - _HOLLOW)
+
+    def _own(self) -> Float[np.ndarray, "n 2"]:
+        """Return the points' places along the box's axes, as shares of half its sides."""
+        turned = (self.points[:, :2] - self.center) @ rotation_z(self.yaw)[:2, :2]
+        return turned / (np.asarray(self.extent) / 2)
+
+    def _within(self, share: float) -> Bool[np.ndarray, "n"]:
+        return np.asarray((np.abs(self._own()) < share).all(1))
+
+    def _ring(self) -> Bool[np.ndarray, "n"]:
+        return ~self._within(0.65)
+
+
+def table_points(depth: Float[np.ndarray, "h w"], camera: Camera) -> Float[np.ndarray, "h w 3"]:
+    """Return each pixel's point in the frame of ``camera``; NaN where depth is 0."""
+    h, w = depth.shape
+    y, x = np.mgrid[0:h, 0:w] + 0.5
+    z = np.where(depth > 0, depth, np.nan).astype(np.float64)
+    across = (np.stack([x, y], -1) - camera.center) / camera.focal
+    rays = np.concatenate([across, np.ones((h, w, 1))], -1)
+    return (rays * z[..., None]) @ camera.rotation + camera.position
+
+
+def measure_solid(
+    mask: Bool[np.ndarray, "h w"], depth: Float[np.ndarray, "h w"], plane: TablePlane
+) -> Solid | None:
+    """Return the box of the points that ``mask`` shows; None if depth knows too few of them.
+
+    Points at jumps of depth, where a sensor mixes near and far, groups of points apart from the
+    rest, and the tabletop around the foot are left out. Seen from too low for its top to show, a
+    thing is as deep as it is wide.
+    """
+    clean = mask & steady(depth)
+    calm = cv2.medianBlur(np.ascontiguousarray(depth, np.float32), 5)
+    points = table_points(np.where(clean & (calm > 0), calm, depth), plane.camera)
+    chosen = points[clean] if clean.sum() >= _FEW else points[mask & (depth > 0)]
+    chosen = chosen[:: max(1, len(chosen) // _MOST)]
+    chosen = _raised(_together(chosen, plane.camera))
+    if len(chosen) < _FEW:
+        return None
+    bottom, top = (float(v) for v in np.percentile(chosen[:, 2], [_TAIL, 100 - _TAIL]))
+    center, yaw, extent = _box(chosen[:, :2])
+    if plane.camera.position[2] < top:
+        center, yaw, extent = _deepened(center, yaw, extent, plane.camera)
+    return Solid(center, yaw, extent, bottom, top, chosen)
+
+
+def steady(depth: Float[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
+    """Return the known pixels of a depth map that are not on the far side of a jump."""
+    z = np.where(depth > 0, depth, np.nan)
+    return smooth(np.stack([z, z, z], -1))
+
+
+def _together(points: Float[np.ndarray, "n 3"], camera: Camera) -> Float[np.ndarray, "k 3"]:
+    """Return the largest group of points with no gap in their distance from the camera."""
+    away = np.linalg.norm(points - camera.position, axis=1)
+    order = np.argsort(away)
+    groups = np.split(order, np.flatnonzero(np.diff(away[order]) > _STRAY) + 1)
+    return points[max(groups, key=len)]
+
+
+def _raised(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
+    """Return the points of a thing without those of the tabletop, unless it is as flat itself."""
+    high = points[points[:, 2] > _GROUND]
+    tall = len(high) > _FEW and float(np.percentile(points[:, 2], 90)) > 3 * _GROUND
+    return high if tall else points
+
+
+def _box(
+    places: Float[np.ndarray, "n 2"],
+) -> tuple[Float[np.ndarray, "2"], float, tuple[float, float]]:
+    """Return centre, yaw and (length, width) of the tightest box, stray points aside.
+
+    What is about as tight from every side, as round things are, keeps to the table's axes.
+    """
+    angles = np.deg2rad(np.arange(0, 90, 2.0))
+    axes = np.stack([np.stack([np.cos(angles), np.sin(angles)], -1),
+                     np.stack([-np.sin(angles), np.cos(angles)], -1)], 1)  # fmt: skip
+    along = np.einsum("abk,nk->abn", axes, places)
+    low, high = np.percentile(along, [_TAIL, 100 - _TAIL], axis=-1)
+    spans = np.maximum(high - low, 1e-3)
+    areas = spans.prod(1)
+    best = int(areas.argmin())
+    if areas[best] > 0.88 * areas[0]:
+        best = 0
+    center = ((low + high) / 2)[best] @ axes[best]
+    length, width = (float(v) for v in spans[best])
+    yaw = float(angles[best])
+    if width > length:
+        length, width, yaw = width, length, yaw + np.pi / 2
+    return center, yaw, (length, width)
+
+
+def _deepened(
+    center: Float[np.ndarray, "2"], yaw: float, extent: tuple[float, float], camera: Camera
+) -> tuple[Float[np.ndarray, "2"], float, tuple[float, float]]:
+    """Return the box of something whose top is out of sight: grown away from the camera."""
+    length, width = extent
+    away = center - camera.position[:2]
+    away /= np.linalg.norm(away)
+    across = np.array([-np.sin(yaw), np.cos(yaw)])
+    lacking = max(0.8 * length - width, 0.0) * abs(float(across @ away))
+    return center + away * lacking / 2, yaw, (length, width + lacking)
+
+
+# -------------------------------------------------------------------------------- what is on what
+
+
+def stack_solids(
+    instances: tuple[Instance, ...],
+    solids: Mapping[str, Solid],
+    container: Callable[[str], bool] = lambda label: False,
+) -> Mapping[str, Stacking]:
+    """Return what each instance stands on: what is under its footprint and as high as its foot.
+
+    A thing whose foot is hidden seems to hover; with nothing under it, it stands on the table.
+    Inside is what is held by something hollow, or by what ``container`` says of its label.
+    """
+    labels = {i.name: i.label for i in instances}
+    names = [i.name for i in instances if i.name != TABLE]
+    on = dict.fromkeys(names, TABLE)
+    inside = dict.fromkeys(names, False)
+    for name in names:
+        held = {b: holds(solids[b], solids[name]) for b in names
+                if b != name and b in solids and name in solids}  # fmt: skip
+        below = max(held, key=lambda b: (held[b], b), default=None)
+        if below is not None and held[below] > _HELD:
+            on[name] = below
+            inside[name] = solids[below].hollow or container(labels[below])
+    result = {TABLE: Stacking(1)}
+    for name in names:
+        chain = [name]
+        while on[chain[-1]] != TABLE and on[chain[-1]] not in chain:
+            chain.append(on[chain[-1]])
+        below = on[name] if on[chain[-1]] == TABLE else TABLE
+        result[name] = Stacking(1 + len(chain), below, below != TABLE and inside[name])
+    return result
+
+
+def holds(below: Solid, thing: Solid) -> float:
+    """Return which share of ``thing`` is over ``below``, 0 if it does not reach its upper side."""
+    rise = max(below.top - below.bottom, 0.01)
+    if thing.bottom < below.bottom + (0.3 if below.hollow else 0.6) * rise - 0.005:
+        return 0.0
+    if thing.bottom > below.top + _LEVEL or thing.top < below.top:
+        return 0.0
+    turned = (thing.points[:, :2] - below.center) @ rotation_z(below.yaw)[:2, :2]
+    return float((np.abs(turned) < np.asarray(below.extent) / 2 + 0.005).all(1).mean())

@@ -1,0 +1,353 @@
+"""The table plane of an RGB-D picture, in metres: found in its points, not in its colours.
+
+Planes are drawn from triples of neighbouring points (a seeded RANSAC: Fischler and Bolles, 1981),
+refined by least squares on their inliers, and judged: a tabletop faces up, lies low in the
+picture, carries things, and is what lies above a floor.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from ....errors import SceneError
+from ....geometry import Camera, convex_outline, inside_margin
+from ....scene import Intrinsics
+from ..plane.cut_plane import plane_of_region
+from ..plane.plane import TablePlane
+
+TALLEST = 0.6
+"""Metres above the tabletop up to which something counts as standing on it."""
+
+_SEED = 0
+_SAMPLES = 14_000  # points that hypotheses are judged on
+_TRIES = 500  # hypotheses per plane
+_PLANES = 5  # planes drawn one after the other
+_NEAR = 0.12  # of the longer side: how far apart the points of a triple are
+_WARP = 0.01  # metres: how far a depth map may bend where it still shows the tabletop
+_FINEST = 0.003  # metres: no depth map is trusted further
+_LOWEST, _TILT = np.deg2rad(6.0), np.deg2rad(40.0)  # least elevation, largest roll
+_SHARE, _AREA = 0.05, 0.04  # of the known points, and m²: the least of a tabletop
+_FLOOR_GAP, _FLOOR_AREA = 0.25, 0.1  # metres, m²: a tabletop this far above a plane makes it floor
+_PARALLEL = np.deg2rad(15.0)
+
+
+@dataclass(frozen=True)
+class Level:
+    """A plane in camera axes (x right, y down, z forward): unit ``normal`` towards the camera.
+
+    ``height`` is the camera's distance from the plane, metres. ``grain`` is the standard deviation
+    of its points over ``noise``: how coarse this depth map is.
+    """
+
+    normal: tuple[float, float, float]
+    height: float
+    grain: float = 0.6
+
+    def above(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n"]:
+        """Return how far points (camera axes) lie above the plane, metres."""
+        return points @ np.array(self.normal) + self.height
+
+    def spread(self, distance: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
+        """Return how far from the plane a point of the plane may be measured, metres."""
+        return np.maximum(2.5 * self.grain * noise(distance), _FINEST)
+
+
+def camera_points(
+    depth: Float[np.ndarray, "h w"], intrinsics: Intrinsics
+) -> Float[np.ndarray, "h w 3"]:
+    """Return each pixel's point in camera axes, metres; NaN where depth is 0."""
+    h, w = depth.shape
+    z = np.where(depth > 0, depth, np.nan).astype(np.float64)
+    x = (np.arange(w) - intrinsics.cx) / intrinsics.fx
+    y = (np.arange(h) - intrinsics.cy) / intrinsics.fy
+    return np.stack([x[None] * z, y[:, None] * z, z], -1)
+
+
+def noise(distance: Float[np.ndarray, "*n"]) -> Float[np.ndarray, "*n"]:
+    """Return within how many metres a depth camera's point is known: it grows with distance."""
+    return 0.004 + 0.004 * np.square(distance)
+
+
+def find_depth_plane(
+    depth: Float[np.ndarray, "h w"],
+    intrinsics: Intrinsics,
+    table: Bool[np.ndarray, "h w"] | None = None,
+) -> TablePlane:
+    """Return the tabletop of an RGB-D picture: metric camera, and the visible part's outline.
+
+    Args:
+        depth: metres along the optical axis, 0 where unknown.
+        intrinsics: of the picture.
+        table: pixels that show the table, if they are known; they only decide between planes.
+
+    Raises:
+        SceneError: no level plane that could be a tabletop.
+    """
+    frozen = np.ascontiguousarray(depth, np.float32)
+    hint = None if table is None else np.packbits(table).tobytes()
+    return _solved(frozen.tobytes(), *frozen.shape, intrinsics, hint)
+
+
+@lru_cache(maxsize=4)
+def _solved(
+    data: bytes, height: int, width: int, intrinsics: Intrinsics, hint: bytes | None
+) -> TablePlane:
+    """Several stages ask for the plane of one picture; the last few answers are kept."""
+    depth = np.frombuffer(data, np.float32).reshape(height, width)
+    points = camera_points(depth, intrinsics)
+    table = None
+    if hint is not None:
+        bits = np.unpackbits(np.frombuffer(hint, np.uint8), count=height * width)
+        table = bits.reshape(height, width) > 0
+    level = _choose(points, table)
+    for _ in range(2):  # the region settles which points count, and they how coarse the map is
+        level = _refined(level, points[top_region(points, level)[0]])
+    region, carried = top_region(points, level)
+    camera = level_camera(level, intrinsics, width, height)
+    hidden = np.isnan(points[..., 2]) | (level.above(points) > 2 * level.spread(points[..., 2]))
+    places = (points[carried] @ camera.rotation + camera.position)[:, :2]
+    return plane_of_region(region, camera, _opened(hidden, 3), places)
+
+
+def level_camera(level: Level, intrinsics: Intrinsics, width: int, height: int) -> Camera:
+    """Return the camera over its plane z = 0: origin below it, y along its sight, z up."""
+    up = np.array(level.normal)
+    ahead = np.array([0.0, 0.0, 1.0]) - up[2] * up
+    if np.linalg.norm(ahead) < 0.02:  # from straight above, the picture's top is away
+        ahead = np.array([0.0, -1.0, 0.0]) + up[1] * up
+    ahead /= np.linalg.norm(ahead)
+    rotation = np.column_stack([np.cross(ahead, up), ahead, up])
+    focal = float(np.sqrt(intrinsics.fx * intrinsics.fy))
+    offset = (intrinsics.cx + 0.5 - width / 2, intrinsics.cy + 0.5 - height / 2)
+    fov = float(2 * np.arctan(height / 2 / focal))
+    return Camera(np.array([0, 0, level.height]), rotation, fov, width, height, offset)
+
+
+# ------------------------------------------------------------------------------------- regions
+
+
+def smooth(points: Float[np.ndarray, "h w 3"]) -> Bool[np.ndarray, "h w"]:
+    """Return the known pixels that are not on the far side of a jump of depth."""
+    z = points[..., 2]
+    known = np.isfinite(z)
+    low = cv2.erode(np.where(known, z, np.inf).astype(np.float32), np.ones((3, 3), np.uint8))
+    z = np.where(known, z, 0.0)
+    return known & (z - np.where(known, low, 0.0) < 0.012 + 0.01 * z)
+
+
+def top_region(
+    points: Float[np.ndarray, "h w 3"], level: Level
+) -> tuple[Bool[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
+    """Return the pixels of one tabletop, and of what stands on it.
+
+    The top is what lies on the plane and hangs together, on its own or through those things.
+
+    A second table at the same height, apart in depth, is another region and left out.
+    """
+    above = level.above(points)
+    spread = level.spread(points[..., 2])
+    on = np.abs(above) < np.maximum(spread, np.minimum(2 * spread, _WARP))
+    linked = smooth(points) & (above > -spread) & (above < TALLEST)
+    count, numbers = cv2.connectedComponents(linked.astype(np.uint8), connectivity=4)
+    sizes = np.bincount(numbers[on & linked], minlength=count)
+    sizes[0] = 0
+    region = on & (numbers == sizes.argmax())
+    return _opened(region, 3), _opened(linked & ~on & (numbers == sizes.argmax()) & (above > 0), 5)
+
+
+def _opened(mask: Bool[np.ndarray, "h w"], side: int) -> Bool[np.ndarray, "h w"]:
+    kernel = np.ones((side, side), np.uint8)
+    return cv2.morphologyEx(mask.astype(np.uint8), cv2.MORPH_OPEN, kernel) > 0
+
+
+def _refined(level: Level, points: Float[np.ndarray, "n 3"]) -> Level:
+    """Return the plane of least squares through its inliers, three times over."""
+    for _ in range(3):
+        near = np.abs(level.above(points)) < level.spread(points[:, 2])
+        if near.sum() < 50:
+            return level
+        inliers, weight = points[near], 1 / noise(points[near, 2]) ** 2
+        middle = np.average(inliers, axis=0, weights=weight)
+        off = (inliers - middle) * np.sqrt(weight)[:, None]
+        normal = np.linalg.eigh(off.T @ off)[1][:, 0]
+        level = _plane_through(middle, normal)
+        off = np.abs(level.above(inliers)) / noise(inliers[:, 2])
+        level = replace(level, grain=float(np.clip(1.4826 * np.median(off), 0.05, 0.6)))
+    return level
+
+
+def _plane_through(point: Float[np.ndarray, "3"], normal: Float[np.ndarray, "3"]) -> Level:
+    distance = float(point @ normal)
+    if distance > 0:
+        normal, distance = -normal, -distance
+    x, y, z = (float(v) for v in normal)
+    return Level((x, y, z), -distance)
+
+
+# ------------------------------------------------------------------------------------- choosing
+
+
+@dataclass(frozen=True, eq=False)
+class _Candidate:
+    """A plane with its inliers among the sampled points and how well it looks like a tabletop."""
+
+    level: Level
+    inliers: Bool[np.ndarray, "n"]
+    area: float
+    score: float
+
+
+def _choose(points: Float[np.ndarray, "h w 3"], table: Bool[np.ndarray, "h w"] | None) -> Level:
+    """Return the plane that looks most like a tabletop.
+
+    Raises:
+        SceneError: none does.
+    """
+    height, width = points.shape[:2]
+    stride = max(1, int(np.sqrt(height * width / _SAMPLES)))
+    grid = points[::stride, ::stride]
+    known = np.isfinite(grid[..., 2])
+    rows, columns = np.nonzero(known)
+    cloud = grid[known]
+    hint = None if table is None else table[::stride, ::stride][known]
+    found = _candidates(cloud, np.column_stack([columns, rows]), max(grid.shape[:2]), hint)
+    fit = [c for c in found if c.inliers.mean() > _SHARE and c.area > _AREA]
+    if not fit:
+        raise SceneError(
+            "No table plane in the depth map: no level surface of at least "
+            f"{_AREA * 1e4:.0f} cm² lies below the camera. Point the camera down at the tabletop, "
+            "and check depth units and intrinsics."
+        )
+    if hint is not None and hint.mean() > _SHARE:
+        held = [float((c.inliers & hint).sum()) for c in fit]
+        if max(held) > 0.3 * hint.sum():
+            return fit[int(np.argmax(held))].level
+    floors = {id(low) for low in fit for top in fit if _stands_over(top, low, cloud)}
+    tops = [c for c in fit if id(c) not in floors] or fit
+    return max(tops, key=lambda c: c.score).level
+
+
+def _stands_over(top: _Candidate, low: _Candidate, cloud: Float[np.ndarray, "n 3"]) -> bool:
+    """Tell whether ``top`` is a tabletop above ``low``, which then is the floor."""
+    parallel = np.dot(top.level.normal, low.level.normal) > np.cos(_PARALLEL)
+    gap = float(np.median(low.level.above(cloud[top.inliers])))
+    return bool(parallel and gap > _FLOOR_GAP and top.area > _FLOOR_AREA)
+
+
+def _candidates(
+    cloud: Float[np.ndarray, "n 3"],
+    pixels: Int[np.ndarray, "n 2"],
+    side: int,
+    hint: Bool[np.ndarray, "n"] | None,
+) -> list[_Candidate]:
+    """Draw planes one after the other, each from the points that the earlier ones left."""
+    rng = np.random.default_rng(_SEED)
+    left = np.ones(len(cloud), bool)
+    found: list[_Candidate] = []
+    for _ in range(_PLANES):
+        if left.sum() < 3 or left.mean() < _SHARE:
+            break
+        level = _drawn(cloud[left], pixels[left], side, rng)
+        if level is None:
+            break
+        level = _refined(level, cloud[left])
+        inliers = np.abs(level.above(cloud)) < 1.5 * noise(cloud[:, 2])
+        left &= ~inliers
+        if _faces_up(np.array(level.normal)[None])[0] and inliers.any():
+            found.append(_judged(level, _one_piece(inliers, pixels), cloud, pixels, side))
+    return found
+
+
+def _drawn(
+    cloud: Float[np.ndarray, "n 3"],
+    pixels: Int[np.ndarray, "n 2"],
+    side: int,
+    rng: np.random.Generator,
+) -> Level | None:
+    """Return the level plane through three neighbouring points that most points lie on."""
+    reach = _NEAR * side
+    first = rng.integers(len(cloud), size=_TRIES)
+    others = [_neighbours(pixels, first, reach, rng) for _ in range(2)]
+    a, b, c = cloud[first], cloud[others[0]], cloud[others[1]]
+    normals = np.cross(b - a, c - a)
+    length = np.linalg.norm(normals, axis=1)
+    normals = normals / np.maximum(length, 1e-12)[:, None]
+    normals *= -np.sign((normals * a).sum(1))[:, None]
+    usable = (length > 1e-6) & _faces_up(normals)
+    if not usable.any():
+        return None
+    normals, heights = normals[usable], -(normals * a).sum(1)[usable]
+    tolerance = noise(cloud[:, 2])
+    counts = [
+        int((np.abs(cloud @ n + h) < tolerance).sum())
+        for n, h in zip(normals, heights, strict=True)
+    ]
+    best = int(np.argmax(counts))
+    return _plane_through(-normals[best] * heights[best], normals[best])
+
+
+def _neighbours(
+    pixels: Int[np.ndarray, "n 2"],
+    first: np.ndarray,
+    reach: float,
+    rng: np.random.Generator,
+) -> np.ndarray:
+    """Return, for each first point, one of the points known about ``reach`` pixels around it."""
+    wanted = pixels[first] + rng.uniform(-reach, reach, (len(first), 2))
+    keys = pixels[:, 1] * (pixels[:, 0].max() + 1) + pixels[:, 0]  # ascending: rows, then columns
+    row = np.clip(np.round(wanted[:, 1]), 0, pixels[:, 1].max())
+    column = np.clip(np.round(wanted[:, 0]), 0, pixels[:, 0].max())
+    at = np.searchsorted(keys, row * (pixels[:, 0].max() + 1) + column)
+    return np.minimum(at, len(pixels) - 1)
+
+
+def _faces_up(normals: Float[np.ndarray, "n 3"]) -> Bool[np.ndarray, "n"]:
+    """Tell which planes a camera held about upright sees from above."""
+    elevation = np.arcsin(np.clip(-normals[:, 2], -1, 1))
+    roll = np.arctan2(np.abs(normals[:, 0]), -normals[:, 1])
+    steep = elevation > np.deg2rad(75)  # from above, roll says little
+    return (elevation > _LOWEST) & ((roll < _TILT) | steep) & (normals[:, 1] < 0.1)
+
+
+def _one_piece(
+    inliers: Bool[np.ndarray, "n"], pixels: Int[np.ndarray, "n 2"]
+) -> Bool[np.ndarray, "n"]:
+    """Return the inliers that hang together in the picture, small gaps aside: the most of them."""
+    columns, rows = pixels.T
+    image = np.zeros((rows.max() + 1, columns.max() + 1), np.uint8)
+    image[rows[inliers], columns[inliers]] = 1
+    closed = cv2.morphologyEx(image, cv2.MORPH_CLOSE, np.ones((5, 5), np.uint8))
+    numbers = cv2.connectedComponents(closed, connectivity=4)[1][rows, columns]
+    sizes = np.bincount(numbers[inliers])
+    sizes[0] = 0
+    return inliers & (numbers == sizes.argmax())
+
+
+def _judged(
+    level: Level,
+    inliers: Bool[np.ndarray, "n"],
+    cloud: Float[np.ndarray, "n 3"],
+    pixels: Int[np.ndarray, "n 2"],
+    side: int,
+) -> _Candidate:
+    """Score a plane: large in the picture, low in it, with things on it and nothing towering."""
+    normal = np.array(level.normal)
+    flat = cloud - level.above(cloud)[:, None] * normal  # dropped onto the plane
+    east = np.cross(normal, [0.0, 0.0, 1.0]) if abs(normal[2]) < 0.9 else np.array([1.0, 0, 0])
+    east = east / np.linalg.norm(east)
+    place = flat @ np.column_stack([east, np.cross(normal, east)])
+    inner = place[inliers]
+    above = level.above(cloud)
+    over = (inside_margin(place, convex_outline(inner)) > 0) & (above > 2 * noise(cloud[:, 2]))
+    carried = float((over & (above < TALLEST)).sum() / inliers.sum())
+    towering = float((over & (above >= TALLEST)).sum() / inliers.sum())
+    cell = np.round(inner / 0.02).astype(int)
+    area = len(np.unique(cell, axis=0)) * 0.02**2
+    low = float(pixels[inliers, 1].mean() / side)
+    score = float(inliers.mean()) * (0.4 + low) * (0.5 + min(carried, 0.5)) / (1 + 4 * towering)
+    return _Candidate(level, inliers, area, score)

@@ -1,0 +1,65 @@
+"""A model's place on the table from a depth map: what shows of it lies where depth saw it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+from jaxtyping import Bool
+
+from ....geometry import yaw_quaternion
+from ....render.contact import Body
+from ....render.raster import place, render
+from ....scene import Model
+from ..plane.plane import TablePlane
+from .measure import Solid, table_points
+
+_ACROSS = 60.0  # pixels across a thing in the small renders
+_TIMES = 5  # how often it is moved at most
+_NEAR = 5e-4  # metres: moved by less, it is there
+_FEW = 20  # pixels: less of it tells nothing
+
+
+def seated(
+    model: Model,
+    yaw: float,
+    floor: float,
+    solid: Solid,
+    others: Bool[np.ndarray, "h w"],
+    plane: TablePlane,
+) -> Body:
+    """Stand a model of its own size where the middle of what shows of it is where depth saw it.
+
+    Both middles are of visible surface alone, so the hidden back of a thing does no harm; what
+    ``others`` cover is left out. (To look within the thing's own mask alone would not do: there a
+    model that is a little too large fills the mask from any place.) ``floor`` is the height above
+    the tabletop of what it stands on, metres.
+    """
+    camera = plane.camera
+    factor = max(1.0, _span(solid, plane) / _ACROSS)
+    width, height = (max(1, round(side / factor)) for side in (camera.width, camera.height))
+    across, down = camera.offset
+    small = replace(camera, width=width, height=height, offset=(across / factor, down / factor))
+    shown = cv2.resize(others.astype(np.uint8), (width, height)) == 0
+    size = np.asarray(model.size)
+    body = Body(model.mesh, size, yaw, np.array([*solid.center, floor + size[2] / 2]))
+    wanted, lowest = solid.points[:, :2].mean(0), solid.points[:, 2].min()
+    for _ in range(_TIMES):
+        item = place(body.mesh, body.scale, body.position, yaw_quaternion(body.yaw))
+        depth = render([item], small, supersample=1).depth
+        seen = table_points(np.where(np.isfinite(depth) & shown, depth, 0.0), small)
+        seen = seen[seen[..., 2] >= lowest]
+        if len(seen) < _FEW:
+            return body
+        shift = wanted - seen[:, :2].mean(0)
+        body = replace(body, position=body.position + np.append(shift, 0.0))
+        if np.abs(shift).max() < _NEAR:
+            break
+    return body
+
+
+def _span(solid: Solid, plane: TablePlane) -> float:
+    """Return about how many pixels a thing is across."""
+    away = float(plane.camera.to_camera(solid.points).mean(0)[2])
+    return float(np.hypot(solid.extent[0], solid.top - solid.bottom)) / away * plane.camera.focal

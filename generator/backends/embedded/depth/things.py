@@ -1,0 +1,320 @@
+"""What stands on a table, as its depth map tells it: proposed, and held against what was seen.
+
+An eye that looks at colours takes prints for things and parts of a thing for things. Depth tells
+what is flat, what belongs together, and what was missed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float
+
+from ....geometry import mask_box
+from ....language.naming import shape_word
+from ....scene import Detection
+from ..plane.plane import TablePlane, outline_distance
+from .measure import (
+    Solid,
+    holds,
+    measure_solid,
+    steady,
+    table_points,
+)
+from .plane import TALLEST, noise
+
+Mask = Bool[np.ndarray, "h w"]
+
+_BESIDE = 0.03  # metres: something may stick out over the table's edge so far
+_LEAST = 3e-4  # of the picture: the least that counts as a thing
+_WATERLINES = (0.1, 0.2, 0.3, 0.4)  # of a region's height, at which islands part it
+_LOW = 0.006  # metres: nothing lower than this counts as a thing
+_KNOWN = 0.3  # share of a thing's pixels that depth must know to judge it
+_FLAT = 0.15  # share of them that stand above the table, below which a thing is flat
+_SURE = 0.6  # certainty from which a flat thing is believed to be one
+_CERTAIN = 0.75  # certainty from which what seems to hover may be a thing with a hidden foot
+_KEPT = 0.6  # share of a mask that the tabletop around it must leave
+_GROWN = 4.0  # a mask grows by at most this factor
+_HOVER = 0.03  # metres above the table at which the foot of something standing on nothing hovers
+_HELD = 0.45  # share of a thing over another from which it may stand on that
+_BROAD = 0.6  # of a thing's width: the least of what it may stand on
+_JUMP = 0.03  # metres of depth that part two things which touch in the picture
+_BAND = 0.04  # of the picture's longer side: how far from a seam two surfaces are compared
+_LEVEL = 0.005  # metres: what lies nearer to a plane is in it
+_MISSED = 0.03  # metres: the least height of something the eye did not see
+_SHREDS = 0.014  # of the picture's longer side: a depth map's shreds at edges are narrower
+_GUESS = 0.5  # certainty of such a thing
+_FLOOR = (0.25, 1.3)  # metres: how far below a tabletop its floor is
+_FLOOR_AREA = 0.15  # m²: how much of it must show
+_CELL, _LAYER = 0.05, 0.02  # metres: sides of the cells that area is counted in, and their height
+
+
+def heights_above(
+    depth: Float[np.ndarray, "h w"], plane: TablePlane
+) -> tuple[Float[np.ndarray, "h w"], Mask, Mask]:
+    """Return heights above the tabletop (metres, NaN where unknown), what stands and what lies.
+
+    What lies is level with the table as far as this depth map can tell; both are within the
+    tabletop's outline.
+    """
+    points = table_points(depth, plane.camera)
+    height = points[..., 2]
+    spread = noise(np.where(depth > 0, depth, 0.0))
+    flat = np.abs(height) < spread
+    level = 1.4826 * float(np.median(np.abs(height[flat]))) if flat.any() else 0.0
+    usual = float(np.median(spread[flat])) if flat.any() else 1.0
+    lowest = np.maximum(_LOW, 3.0 * level * np.maximum(spread / usual, 1))
+    places = np.nan_to_num(points[..., :2].reshape(-1, 2))
+    off = outline_distance(places, plane.shape, plane.flipped, plane.size, plane.radius)
+    near = (off < _BESIDE).reshape(depth.shape)
+    return height, near & (height > lowest) & (height < TALLEST), near & (np.abs(height) <= lowest)
+
+
+def things_above(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> tuple[Mask, ...]:
+    """Return the masks of what stands on the table, as depth alone parts it, largest first.
+
+    Regions above the plane are parted at jumps of depth and at saddles well below both sides.
+    Things that touch at their full height, or stand on one another, come out as one.
+    """
+    height, standing, _ = heights_above(depth, plane)
+    return _regions(_standing_pieces(depth, standing), height)
+
+
+def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
+    """Return pieces parted at saddles, a little grown, largest first."""
+    kernel = np.ones((3, 3), np.uint8)
+    known, least = np.nan_to_num(height), int(_LEAST * height.size)
+    masks = [part for piece in pieces for part in _parted(piece, known, least)]
+    masks.sort(key=lambda m: (-int(m.sum()), int(m.argmax())))
+    return tuple(cv2.dilate(m.astype(np.uint8), kernel) > 0 for m in masks)
+
+
+def _standing_pieces(depth: Float[np.ndarray, "h w"], standing: Mask) -> list[Mask]:
+    """Return the connected parts of what stands on the table, jumps of depth between them."""
+    high = (standing & steady(depth)).astype(np.uint8)
+    opened = cv2.morphologyEx(high, cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)) > 0
+    return _pieces(opened, int(_LEAST * depth.size))
+
+
+def _pieces(mask: Mask, least: int) -> list[Mask]:
+    """Return the connected parts of ``mask`` with at least ``least`` pixels."""
+    count, numbers, stats, _ = cv2.connectedComponentsWithStats(
+        mask.astype(np.uint8), connectivity=4
+    )
+    return [numbers == k for k in range(1, count) if stats[k, cv2.CC_STAT_AREA] >= least]
+
+
+def _parted(region: Mask, height: Float[np.ndarray, "h w"], least: int) -> list[Mask]:
+    """Return a region cut where raising the waterline leaves islands; each pixel to the nearest."""
+    tall = float(np.percentile(height[region], 98))
+    for share in _WATERLINES:
+        islands = _pieces(region & (height > share * tall), least)
+        if len(islands) > 1:
+            away = [cv2.distanceTransform((~i).astype(np.uint8), cv2.DIST_L2, 3) for i in islands]
+            nearest = np.argmin(away, axis=0)
+            shores = (region & (nearest == k) for k in range(len(islands)))
+            return [part for shore in shores for part in _parted(shore, height, least)]
+    return [region]
+
+
+# ------------------------------------------------------------------------------ what was seen
+
+
+def confirmed(
+    found: Sequence[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
+) -> list[Detection]:
+    """Return the things an eye found, as depth confirms them.
+
+    What is level with the table and uncertain is no thing; masks lose the tabletop around a thing;
+    upper parts that stand on nothing join what they are part of, or win what is below them; what
+    stands there and nobody saw is added. Rims are otherwise left to the eye: those of a depth map
+    are ragged.
+    """
+    height, standing, lying = heights_above(depth, plane)
+    things = [t for d in found if (t := _judged(d, height, standing, lying)) is not None]
+    pieces = _standing_pieces(depth, standing)
+    regions = _regions(pieces, height)
+    things += _missed(things, [*pieces, *regions], height)
+    things = _rejoined(things, depth, plane)
+    return _grown(things, regions, depth, plane)
+
+
+def _judged(
+    thing: Detection, height: Float[np.ndarray, "h w"], standing: Mask, lying: Mask
+) -> Detection | None:
+    """Return a thing without the tabletop around it; None if it is nothing but tabletop."""
+    mask = np.asarray(thing.mask)
+    known = mask & np.isfinite(height)
+    if known.sum() < _KNOWN * mask.sum():
+        return thing
+    if (standing & mask).sum() < _FLAT * known.sum():
+        return thing if thing.score >= _SURE else None
+    foot = max(3, int(0.1 * np.sqrt(mask.sum())))  # pixels: the foot itself is level with the table
+    around = np.ones((2 * foot + 1, 2 * foot + 1), np.uint8)
+    near = cv2.dilate((standing & mask).astype(np.uint8), around) > 0
+    spill = mask & lying & ~near & ~_hull(standing & mask)  # the low inside of a bowl is its own
+    kept = mask & ~spill
+    if not spill.any() or kept.sum() < _KEPT * mask.sum():
+        return thing
+    return _with_mask(thing, kept, None if thing.full is None else np.asarray(thing.full) & ~spill)
+
+
+def _hull(mask: Mask) -> Mask:
+    canvas = np.zeros(mask.shape, np.uint8)
+    points = np.argwhere(mask)[:, ::-1].astype(np.int32)
+    return cv2.fillConvexPoly(canvas, cv2.convexHull(points), 1) > 0
+
+
+def _with_mask(thing: Detection, mask: Mask, full: Mask | None) -> Detection:
+    whole = None if full is None else full | mask
+    return replace(thing, mask=mask, box=mask_box(mask), full=whole)
+
+
+def _rejoined(
+    things: list[Detection], depth: Float[np.ndarray, "h w"], plane: TablePlane
+) -> list[Detection]:
+    """Give upper parts that stand on nothing to the lower part that they touch, in depth too.
+
+    What is certain may have a hidden foot: it joins only what continues its flat side.
+    """
+    points = table_points(depth, plane.camera)
+    solids = [measure_solid(np.asarray(t.mask), depth, plane) for t in things]
+    order = sorted(range(len(things)), key=lambda k: -(s.bottom if (s := solids[k]) else 0.0))
+    left: dict[int, Detection] = dict(enumerate(things))
+    for part in order:
+        upper = solids[part]
+        if upper is None or upper.bottom < _HOVER:
+            continue
+        certain = things[part].score >= _CERTAIN
+        others = {k: s for k in left if k != part and (s := solids[k]) is not None}
+        if any(_carries(s, upper) for s in others.values()):
+            continue
+        touching = {
+            k: _contact(left[part], left[k], depth)
+            for k, s in others.items()
+            if s.bottom < upper.bottom and (not certain or _one_side(left[part], left[k], points))
+        }
+        below = max(touching, key=lambda k: (touching[k], -k), default=None)
+        if below is not None and touching[below] > 0:
+            left[below] = _union(left[below], left.pop(part))
+            solids[below] = measure_solid(np.asarray(left[below].mask), depth, plane)
+    return [left[k] for k in sorted(left)]
+
+
+def _carries(below: Solid, upper: Solid) -> bool:
+    """Tell whether a thing may stand on another: a front under it carries nothing."""
+    return holds(below, upper) > _HELD and below.extent[1] > _BROAD * upper.extent[1]
+
+
+def _one_side(one: Detection, other: Detection, points: Float[np.ndarray, "h w 3"]) -> bool:
+    """Tell whether two things are one flat side around their seam, as a box and its print are."""
+    a, b = np.asarray(one.mask), np.asarray(other.mask)
+    side = 2 * round(_BAND * max(a.shape)) + 1
+    kernel = np.ones((side, side), np.uint8)
+    known = np.isfinite(points).all(-1)
+    here = points[a & known & (cv2.dilate(b.astype(np.uint8), kernel) > 0)]
+    there = points[b & known & (cv2.dilate(a.astype(np.uint8), kernel) > 0)]
+    if min(len(here), len(there)) < side:
+        return False
+    middle = np.median(here, axis=0)
+    normal = np.linalg.svd(here - middle, full_matrices=False)[2][2]
+    return max(float(np.median(np.abs((p - middle) @ normal))) for p in (here, there)) < _LEVEL
+
+
+def _contact(one: Detection, other: Detection, depth: Float[np.ndarray, "h w"]) -> int:
+    """Return how many pixels of ``one`` touch ``other`` in the picture and in depth."""
+    kernel = np.ones((9, 9), np.uint8)
+    a, b = np.asarray(one.mask), np.asarray(other.mask)
+    here = a & (cv2.dilate(b.astype(np.uint8), kernel) > 0) & (depth > 0)
+    there = b & (cv2.dilate(a.astype(np.uint8), kernel) > 0) & (depth > 0)
+    if here.sum() < np.sqrt(min(a.sum(), b.sum())) or not there.any():
+        return 0
+    gap = abs(float(np.median(depth[here])) - float(np.median(depth[there])))
+    return int(here.sum()) if gap < _JUMP else 0
+
+
+def _union(one: Detection, other: Detection) -> Detection:
+    """Return two parts as one thing, called after the larger one."""
+    larger = max(one, other, key=lambda d: int(np.asarray(d.mask).sum()))
+    mask = np.asarray(one.mask) | np.asarray(other.mask)
+    full = mask.copy()
+    for part in (one, other):
+        full |= np.asarray(part.mask if part.full is None else part.full)
+    score = max(one.score, other.score)
+    return Detection(larger.label, mask_box(mask), mask, score, full)
+
+
+def _grown(
+    things: list[Detection],
+    regions: Sequence[Mask],
+    depth: Float[np.ndarray, "h w"],
+    plane: TablePlane,
+) -> list[Detection]:
+    """Return the things, those that hover and have a region for themselves grown to it."""
+    taken = [np.asarray(t.mask) for t in things]
+    grown = list(things)
+    for region in regions:
+        size = float(region.sum())
+        owners = [k for k, m in enumerate(taken) if (m & region).sum() > 0.05 * size]
+        if len(owners) != 1:
+            continue
+        mask = taken[owners[0]]
+        wider = mask | (region & ~np.logical_or.reduce(taken))
+        solid = measure_solid(mask, depth, plane)
+        if solid is not None and solid.bottom > _HOVER and wider.sum() < _GROWN * mask.sum():
+            thing = grown[owners[0]]
+            full = None if thing.full is None else np.asarray(thing.full)
+            grown[owners[0]] = _with_mask(thing, wider, full)
+    return grown
+
+
+def _missed(
+    things: Sequence[Detection], regions: Sequence[Mask], height: Float[np.ndarray, "h w"]
+) -> list[Detection]:
+    """Return what stands on the table and is none of ``things``, named after its shape.
+
+    ``regions`` are looked at in their order; what an earlier one covers is no other thing.
+    """
+    seen = np.zeros(height.shape, bool)
+    for thing in things:
+        seen |= np.asarray(thing.mask)
+    added = []
+    shred = max(3, round(_SHREDS * max(height.shape)))
+    for region in regions:
+        core = cv2.erode((region & ~seen).astype(np.uint8), np.ones((shred, shred), np.uint8))
+        if (region & seen).sum() > 0.1 * region.sum() or core.sum() < 0.3 * region.sum():
+            continue
+        if float(np.nanpercentile(height[region], 90)) < _MISSED:
+            continue
+        mask = region & ~seen
+        seen |= region
+        x0, y0, x1, y1 = box = mask_box(mask)
+        label = shape_word(x1 - x0, y1 - y0, float(mask.sum() / ((x1 - x0) * (y1 - y0))))
+        added.append(Detection(label, box, mask, _GUESS))
+    return added
+
+
+# --------------------------------------------------------------------------------- the floor
+
+
+def height_above_floor(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> float | None:
+    """Return how high the tabletop is above the floor, metres; None if depth shows too little.
+
+    The floor is the level below the table on which the largest area is seen.
+    """
+    points = table_points(depth, plane.camera)[::3, ::3].reshape(-1, 3)
+    low = points[(points[:, 2] < -_FLOOR[0]) & (points[:, 2] > -_FLOOR[1])]
+    if not len(low):
+        return None
+    cells = np.round(low / [_CELL, _CELL, _LAYER]).astype(int)
+    layers = -np.unique(cells, axis=0)[:, 2]
+    areas = np.bincount(layers, minlength=int(_FLOOR[1] / _LAYER) + 2) * _CELL**2
+    areas = np.convolve(areas, np.ones(3), "same")
+    best = int(areas.argmax())
+    upright = float(np.median(areas[int(_FLOOR[0] / _LAYER) :]))  # walls show alike in all layers
+    if areas[best] - upright < _FLOOR_AREA:
+        return None
+    return -float(np.median(low[np.abs(low[:, 2] + best * _LAYER) < 1.5 * _LAYER, 2]))

@@ -1,0 +1,226 @@
+"""Complete one object of the reference image: hidden parts redrawn, clean soft outline."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+from scipy import ndimage
+
+from ....geometry import mask_box
+from ....meshes.pixels import (
+    hull_of,
+    in_one_piece,
+    largest_piece,
+    nearest_inside,
+)
+from ....scene import (
+    TABLE,
+    Detection,
+    Instance,
+    Reference,
+)
+
+_LONG = 288  # least long side of a crop, pixels
+_MOST = 640
+_MARGIN = 0.04
+_MIRRORED = 0.15  # least share of a symmetric outline that must be seen on both sides
+_SYMMETRIC = 0.93  # share of a symmetric outline that its mirror image covers
+_ALIKE = 20.0  # grey levels by which mirrored places of a symmetric object usually differ
+
+Mask = Bool[np.ndarray, "h w"]
+
+
+def complete(reference: Reference, detection: Detection, others: tuple[Detection, ...]) -> Instance:
+    """Return the instance of a detection, drawn whole on a transparent ground (Sec. 3.1).
+
+    The whole outline is the detection's full mask where another detection hides the object, if it
+    has one. Else, where another detection lies within the object's outline, or touches it and the
+    outline is dented or cut there, the outline is completed. Pieces are joined. Hidden places take
+    the colours of their mirror images if the object looks symmetric, else the colours around are
+    carried on.
+    """
+    hider = _union(detection.mask.shape, [o.mask for o in others if o.label != TABLE])
+    seen = detection.mask & ~hider if (detection.mask & ~hider).any() else detection.mask
+    if detection.full is not None:
+        brush = np.ones((5, 5), np.uint8)
+        behind = cv2.dilate(hider.astype(np.uint8), brush) > 0
+        whole = largest_piece(detection.mask | (detection.full & behind)) | detection.mask
+    else:
+        inner = (hider & ~seen).any()
+        near = ndimage.binary_fill_holes(detection.mask) if inner else detection.mask
+        whole = complete_mask(detection.mask | (near & hider), hider & ~seen)
+    whole = in_one_piece(whole)
+    hidden = whole & ~seen
+    occluded = bool(hidden.sum() > 0.02 * seen.sum())
+    colors = reference.image
+    if hidden.any():
+        colors, drawn = mirror_colors(colors, seen, whole)
+        colors = carry_colors(colors, drawn, whole) if (whole & ~drawn).any() else colors
+    box = crop_box(mask_box(whole))
+    return Instance(
+        detection.label,
+        detection.label,
+        detection.box,
+        detection.mask,
+        cut_out(colors, whole, box),
+        box,
+        occluded,
+        detection.score,
+    )
+
+
+def _union(shape: tuple[int, ...], masks: list[np.ndarray]) -> Mask:
+    joined = np.zeros(shape, bool)
+    for mask in masks:
+        joined |= mask
+    return joined
+
+
+def complete_mask(mask: Mask, hider: Mask) -> Mask:
+    """Return ``mask`` grown into ``hider`` where the object probably goes on behind it.
+
+    Two guesses are joined: the object's mirror image about a vertical line, if its outline has
+    such an axis, and the convex hull of what is visible; both only inside the hider.
+    """
+    x0, y0, x1, y1 = mask_box(mask).astype(int)
+    reach = max(x1 - x0, y1 - y0)
+    rows = slice(max(0, y0 - reach), y1 + reach)
+    columns = slice(max(0, x0 - reach), x1 + reach)
+    own, other = mask[rows, columns], hider[rows, columns]
+    near = cv2.dilate(own.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
+    if (near & other).sum() < 8:
+        return mask
+    touching = np.array(ndimage.binary_propagation(near & other, mask=other), dtype=bool)
+    guess = hull_of(own)
+    mirror = mirrored_mask(own, other)
+    if mirror is not None:
+        guess = guess | mirror
+    grown = own | (guess & touching)
+    whole = mask.copy()
+    whole[rows, columns] = largest_piece(grown) | own
+    return whole
+
+
+def mirrored_mask(mask: Mask, hider: Mask) -> Mask | None:
+    """Return the mask reflected about the vertical axis of its outline, or None if it has none.
+
+    The outline against the background must fall onto itself or behind the hider; the axis where
+    most of it does, and next to none falls elsewhere, is taken.
+    """
+    brush = np.ones((3, 3), np.uint8)
+    rim = mask & (cv2.erode(mask.astype(np.uint8), brush, borderValue=0) == 0)
+    free = rim & (cv2.dilate(hider.astype(np.uint8), np.ones((5, 5), np.uint8)) == 0)
+    near = cv2.dilate(free.astype(np.uint8), brush) > 0
+    x0, _, x1, _ = mask_box(mask).astype(int)
+    ys, xs = np.nonzero(free)
+    if len(xs) < 12:
+        return None
+    best = (_MIRRORED, 0)
+    for twice in range(2 * x0, 2 * x1 + 1):
+        other = twice - xs
+        on = (other >= 0) & (other < mask.shape[1])
+        met, covered = near[ys[on], other[on]], hider[ys[on], other[on]]
+        astray = 1 - (met | covered).sum() / len(xs)
+        best = max(best, (float(met.mean() - 3 * astray) if on.any() else -1.0, twice))
+    if best[0] <= _MIRRORED:
+        return None
+    ys, xs = np.nonzero(mask)
+    other = best[1] - xs
+    on = (other >= 0) & (other < mask.shape[1])
+    reflected = np.zeros_like(mask)
+    reflected[ys[on], other[on]] = True
+    return reflected
+
+
+def mirror_colors(
+    image: UInt8[np.ndarray, "h w 3"], seen: Mask, whole: Mask
+) -> tuple[UInt8[np.ndarray, "h w 3"], Mask]:
+    """Colour hidden places like their mirror images about the upright axis of a whole outline.
+
+    Returns the picture and what of it is known now: no more than ``seen`` if the outline has no
+    such axis, or if places seen on both sides of it differ.
+    """
+    x0, _, x1, _ = mask_box(whole).astype(int)
+    ys, xs = np.nonzero(whole)
+    middle, slack = x0 + x1 - 1, max(1, (x1 - x0) // 12)
+    overlaps = {}
+    for twice in range(middle - slack, middle + slack + 1):
+        other = twice - xs
+        on = (other >= 0) & (other < whole.shape[1])
+        overlaps[twice] = float(whole[ys[on], other[on]].sum() / len(xs))
+    twice = max(overlaps, key=lambda t: (overlaps[t], -abs(t - middle)))
+    core = cv2.erode(seen.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    other = np.clip(twice - xs, 0, whole.shape[1] - 1)
+    both = core[ys, xs] & core[ys, other] & (np.abs(other - xs) > slack)
+    if overlaps[twice] < _SYMMETRIC or both.sum() < 0.1 * len(xs):
+        return image, seen
+    gap = image[ys[both], xs[both]].astype(int) - image[ys[both], other[both]]
+    if np.median(np.abs(gap).mean(1)) > _ALIKE:
+        return image, seen
+    lost = ~seen[ys, xs] & core[ys, other]
+    drawn, known = image.copy(), seen.copy()
+    drawn[ys[lost], xs[lost]] = image[ys[lost], other[lost]]
+    known[ys[lost], xs[lost]] = True
+    return drawn, known
+
+
+def carry_colors(
+    image: UInt8[np.ndarray, "h w 3"], mask: Mask, whole: Mask
+) -> UInt8[np.ndarray, "h w 3"]:
+    """Return the image with the object's colours carried into ``whole`` beyond ``mask``.
+
+    Rows are continued from the nearest visible pixel, then blended by Telea's inpainting.
+    """
+    x0, y0, x1, y1 = mask_box(whole).astype(int)
+    cut = slice(max(y0 - 4, 0), y1 + 4), slice(max(x0 - 4, 0), x1 + 4)
+    core = cv2.erode(mask[cut].astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    core = core if core.any() else mask[cut]
+    carried = image[cut][nearest_inside(core, (3.0, 1.0))]
+    missing = (whole & ~mask)[cut]
+    soft = cv2.GaussianBlur(carried, (0, 0), 2.0)
+    patch = np.where(mask[cut][..., None], image[cut], soft)
+    brush = np.ones((5, 5), np.uint8)
+    seam = cv2.dilate(missing.astype(np.uint8), brush) > 0
+    seam &= cv2.erode(missing.astype(np.uint8), brush) == 0
+    patch = np.where(seam[..., None] & whole[cut][..., None], carried, patch)
+    patch = cv2.inpaint(
+        np.ascontiguousarray(patch), (seam & whole[cut]).astype(np.uint8), 3, cv2.INPAINT_TELEA
+    )
+    drawn = image.copy()
+    drawn[cut] = patch
+    return drawn
+
+
+def crop_box(box: Float[np.ndarray, "4"]) -> Float[np.ndarray, "4"]:
+    """Return the box with a small margin all around, in whole pixels."""
+    margin = max(2.0, _MARGIN * float((box[2:] - box[:2]).max()))
+    return np.array([*np.floor(box[:2] - margin), *np.ceil(box[2:] + margin)])
+
+
+def cut_out(
+    image: UInt8[np.ndarray, "h w 3"], mask: Mask, box: Float[np.ndarray, "4"]
+) -> UInt8[np.ndarray, "ch cw 4"]:
+    """Cut a box (it may leave the image) out as RGBA with a soft edge, enlarged if small.
+
+    Colours outside the mask are those of the nearest pixel inside, so that edges stay clean.
+    """
+    x0, y0, x1, y1 = box.astype(int)
+    rows = np.clip(np.arange(y0, y1), 0, image.shape[0] - 1)
+    columns = np.clip(np.arange(x0, x1), 0, image.shape[1] - 1)
+    color, inside = image[np.ix_(rows, columns)], mask[np.ix_(rows, columns)].copy()
+    inside[(np.arange(y0, y1) != rows)] = False
+    inside[:, (np.arange(x0, x1) != columns)] = False
+    core = cv2.erode(inside.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    core = core if core.sum() > 9 else inside
+    clean = color[nearest_inside(core)]
+    long = max(x1 - x0, y1 - y0)
+    zoom = float(np.clip(_LONG / long, 1.0 if long <= _MOST else _MOST / long, None))
+    size = max(1, round((x1 - x0) * zoom)), max(1, round((y1 - y0) * zoom))
+    how = cv2.INTER_CUBIC if zoom > 1 else cv2.INTER_AREA
+    alpha_how = cv2.INTER_LINEAR if zoom > 1 else how
+    alpha = cv2.resize(inside.astype(np.float32), size, interpolation=alpha_how)
+    alpha = cv2.GaussianBlur(alpha, (0, 0), max(0.6, 0.5 * zoom))
+    soft = np.clip((alpha - 0.5) * max(zoom, 1.0) * 1.5 + 0.5, 0, 1)
+    clean = cv2.resize(clean, size, interpolation=how)
+    return np.dstack([clean, np.round(soft * 255).astype(np.uint8)])

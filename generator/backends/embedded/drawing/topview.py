@@ -1,0 +1,197 @@
+"""The table from straight above, by geometry: where models explain the masks they were cut from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import cv2
+import numpy as np
+from jaxtyping import Float, UInt8
+from scipy.optimize import least_squares
+
+from ....geometry import (
+    Camera,
+    hull_points,
+    rotation_z,
+    view_rotation,
+    yaw_quaternion,
+)
+from ....render.contact import Body
+from ....render.picture import TOP_DOWN
+from ....render.raster import Item, place, render
+from ....scene import (
+    TABLE,
+    Instance,
+    Model,
+    Reference,
+    Rotation,
+    TopView,
+    View,
+)
+from ..depth.seating import seated
+from ..layout.survey import floor_of, stacking_of, survey
+from ..plane.measure import measured_extent, whole_box
+from ..plane.plane import TablePlane
+
+_PIXELS = 640  # along the table's longer side
+_MARGIN = 0.12  # of the longer side, around the table
+_GROUND = (226, 226, 224)
+
+
+def top_view(
+    reference: Reference,
+    instances: tuple[Instance, ...],
+    models: Mapping[str, Model],
+    rotations: Mapping[str, Rotation],
+    view: View,
+) -> TopView:
+    """Place every model so that it projects onto its instance's box, and look from above.
+
+    Instances without a model get the box that their mask measures on the plane. All boxes come
+    from geometry, so ``repaired`` is empty; the picture is drawn from the same placements. Where
+    depth shows a thing, its model keeps its size and is moved until what is seen of it lies where
+    depth has it. Of a picture that came without a text the scale is that of the table: it was sized
+    by everything that stands on it, whose names are guesses one by one.
+
+    Raises:
+        SceneError: no tabletop in the picture.
+    """
+    length = float(models[TABLE].size[0]) if TABLE in models else None
+    known = survey(reference, instances, length, view)
+    plane, solids = known.plane, known.solids
+    things = [i for i in instances if i.name != TABLE]
+    order = stacking_of(instances, solids, lambda label: False)
+    covered = np.logical_or.reduce([np.asarray(i.mask) for i in things])
+    fitted: dict[str, Body] = {}
+    footprints: dict[str, np.ndarray] = {}
+    for thing in sorted(things, key=lambda i: order[i.name].order):
+        on = order[thing.name].on
+        solid = solids.get(thing.name)
+        if solid is not None:
+            floor = floor_of(thing.name, solids, order)
+        else:
+            floor = _upper_side(fitted[on], models[on].container) if on in fitted else 0.0
+        if thing.name in models:
+            yaw = rotations[thing.name].yaw if thing.name in rotations else 0.0
+            model = models[thing.name]
+            if solid is None:
+                fitted[thing.name] = fit_model(thing, model, yaw, plane, floor)
+            else:
+                others = covered & ~np.asarray(thing.mask)
+                fitted[thing.name] = seated(model, yaw, floor, solid, others, plane)
+            footprints[thing.name] = fitted[thing.name].footprint
+        else:
+            extent, middle = measured_extent(np.asarray(thing.mask), plane)
+            footprints[thing.name] = np.stack([middle - extent[:2] / 2, middle + extent[:2] / 2])
+    scale = _PIXELS / max(plane.size)
+    half = np.asarray(plane.size) / 2 + _MARGIN * max(plane.size)
+    boxes = {name: _pixel_box(f, half, scale) for name, f in footprints.items()}
+    table = np.asarray(plane.size) / 2
+    image = _draw(np.asarray(reference.image), things, plane, fitted, half, scale)
+    table_box = _pixel_box(np.stack([-table, table]), half, scale)
+    metric = 1 / scale if reference.plan is None else None
+    return TopView(image, table_box, boxes, metres_per_pixel=metric)
+
+
+def _pixel_box(
+    corners: Float[np.ndarray, "2 2"], half: Float[np.ndarray, "2"], scale: float
+) -> Float[np.ndarray, "4"]:
+    (x0, y0), (x1, y1) = corners
+    return np.array([x0 + half[0], half[1] - y1, x1 + half[0], half[1] - y0]) * scale
+
+
+def _upper_side(below: Body, container: bool) -> float:
+    """Return how high above the tabletop things on ``below`` stand; in a container, lower."""
+    share = -0.3 if container else 0.5
+    return float(below.position[2] + share * below.scale[2])
+
+
+def fit_model(
+    instance: Instance,
+    model: Model,
+    yaw: float,
+    plane: TablePlane,
+    floor: float,
+) -> Body:
+    """Solve x, y and size so that the model's projection fills the instance's box.
+
+    ``floor`` is the height above the tabletop on which the model stands. Size may change by a
+    factor; a weak prior keeps it near the model's own.
+    """
+    box = whole_box(instance)
+    solid = hull_points(np.asarray(model.mesh.vertices, float)) + np.array([0, 0, 0.5])
+    turned = (solid * np.asarray(model.size)) @ rotation_z(yaw).T
+    foot = plane.camera.on_plane(np.array([[(box[0] + box[2]) / 2, box[3]]]), floor)[0]
+    span = max(float(np.hypot(*(box[2:] - box[:2]))), 1.0)
+
+    def residuals(p: np.ndarray) -> np.ndarray:
+        pixels = plane.camera.project(turned * np.exp(p[2]) + [p[0], p[1], floor])
+        off = np.concatenate([pixels.min(0), pixels.max(0)]) - box
+        return np.concatenate([off / span * 40.0, [p[2] / 0.5]])
+
+    start = np.array([foot[0], foot[1] + model.size[1] / 2, 0.0])
+    found = least_squares(residuals, start, loss="soft_l1", max_nfev=60).x
+    factor = float(np.exp(np.clip(found[2], -1.5, 1.5)))
+    scale = np.asarray(model.size) * factor
+    center = np.array([found[0], found[1], floor + scale[2] / 2])
+    return Body(model.mesh, scale, yaw, center)
+
+
+# --------------------------------------------------------------------------------------- drawing
+
+
+def _draw(
+    image: UInt8[np.ndarray, "h w 3"],
+    things: list[Instance],
+    plane: TablePlane,
+    fitted: Mapping[str, Body],
+    half: Float[np.ndarray, "2"],
+    scale: float,
+) -> UInt8[np.ndarray, "a b 3"]:
+    """Draw the rectified, emptied tabletop with the models on it, as a camera far above sees it."""
+    width, height = (round(float(v)) for v in 2 * half * scale)
+    top = _bare_top(image, things, plane, half, scale, (width, height))
+    fov = TOP_DOWN.fov / 8
+    distance = float(half[1] / np.tan(fov / 2))
+    camera = Camera(np.array([0, 0, distance]), view_rotation(TOP_DOWN), fov, width, height)
+    items = [_sheet(half, top)]
+    for index, thing in enumerate(fitted.values(), start=1):
+        turn = yaw_quaternion(thing.yaw)
+        items.append(place(thing.mesh, thing.scale, thing.position, turn, index))
+    return render(items, camera).image
+
+
+def _sheet(half: Float[np.ndarray, "2"], texture: UInt8[np.ndarray, "h w 3"]) -> Item:
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], float)
+    vertices = np.column_stack([corners * half, np.zeros(4)])
+    return Item(vertices, np.array([[0, 1, 2], [0, 2, 3]]), (corners + 1) / 2, texture)
+
+
+def _bare_top(
+    image: UInt8[np.ndarray, "h w 3"],
+    things: list[Instance],
+    plane: TablePlane,
+    half: Float[np.ndarray, "2"],
+    scale: float,
+    size: tuple[int, int],
+) -> UInt8[np.ndarray, "a b 3"]:
+    """Return the tabletop seen from above with the things painted out, on a neutral ground."""
+    covered = np.zeros(image.shape[:2], np.uint8)
+    for thing in things:
+        covered |= np.asarray(thing.mask).astype(np.uint8)
+    covered = cv2.dilate(covered, np.ones((7, 7), np.uint8))
+    corners = np.array([[-1, 1], [1, 1], [1, -1], [-1, -1]], float) * np.asarray(plane.size) / 2
+    here = plane.to_pixels(corners).astype(np.float32)
+    there = ((corners * [1, -1] + half) * scale).astype(np.float32)
+    warp = cv2.getPerspectiveTransform(here, there)
+    flat = cv2.warpPerspective(image, warp, size, flags=cv2.INTER_AREA)
+    holes = cv2.warpPerspective(covered, warp, size, flags=cv2.INTER_NEAREST)
+    polygon = np.round((plane.top(-0.004) * [1, -1] + half) * scale - 0.5).astype(np.int32)
+    inside = np.zeros((size[1], size[0]), np.uint8)
+    cv2.fillPoly(inside, [polygon], 1)
+    shown = cv2.warpPerspective(np.ones_like(covered), warp, size, flags=cv2.INTER_NEAREST) > 0
+    bare = (inside > 0) & (holes == 0) & shown
+    usual = np.median(flat[bare], axis=0) if bare.any() else 200
+    flat[(inside > 0) & ~bare] = usual
+    filled = cv2.inpaint(flat, (holes * inside) * 255, 5, cv2.INPAINT_TELEA)
+    return np.where(inside[..., None] > 0, filled, np.array(_GROUND)).astype(np.uint8)

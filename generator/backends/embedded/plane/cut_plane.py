@@ -1,0 +1,312 @@
+"""The tabletop's outline when the frame cuts it: true edges where they show, else up to the frame.
+
+The usual fit (``plane``) explains a whole outline and finds the camera with it. Seen close up, or
+cut by the frame, an outline says too little for that; here the camera is given (by a depth map or
+by an estimate), and only the top's place, turn and size on the plane are fitted. Each point of the
+region's hull is either a *true* edge, on which the outline must lie, or only *visible* (at the
+frame, beside a thing, where depth is unknown): the outline must hold it, and may go on behind it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float
+from scipy.optimize import least_squares
+
+from ....errors import SceneError
+from ....geometry import (
+    Camera,
+    convex_outline,
+    main_parts,
+    rotation_z,
+    view_rotation,
+    wrap,
+)
+from ....meshes.pixels import distance_to, hull_corners
+from ....scene import View
+from .plane import (
+    TABLE_LENGTH,
+    OutlineShape,
+    TablePlane,
+    outline_distance,
+    outline_points,
+)
+
+CUT_SHARE = 0.15
+"""A top whose outline lies on the frame for more than this share of its length is cut."""
+
+VISIBLE_LENGTH = 1.0
+"""Longer side in metres of the visible part of a cut table of unknown size."""
+
+_SMALLEST = 0.004  # of the picture: less is no tabletop
+_ISLAND = 0.05  # of the largest part: smaller ones are dropped
+_REACH = 7.0  # camera heights: what lies farther off along the plane is left out
+_POINTS = 240  # sampled along the hull
+_FRAME, _BESIDE = 3, 5  # pixels of a 640-pixel picture: at the frame, beside something hidden
+_BRIDGE = 0.25  # weight of a hull point with no rim of the region near it
+_SHRINK = 0.6  # how strongly a side without evidence is drawn in
+_ROUND = 0.3  # of the shorter side: the largest corner radius
+_ARC = 0.45  # of the rim must be true to tell a curve from corners
+_OVERHANG = 0.015  # camera heights that things may stick out over the edge
+_RIVAL = 0.7  # an ellipse or triangle must beat the rectangle's error by this factor
+
+
+@dataclass(frozen=True, eq=False)
+class _Rim:
+    """Points of a region's hull: ``places`` on the plane, ``pixel`` size there in plane units.
+
+    ``true`` tells the points of real edges; ``weights`` how far each counts.
+    """
+
+    places: Float[np.ndarray, "n 2"]
+    pixel: Float[np.ndarray, "n"]
+    true: Bool[np.ndarray, "n"]
+    weights: Float[np.ndarray, "n"]
+
+
+def frame_share(mask: Bool[np.ndarray, "h w"]) -> float:
+    """Return which share of the outline (convex hull) of ``mask`` lies on the picture's frame."""
+    hull = hull_corners(_region(mask))
+    points = _sampled(hull, _POINTS)
+    return float(_at_frame(points, mask.shape).mean())
+
+
+def is_cut(mask: Bool[np.ndarray, "h w"]) -> bool:
+    """Tell whether the frame cuts a tabletop, so that its outline does not tell the camera."""
+    return frame_share(mask) > CUT_SHARE
+
+
+def plane_from_view(
+    mask: Bool[np.ndarray, "h w"],
+    view: View,
+    *,
+    hidden: Bool[np.ndarray, "h w"] | None = None,
+    length: float | None = None,
+) -> TablePlane:
+    """Return the tabletop of a picture whose camera is known, whole or cut.
+
+    Args:
+        mask: the visible tabletop (the surface, without legs and apron; things on it may be part
+            of the mask or holes in it).
+        view: the camera's elevation, field of view and roll; its azimuth is found anew from the
+            edges.
+        hidden: pixels that may hide more of the top, such as the things on it; an edge of ``mask``
+            beside them is not an edge of the table.
+        length: metres of the top's longer side; default: ``VISIBLE_LENGTH`` if the frame cuts the
+            top, else the usual ``TABLE_LENGTH``.
+
+    Raises:
+        SceneError: the mask is too small, or lies at or above the horizon.
+    """
+    height, width = mask.shape
+    ahead = replace(view, azimuth=0.0)
+    camera = Camera(np.array([0, 0, 1.0]), view_rotation(ahead), view.fov, width, height)
+    unit = plane_of_region(mask, camera, hidden)
+    longer = length or (VISIBLE_LENGTH if is_cut(mask) else TABLE_LENGTH)
+    return scaled_plane(unit, longer / max(unit.size))
+
+
+def scaled_plane(plane: TablePlane, factor: float) -> TablePlane:
+    """Return the same tabletop in the same picture, ``factor`` times as large and as far."""
+    camera = replace(plane.camera, position=plane.camera.position * factor)
+    size = (plane.size[0] * factor, plane.size[1] * factor)
+    edge = None if plane.edge is None else plane.edge * factor
+    return replace(plane, camera=camera, size=size, radius=plane.radius * factor, edge=edge)
+
+
+def plane_of_region(
+    mask: Bool[np.ndarray, "h w"],
+    camera: Camera,
+    hidden: Bool[np.ndarray, "h w"] | None = None,
+    carried: Float[np.ndarray, "n 2"] | None = None,
+) -> TablePlane:
+    """Return the tabletop whose visible part is ``mask``, seen by a camera over the plane z = 0.
+
+    ``camera`` looks along +y of its own frame (metres, or any unit); the result's frame has its
+    origin at the top's centre, and its axes along the top's sides. ``carried`` are places (x, y in
+    the camera's frame) of what is known to stand on it; the outline holds them too.
+
+    Raises:
+        SceneError: the mask is too small, or lies at or above the horizon.
+    """
+    rim = _rim(mask, camera, hidden)
+    whole = float(rim.true.mean()) > 1 - CUT_SHARE
+    arc = float(rim.true.mean()) > _ARC
+    if carried is not None and len(carried) >= 3:
+        rim = _holding(rim, carried)
+    fits = [_fit(rim, "rectangle", False), _fit(rim, "ellipse", False)]
+    if whole:
+        fits += [_fit(rim, "triangle", flipped) for flipped in (False, True)]
+    best = min(fits[1:], key=lambda f: f.error)
+    fit = best if arc and best.error < _RIVAL * fits[0].error else fits[0]
+    return _as_plane(fit, camera)
+
+
+# ----------------------------------------------------------------------------------- the region
+
+
+def _region(mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
+    region = main_parts(mask, _ISLAND)
+    if region.sum() < _SMALLEST * mask.size:
+        raise SceneError(
+            "The tabletop shows on less than "
+            f"{_SMALLEST:.1%} of the picture. Use a picture nearer to the table."
+        )
+    return region
+
+
+def _sampled(polygon: Float[np.ndarray, "k 2"], count: int) -> Float[np.ndarray, "n 2"]:
+    """Return ``count`` points evenly along a closed polygon."""
+    closed = np.concatenate([polygon, polygon[:1]])
+    along = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
+    at = (np.arange(count) + 0.5) * along[-1] / count
+    return np.column_stack([np.interp(at, along, closed[:, k]) for k in range(2)])
+
+
+def _at_frame(points: Float[np.ndarray, "n 2"], shape: tuple[int, ...]) -> Bool[np.ndarray, "n"]:
+    near = _FRAME * max(shape) / 640
+    size = np.array([shape[1], shape[0]])
+    return np.asarray((points < near).any(1) | (points > size - near).any(1))
+
+
+def _rim(
+    mask: Bool[np.ndarray, "h w"], camera: Camera, hidden: Bool[np.ndarray, "h w"] | None
+) -> _Rim:
+    region = _region(mask)
+    height, width = mask.shape
+    y, x = np.mgrid[0:height, 0:width] + 0.5
+    places = camera.on_plane(np.column_stack([x.ravel(), y.ravel()]), 0.0)[:, :2]
+    seen = np.linalg.norm(places, axis=1) < _REACH * camera.position[2]
+    in_reach = seen.reshape(mask.shape)  # NaN, above the horizon, is out of reach
+    far = cv2.dilate((~in_reach).astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+    region = _region(region & in_reach & ~far)
+    points = _sampled(hull_corners(region), _POINTS)
+    behind = far if hidden is None else far | (hidden & ~region)
+    beside = distance_to(behind, points) < _BESIDE * max(mask.shape) / 640
+    true = ~(_at_frame(points, mask.shape) | beside)
+    bridged = distance_to(region, points) > _BESIDE * max(mask.shape) / 640
+    on_plane = camera.on_plane(points, 0.0)
+    depth = camera.to_camera(on_plane)[:, 2]
+    sine = np.clip(camera.position[2] / np.linalg.norm(on_plane - camera.position, axis=1), 0.05, 1)
+    pixel = depth / camera.focal / np.sqrt(sine)
+    return _Rim(on_plane[:, :2], pixel, true, np.where(bridged, _BRIDGE, 1.0))
+
+
+def _holding(rim: _Rim, carried: Float[np.ndarray, "n 2"]) -> _Rim:
+    """Return the rim with the outline of ``carried`` added as places that the top holds."""
+    outline = _sampled(convex_outline(carried), _POINTS // 4)
+    middle = carried.mean(0)
+    away = np.linalg.norm(outline - middle, axis=1, keepdims=True)
+    outline = middle + (outline - middle) * np.maximum(1 - _OVERHANG / np.maximum(away, 1e-9), 0)
+    count = len(outline)
+    return _Rim(
+        np.concatenate([rim.places, outline]),
+        np.concatenate([rim.pixel, np.full(count, np.median(rim.pixel))]),
+        np.concatenate([rim.true, np.zeros(count, bool)]),
+        np.concatenate([rim.weights, np.full(count, _BRIDGE)]),
+    )
+
+
+# ------------------------------------------------------------------------------------- the fit
+
+
+@dataclass(frozen=True, eq=False)
+class _Top:
+    """A fitted outline on the plane: turned by ``turn`` about ``center``.
+
+    ``error`` is the root of the mean squared distance of true edge points, pixels, large ones
+    counted less.
+    """
+
+    shape: OutlineShape
+    flipped: bool
+    center: Float[np.ndarray, "2"]
+    turn: float
+    size: tuple[float, float]
+    radius: float
+    error: float
+
+
+def _fit(rim: _Rim, shape: OutlineShape, flipped: bool) -> _Top:
+    """Return the outline of one kind that holds all points and lies on the true ones."""
+    found = []
+    for turn in _turns(rim) if shape == "rectangle" else (_turns(rim)[0], 0.0):
+        turned = rim.places @ rotation_z(turn)[:2, :2]
+        low, high = turned.min(0), turned.max(0)
+        middle = rotation_z(turn)[:2, :2] @ (low + high) / 2
+        start = np.array([*middle, turn, *np.log(np.maximum(high - low, 1e-6)), -2.5])
+        step = np.array([*(high - low) / 10, 0.05, 0.05, 0.05, 1.0])
+        found.append(
+            least_squares(_residuals, start, args=(rim, shape, flipped), x_scale=step, max_nfev=60)
+        )
+    best = min(found, key=lambda f: f.cost)
+    center, turn, size, radius = _unpacked(best.x)
+    off = _off(best.x, rim, shape, flipped)
+    held = np.where(rim.true, off, np.maximum(off, 0))
+    error = float(np.sqrt(np.average(2 * (np.sqrt(1 + held**2) - 1), weights=rim.weights)))
+    return _Top(shape, flipped, center, turn, size, radius, error)
+
+
+def _turns(rim: _Rim) -> list[float]:
+    """Return likely turns of the top: the commonest directions of its true edges, in [-45, 45).
+
+    A top without any true edge lies straight before the viewer.
+    """
+    ahead = np.roll(rim.places, -1, 0) - rim.places
+    both = rim.true & np.roll(rim.true, -1)
+    if not both.any():
+        return [0.0]
+    angle = np.arctan2(ahead[:, 1], ahead[:, 0])[both]
+    weight = (np.linalg.norm(ahead, axis=1) / rim.pixel * rim.weights)[both]
+    tried = np.deg2rad(np.arange(-45, 45, 1.0))
+    near = np.cos(4 * (angle[None] - tried[:, None]))  # a quarter turn gives the same sides
+    score = (np.exp(20 * (near - 1)) * weight).sum(1)
+    first = int(score.argmax())
+    apart = np.abs((tried - tried[first] + np.pi / 4) % (np.pi / 2) - np.pi / 4) > np.deg2rad(8)
+    second = int(np.where(apart, score, -1).argmax())
+    return [float(tried[first]), float(tried[second])]
+
+
+def _unpacked(p: np.ndarray) -> tuple[np.ndarray, float, tuple[float, float], float]:
+    size = (float(np.exp(p[3])), float(np.exp(p[4])))
+    return p[:2], float(p[2]), size, _ROUND * min(size) / (1 + float(np.exp(-p[5])))
+
+
+def _off(p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool) -> Float[np.ndarray, "n"]:
+    """Return how far each point lies outside the outline, in pixels."""
+    center, turn, size, radius = _unpacked(p)
+    places = (rim.places - center) @ rotation_z(turn)[:2, :2]
+    return outline_distance(places, shape, flipped, size, radius) / rim.pixel
+
+
+def _residuals(
+    p: np.ndarray, rim: _Rim, shape: OutlineShape, flipped: bool
+) -> Float[np.ndarray, "m"]:
+    off = _off(p, rim, shape, flipped)
+    held = np.where(rim.true, off, np.maximum(off, 0))
+    robust = np.sign(held) * np.sqrt(2 * (np.sqrt(1 + held**2) - 1))
+    least = np.log(np.maximum(np.ptp(rim.places, axis=0).min(), 1e-6)) - 1.5
+    shrink = _SHRINK * (p[3:5] - least)
+    prior = [*shrink, 0.5 * (p[5] + 2.5), 0.3 * p[2]]
+    return np.concatenate([robust * np.sqrt(rim.weights), prior])
+
+
+def _as_plane(top: _Top, camera: Camera) -> TablePlane:
+    """Carry the camera into the frame of the fitted top, its sides along the nearest axes."""
+    quarter = 0.0 if top.shape == "triangle" else np.round(top.turn / (np.pi / 2)) * np.pi / 2
+    turn, size = top.turn - quarter, top.size
+    if round(quarter / (np.pi / 2)) % 2:
+        size = (size[1], size[0])
+    back = rotation_z(-turn)
+    position = back @ (camera.position - [*top.center, 0.0])
+    turned = replace(camera, position=position, rotation=camera.rotation @ back.T)
+    up = turned.rotation[:, 2]
+    elevation = float(np.clip(np.arcsin(np.clip(-up[2], -1, 1)), 0.02, np.pi / 2))
+    roll = float(np.arctan2(-up[0], -up[1])) if np.hypot(up[0], up[1]) > 0.02 else 0.0
+    view = View(wrap(-turn), elevation, camera.fov, roll)
+    points = outline_points(top.shape, top.flipped, size, top.radius)
+    outline = turned.project(np.column_stack([points, np.zeros(len(points))]))
+    return TablePlane(view, turned, top.shape, top.flipped, size, top.radius, outline, top.error)

@@ -1,0 +1,66 @@
+"""A tabletop that is no rectangle, ellipse or triangle: its outline is drawn as it was seen."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import shapely
+from jaxtyping import Float
+
+from ....geometry import convex_outline
+from .outline import Outline
+from .plane import RADIUS, TablePlane
+
+_EXPLAINED = 0.975  # overlap seen from above from which a shape explains an outline
+_LIKELY, _CLOSE = 0.93, 2.0  # or from which it does if its edge is met within these pixels
+_GRID = 160  # points along each side that the overlap is counted with
+_RAYS = 64  # corners of such an outline
+_BLUNT = 0.02  # of the length: radius of its sharpest corners
+
+
+def as_seen(plane: TablePlane, outline: Outline, factor: float) -> TablePlane:
+    """Return the tabletop with the outline that was seen if its shape is none of ours.
+
+    Its frame and size are then those of the outline itself; its length stays. What things hide of
+    the tabletop or of the ground says nothing about its shape. ``factor`` is working pixels per
+    picture pixel.
+    """
+    least = _LIKELY if plane.error * factor < _CLOSE else _EXPLAINED
+    if _agreement(plane, outline, factor) > least:
+        return plane
+    seen = shapely.Polygon(convex_outline(plane.to_table(outline.hull / factor)))
+    blunt = _BLUNT * plane.size[0]  # takes off the spikes that single points make
+    edge = _around(seen.buffer(-blunt).buffer(blunt), _RAYS)
+    low, high = edge.min(0), edge.max(0)
+    middle, grown = (low + high) / 2, plane.size[0] / float(high[0] - low[0])
+    edge = (edge - middle) * grown
+    position = (plane.camera.position - [*middle, 0.0]) * grown
+    camera = replace(plane.camera, position=position)
+    pixels = camera.project(np.column_stack([edge, np.zeros(len(edge))]))
+    size = (plane.size[0], float(high[1] - low[1]) * grown)
+    radius = min(plane.radius * grown, RADIUS * min(size))
+    return replace(plane, camera=camera, size=size, radius=radius, outline=pixels, edge=edge)
+
+
+def _agreement(plane: TablePlane, outline: Outline, factor: float) -> float:
+    """Return the overlap, seen from above and in plain sight, of the patch with its ideal."""
+    ideal = shapely.Polygon(plane.top())
+    hull = shapely.Polygon(plane.to_table(outline.hull / factor))
+    x0, y0, x1, y1 = ideal.union(hull).bounds
+    grid = np.stack(np.meshgrid(np.linspace(x0, x1, _GRID), np.linspace(y0, y1, _GRID)), -1)
+    points = grid.reshape(-1, 2)
+    column, row = np.floor(plane.to_pixels(points) * factor).astype(int).T
+    height, width = outline.hidden.shape
+    inside = (column >= 0) & (column < width) & (row >= 0) & (row < height)
+    at = row.clip(0, height - 1), column.clip(0, width - 1)
+    plain = ~(inside & outline.hidden[at])
+    a, b = (inside & outline.top[at])[plain], shapely.contains_xy(ideal, points[plain])
+    return float((a & b).sum() / max((a | b).sum(), 1))
+
+
+def _around(polygon: shapely.Polygon, count: int) -> Float[np.ndarray, "k 2"]:
+    """Return the convex outline through ``count`` points evenly along a polygon's rim."""
+    along = np.linspace(0, 1, count, endpoint=False)
+    points = shapely.line_interpolate_point(polygon.exterior, along, normalized=True)
+    return convex_outline(shapely.get_coordinates(points))

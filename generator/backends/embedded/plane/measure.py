@@ -1,0 +1,102 @@
+"""How large a thing is, from its mask and the tabletop's plane."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float
+
+from ....catalogue import CATEGORIES, build
+from ....geometry import hull_points, mask_box, rotation_z
+from ....scene import Instance
+from .plane import TablePlane
+
+_TURNS = 24
+
+
+def foot_band(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "n 2"]:
+    """Return the pixels of a mask's lower outline: the lowest pixel of each column."""
+    columns = np.flatnonzero(mask.any(0))
+    lowest = mask.shape[0] - mask[::-1, columns].argmax(0)
+    return np.column_stack([columns + 0.5, lowest.astype(float)])
+
+
+def measured_extent(
+    mask: Bool[np.ndarray, "h w"], plane: TablePlane
+) -> tuple[Float[np.ndarray, "3"], Float[np.ndarray, "2"]]:
+    """Return a thing's extent (along world x, y, z) and its foot's centre on the table, metres.
+
+    The mask is explained as an upright box: its width as x, the depth of its lower outline on the
+    plane as half its depth y, and what of its height the depth leaves as z.
+    """
+    x0, y0, x1, y1 = mask_box(mask)
+    camera = plane.camera
+    foot = np.array([(x0 + x1) / 2, y1])
+    near = camera.on_plane(foot[None], 0.0)[0]
+    distance = float(camera.to_camera(near[None])[0, 2])
+    metre = distance / camera.focal
+    width = (x1 - x0) * metre
+    elevation = float(np.arcsin(np.clip(-camera.rays(foot[None])[0, 2], 0.05, 1)))
+    tall = (y1 - y0) * metre
+    filled = float(mask.sum() / max((x1 - x0) * (y1 - y0), 1))
+    depth = float(np.clip(_outline_depth(mask, plane), 0.15 * width, width * 1.2))
+    height = (tall - depth * np.sin(elevation)) / np.cos(elevation)
+    if height < 0.08 * width:
+        height = 0.08 * width * (0.5 + filled)
+        depth = max((tall - height * np.cos(elevation)) / np.sin(elevation), 0.02)
+    middle = near[:2] + np.array([0.0, depth / 2])
+    return np.array([max(width, 0.005), max(depth, 0.005), max(height, 0.004)]), middle
+
+
+def _outline_depth(mask: Bool[np.ndarray, "h w"], plane: TablePlane) -> float:
+    """Return twice the depth that a mask's lower outline spans on the plane, metres."""
+    outline = foot_band(mask)
+    drop = outline[:, 1].max() - outline[:, 1]
+    near = outline[drop < 0.6 * np.ptp(np.flatnonzero(mask.any(1))) + 1]
+    side = cv2.convexHull(near.astype(np.float32))[:, 0].astype(float)
+    points = plane.to_table(side)
+    return 2.0 * float(np.nanmax(points[:, 1]) - np.nanmin(points[:, 1]))
+
+
+def whole_box(instance: Instance) -> Float[np.ndarray, "4"]:
+    """Return the pixel box of the whole thing: of its completed crop where it was hidden."""
+    own = np.asarray(instance.box, float)
+    alpha = instance.crop[..., 3] > 127
+    if not instance.occluded or not alpha.any():
+        return own
+    x0, y0, x1, y1 = instance.crop_box
+    shape = np.array([alpha.shape[1], alpha.shape[0]] * 2)
+    box = mask_box(alpha) / shape * np.array([x1 - x0, y1 - y0] * 2) + [x0, y0, x0, y0]
+    return np.concatenate([np.minimum(box[:2], own[:2]), np.maximum(box[2:], own[2:])])
+
+
+@lru_cache(maxsize=256)
+def usual_solid(key: str) -> Float[np.ndarray, "n 3"]:
+    """Return the outer points of a category's usual thing, metres, standing on z = 0; read-only."""
+    points = hull_points(build(key, 0).mesh.vertices.astype(float))
+    solid = (points + np.array([0.0, 0.0, 0.5])) * CATEGORIES[key].size
+    solid.flags.writeable = False
+    return solid
+
+
+def apparent_scale(
+    box: Float[np.ndarray, "4"], solid: Float[np.ndarray, "n 3"], plane: TablePlane
+) -> tuple[float, float]:
+    """Return how many times its usual size a thing looks, and by how much its shape differs.
+
+    ``solid`` are points of the thing at its usual size, metres, upright on z = 0. It stands on the
+    table where the pixel ``box`` has its foot, and is turned until its own pixel box is most like
+    it in shape. The difference is that of the two logarithms of width over height.
+    """
+    near = plane.camera.on_plane(np.array([[(box[0] + box[2]) / 2, box[3]]]), 0.0)[0]
+    best = (1.0, np.inf)
+    for yaw in np.arange(_TURNS) * 2 * np.pi / _TURNS:
+        turned = solid @ rotation_z(yaw).T
+        turned[:, :2] += near[:2] - [np.mean([turned[:, 0].min(), turned[:, 0].max()]),
+                                     turned[:, 1].min()]  # fmt: skip
+        wide, tall = np.log((box[2:] - box[:2]) / np.ptp(plane.camera.project(turned), axis=0))
+        if abs(wide - tall) < best[1]:
+            best = (float(np.exp((wide + tall) / 2)), float(abs(wide - tall)))
+    return best

@@ -1,0 +1,152 @@
+"""The tabletop's outline in a picture: where the eye sees the top end, drawn onto the edges there.
+
+The eye tells which pixels the whole upper side covers, things on it included. Every tabletop of
+the catalogue is convex, so the hull of that patch is its outline; where the surface itself shows
+beside it, the outline is moved onto the picture's edge.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from ....errors import SceneError
+from ....geometry import main_parts
+from ....meshes.pixels import distance_to, hull_corners, mask_iou
+from ..eye.sight import Sight
+
+WORKING_SIZE = 640
+"""Longest side, in pixels, of the copy of the picture that is analysed."""
+
+_POINTS = 240  # along the outline
+_SMALLEST = 0.015  # of the picture: a smaller top is none
+_SURE, _FILLED = 0.8, 0.7  # a top's mean probability, and the share of its hull that it fills
+_AGREED = 0.75  # overlap of what shows of the top with the pixels that show a tabletop
+_REACH = 3.0  # pixels that a point may be moved to find an edge
+_NEAR = 1.5  # pixels: how soon a farther edge counts for less
+_AWAY = 4.0  # pixels within which the patch itself must end
+_RIM = 6  # pixels around a thing that count as hidden by it
+_LEAST = 0.35  # of the points: with fewer in plain sight, the hidden ones count as well
+
+
+@dataclass(frozen=True, eq=False)
+class Outline:
+    """The outline of the whole top, counter-clockwise on screen, in working pixels.
+
+    ``hull`` closes it; ``points`` are those of its edge points that say where it is; ``hidden`` is
+    what things cover; ``top`` the patch itself, things on it included.
+    """
+
+    hull: Float[np.ndarray, "k 2"]
+    points: Float[np.ndarray, "n 2"]
+    hidden: Bool[np.ndarray, "h w"]
+    top: Bool[np.ndarray, "h w"]
+
+
+def working_copy(image: UInt8[np.ndarray, "h w 3"]) -> tuple[Float[np.ndarray, "a b 3"], float]:
+    """Return the picture as CIELAB at working size, and working pixels per picture pixel."""
+    factor = min(1.0, WORKING_SIZE / max(image.shape[:2]))
+    size = (max(1, round(image.shape[1] * factor)), max(1, round(image.shape[0] * factor)))
+    small = cv2.resize(image, size, interpolation=cv2.INTER_AREA) if factor < 1 else image
+    lab = cv2.cvtColor(np.ascontiguousarray(small, np.float32) / 255.0, cv2.COLOR_RGB2LAB)
+    return np.asarray(lab), factor
+
+
+def find_outline(image: UInt8[np.ndarray, "h w 3"], sight: Sight) -> tuple[Outline, float]:
+    """Return the top's outline, and working pixels per picture pixel.
+
+    Raises:
+        SceneError: the eye sees no tabletop.
+    """
+    lab, factor = working_copy(image)
+    height, width = lab.shape[:2]
+    top = cv2.resize(top_of(sight).astype(np.float32), (width, height)) > 0.5
+
+    def small(mask: np.ndarray) -> np.ndarray:
+        return cv2.resize(mask.astype(np.uint8), (width, height), interpolation=0)
+
+    bare, things = small(sight.shows("top")), small(sight.shows("thing"))
+    points, normals = walk(hull_corners(top), _POINTS)
+    ends = distance_to(~top, points) < _AWAY
+    inner, outer = _at(bare, points - 5 * normals), _at(things, points + 5 * normals)
+    plain = ends & (inner == 1) & (outer != 1)
+    moved = snap(points, normals, gradient(lab))
+    points = np.where(plain[:, None], moved, points)
+    hull = cv2.convexHull(points.astype(np.float32))[:, 0].astype(float)
+    kept = plain if plain.mean() > _LEAST else ends | plain
+    hidden = cv2.dilate(things, np.ones((2 * _RIM + 1, 2 * _RIM + 1), np.uint8)) > 0
+    return Outline(hull, points[kept] if kept.sum() > 20 else points, hidden, top), factor
+
+
+def top_of(sight: Sight) -> Bool[np.ndarray, "h w"]:
+    """Return the pixels of the whole tabletop, things on it included.
+
+    Raises:
+        SceneError: the eye sees none: too small, ragged or doubtful a patch is no tabletop.
+    """
+    top = main_parts(sight.top > 0.5)
+    shown, bare = sight.shows("top"), top & ~sight.shows("thing")
+    agreed = mask_iou(shown, bare)
+    if top.sum() >= _SMALLEST * top.size and sight.top[top].mean() > _SURE and agreed > _AGREED:
+        hull = np.zeros(top.shape, np.uint8)
+        cv2.fillConvexPoly(hull, np.round(hull_corners(top)).astype(np.int32), 1)
+        if top.sum() > _FILLED * hull.sum():
+            return top
+    raise SceneError(
+        "No table found in the picture. Show the table's upper side, lit well enough to tell it "
+        "from what is around it."
+    )
+
+
+def gradient(lab: Float[np.ndarray, "h w 3"]) -> Float[np.ndarray, "h w"]:
+    """Return the edge strength, CIELAB units per pixel, of the edge-preserving smoothed picture."""
+    smooth = cv2.bilateralFilter(lab.astype(np.float32), 7, 6, 4)
+    strength = np.zeros(lab.shape[:2], np.float32)
+    for c in range(3):
+        gx = cv2.Scharr(smooth[..., c], cv2.CV_32F, 1, 0) / 32
+        gy = cv2.Scharr(smooth[..., c], cv2.CV_32F, 0, 1) / 32
+        strength = np.maximum(strength, np.hypot(gx, gy))
+    return strength
+
+
+def walk(outline: Float[np.ndarray, "k 2"], count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return ``count`` evenly spaced points on a closed outline and their outward normals."""
+    ends = np.roll(outline, -1, axis=0)
+    lengths = np.linalg.norm(ends - outline, axis=1)
+    stations = np.linspace(0, lengths.sum(), count, endpoint=False)
+    starts = np.concatenate([[0.0], np.cumsum(lengths)])
+    edge = np.clip(np.searchsorted(starts, stations, side="right") - 1, 0, len(outline) - 1)
+    share = (stations - starts[edge]) / np.maximum(lengths[edge], 1e-9)
+    points = outline[edge] + share[:, None] * (ends - outline)[edge]
+    along = (ends - outline)[edge] / np.maximum(lengths[edge], 1e-9)[:, None]
+    normals = np.column_stack([along[:, 1], -along[:, 0]])
+    outward = np.sign(((points - outline.mean(0)) * normals).sum(1).sum()) or 1.0
+    return points, normals * outward
+
+
+def snap(
+    points: Float[np.ndarray, "n 2"],
+    normals: Float[np.ndarray, "n 2"],
+    strength: Float[np.ndarray, "h w"],
+) -> Float[np.ndarray, "n 2"]:
+    """Move points along their normals onto the strongest near edge; nearer ones count for more."""
+    offsets = np.arange(-_REACH, _REACH + 0.25, 0.5)
+    along = points[:, None] + offsets[None, :, None] * normals[:, None]
+    near = np.exp(-((offsets / _NEAR) ** 2))
+    best = (_sampled(strength, along) * near).argmax(1)
+    return along[np.arange(len(points)), best]
+
+
+def _sampled(field: Float[np.ndarray, "h w"], points: Float[np.ndarray, "n m 2"]) -> np.ndarray:
+    """Return a picture's values at pixel positions (centres at halves), bilinear, edges repeat."""
+    x, y = (np.ascontiguousarray(points[..., k] - 0.5, np.float32) for k in range(2))
+    field = np.ascontiguousarray(field, np.float32)
+    return np.asarray(cv2.remap(field, x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE))
+
+
+def _at(field: np.ndarray, points: Float[np.ndarray, "n 2"]) -> np.ndarray:
+    x, y = np.clip(points.astype(int), 0, np.array([field.shape[1], field.shape[0]]) - 1).T
+    return field[y, x]

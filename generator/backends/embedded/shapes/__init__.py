@@ -1,0 +1,1 @@
+"""Solids that look like a mask: boxes, extrusions, rounds, slices."""

@@ -1,0 +1,116 @@
+"""Boxes of any yaw fitted to a silhouette, and what the silhouette leaves of them."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Bool, Float
+from scipy import optimize
+
+from ....geometry import rotation_z
+from ....meshes.pixels import mask_iou
+from ....meshes.projection import Projection
+from ....scene import ConvexPart
+from .framing import frame_to_mask, proportion_gap, simplex
+from .solids import (
+    Posed,
+    Solid,
+    box,
+    heightfield,
+)
+
+Mask = Bool[np.ndarray, "h w"]
+
+_UNIT_BOX = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (0.0, 1.0)])
+
+
+def _box_at(
+    parameters: np.ndarray, projection: Projection, mask: Mask
+) -> tuple[np.ndarray, float, np.ndarray]:
+    yaw, width, height = parameters[0], np.exp(parameters[1]), np.exp(parameters[2])
+    corners = (_UNIT_BOX * [width, 1.0, height]) @ rotation_z(yaw).T
+    scale, shift = frame_to_mask(corners, projection, mask)
+    return corners * scale + shift, scale, shift
+
+
+def fit_box(
+    mask: Mask, projection: Projection, expected: Float[np.ndarray, "3"] | None = None
+) -> Posed:
+    """Return the upright box, any yaw, whose silhouette agrees best with ``mask``.
+
+    ``expected`` are proportions (length, width, height) that break ties.
+    """
+
+    def loss(parameters: np.ndarray) -> float:
+        if not (-1.6 < parameters[1] < 3 and -4 < parameters[2] < 3):
+            return 2.0
+        corners, *_ = _box_at(parameters, projection, mask)
+        value = 1 - mask_iou(projection.hull_silhouette(corners), mask)
+        if expected is not None:
+            sides = np.array([np.exp(parameters[1]), 1.0, np.exp(parameters[2])])
+            value += 0.01 * proportion_gap(sides, expected)
+        return value
+
+    grid = [
+        np.array([yaw, np.log(w), np.log(h)])
+        for yaw in np.arange(10) * np.pi / 10 + 0.02
+        for w in (1.0, 1.5, 2.3, 4.0)
+        for h in (0.07, 0.2, 0.45, 0.9, 1.7, 3.0)
+    ]
+    starts = sorted(grid, key=loss)[:3]
+    found = [
+        optimize.minimize(
+            loss,
+            s,
+            method="Nelder-Mead",
+            options={"maxfev": 90, "initial_simplex": simplex(s, (0.15, 0.2, 0.25))},
+        )
+        for s in starts
+    ]
+    best = min(found, key=lambda r: r.fun).x
+    _, scale, shift = _box_at(best, projection, mask)
+    width, height, yaw = float(np.exp(best[1])), float(np.exp(best[2])), float(best[0])
+    if width < 1:
+        return Posed("box", box(scale, scale * width, scale * height), yaw + np.pi / 2, shift)
+    return Posed("box", box(scale * width, scale, scale * height), yaw, shift)
+
+
+def fit_carved(
+    mask: Mask, projection: Projection, bounding: Posed, cells: int = 26
+) -> Posed | None:
+    """Return what the silhouette leaves of a box when carved as columns from above.
+
+    Mirrored halves of the box are made alike where the silhouette allows.
+    """
+    width, depth, height = np.ptp(bounding.solid.vertices, axis=0)
+    along = np.linspace(-0.5, 0.5, cells)
+    x, y = np.meshgrid(along * width, along * depth, indexing="ij")
+    turn = rotation_z(bounding.yaw)
+    base = np.stack([x, y, np.zeros_like(x)], -1) @ turn.T + bounding.position
+    levels = np.linspace(0, 1.3 * height, 40)
+    columns = base[None] + levels[:, None, None, None] * np.array([0, 0, 1.0])
+    inside = np.cumprod(projection.inside(mask, columns), axis=0).sum(0)
+    heights = np.where(inside > 1, levels[np.maximum(inside - 1, 0)], 0.0)
+    if (heights > 0).sum() < 9:
+        return None
+
+    def posed(grid: np.ndarray) -> Posed:
+        return Posed("carved", heightfield(grid, width, depth), bounding.yaw, bounding.position)
+
+    def score(grid: np.ndarray) -> float:
+        candidate = posed(grid)
+        return mask_iou(projection.silhouette(candidate.world, candidate.solid.faces), mask)
+
+    reached = score(heights)
+    for mirrored in (np.minimum(heights, heights[:, ::-1]), np.minimum(heights, heights[::-1])):
+        if (mirrored > 0).sum() >= 9 and score(mirrored) > reached - 0.012:
+            heights = np.minimum(heights, mirrored)
+    return recentered(posed(heights))
+
+
+def recentered(posed: Posed) -> Posed:
+    """Move a solid's own origin to the middle of its base."""
+    low, high = posed.solid.vertices.min(0), posed.solid.vertices.max(0)
+    shift = np.array([(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]])
+    parts = tuple(ConvexPart(p.vertices - shift, p.kind, p.axis) for p in posed.solid.parts)
+    solid = Solid(posed.solid.vertices - shift, posed.solid.faces, parts)
+    return Posed(posed.kind, solid, posed.yaw, posed.position + rotation_z(posed.yaw) @ shift)

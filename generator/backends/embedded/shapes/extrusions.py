@@ -1,0 +1,162 @@
+"""Slabs lying on the table and profiles standing on it, cut out of a silhouette."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import shapely
+import shapely.affinity
+from jaxtyping import Bool, Float
+
+from ....meshes.projection import Projection
+from .solids import (
+    Posed,
+    largest_polygon,
+    prism,
+    upright,
+)
+
+Mask = Bool[np.ndarray, "h w"]
+
+
+def plane_outline(
+    mask: Mask,
+    projection: Projection,
+    origin: np.ndarray,
+    axes: np.ndarray,
+    sweep: Float[np.ndarray, "k 3"],
+    cells: int = 280,
+) -> shapely.Polygon | None:
+    """Return the largest outline in a plane whose swept picture stays inside the mask.
+
+    ``axes`` are the plane's two unit vectors (rows); ``sweep`` the shifts that an extruded point
+    goes through. Coordinates are lengths along the axes from ``origin``.
+    """
+    ys, xs = np.nonzero(mask)
+    normal = np.cross(axes[0], axes[1])
+    spread = projection.on_plane(np.column_stack([xs, ys]) + 0.5, origin, normal) - origin
+    flat = spread @ axes.T
+    low, high = flat.min(0), flat.max(0)
+    step = float((high - low).max()) / cells
+    counts = np.maximum(np.ceil((high - low) / step).astype(int), 2) + 4
+    start = low - 2 * step
+    grid = np.stack(np.meshgrid(*(np.arange(c) for c in counts), indexing="xy"), -1) + 0.5
+    points = origin + (grid * step + start) @ axes
+    free = np.logical_and.reduce([projection.inside(mask, points + s) for s in sweep])
+    outline = _traced(free)
+    return None if outline is None else shapely.affinity.affine_transform(
+        outline, [step, 0, 0, step, *(start + 0.5 * step)]
+    )  # fmt: skip
+
+
+def _traced(free: Bool[np.ndarray, "a b"]) -> shapely.Polygon | None:
+    """Return the largest region of a grid as a simple polygon (cell units), large holes kept."""
+    smooth = cv2.GaussianBlur(free.astype(np.float32), (0, 0), 0.7) > 0.42
+    rings, tree = cv2.findContours(smooth.astype(np.uint8), cv2.RETR_CCOMP, cv2.CHAIN_APPROX_NONE)
+    areas = [cv2.contourArea(ring) for ring in rings]
+    outer = [k for k in range(len(rings)) if tree[0, k, 3] < 0 and areas[k] > 20]
+    if not outer:
+        return None
+    largest = max(outer, key=lambda k: areas[k])
+    inside = [k for k in range(len(rings)) if tree[0, k, 3] == largest]
+    holes = [k for k in inside if areas[k] > 0.02 * areas[largest]]
+    slack = 0.005 * max(free.shape)
+    edge, *inner = (cv2.approxPolyDP(rings[k], slack, True)[:, 0] for k in (largest, *holes))
+    if len(edge) < 3:
+        return None
+    grown = shapely.Polygon(edge).buffer(0.5, join_style="mitre")
+    cut = [shapely.Polygon(ring) for ring in inner if len(ring) >= 3]
+    outline = grown.difference(shapely.union_all([hole.buffer(0) for hole in cut]))
+    outline = largest_polygon(outline)
+    return outline if outline.is_valid and outline.area > 0 else None
+
+
+def _longest_side(outline: shapely.Polygon) -> float:
+    """Return the direction of the longer side of the smallest rectangle around an outline."""
+    corners = shapely.get_coordinates(shapely.minimum_rotated_rectangle(outline))[:3]
+    sides = np.diff(corners, axis=0)
+    long = sides[int(np.linalg.norm(sides, axis=1).argmax())]
+    return float(np.arctan2(long[1], long[0]))
+
+
+def fit_prism(mask: Mask, projection: Projection, thickness: float) -> Posed | None:
+    """Return the flat slab lying on the table that fills ``mask``.
+
+    ``thickness`` is relative to the longest side.
+    """
+    axes = np.array([[1.0, 0, 0], [0, 1.0, 0]])
+    rough = plane_outline(mask, projection, np.zeros(3), axes, np.zeros((1, 3)), 60)
+    if rough is None:
+        return None
+    bounds = np.array(rough.bounds)
+    height = thickness * float((bounds[2:] - bounds[:2]).max())
+    sweep = np.linspace(0, 1, 3)[:, None] * [0, 0, height]
+    outline = plane_outline(mask, projection, np.zeros(3), axes, sweep)
+    if outline is None:
+        return None
+    yaw = _longest_side(outline)
+    center = np.array([outline.centroid.x, outline.centroid.y])
+    turned = shapely.affinity.rotate(
+        shapely.affinity.translate(outline, *(-center)), -yaw, origin=(0, 0), use_radians=True
+    )
+    return Posed("prism", prism(turned, height), yaw, np.array([*center, 0.0]))
+
+
+def base_line(mask: Mask, projection: Projection) -> float | None:
+    """Return the yaw of the straight lower edge of a standing object, or None without one.
+
+    The lowest pixels of the columns are taken as the edge where the object meets the table.
+    """
+    columns = np.flatnonzero(mask.any(0))
+    if len(columns) < 12:
+        return None
+    cut = max(1, len(columns) // 12)
+    columns = columns[cut:-cut]
+    lowest = mask.shape[0] - 1 - mask[::-1, columns].argmax(0)
+    slope, level = np.polyfit(columns, lowest, 1)
+    rough = np.abs(slope * columns + level - lowest).mean()
+    if rough > 0.02 * len(columns) + 0.6:
+        return None
+    ends = columns[[0, -1]].astype(float)
+    pixels = np.column_stack([ends, slope * ends + level]) + 0.5
+    a, b = projection.on_plane(pixels, np.zeros(3), np.array([0, 0, 1.0]))
+    return float(np.arctan2(b[1] - a[1], b[0] - a[0]))
+
+
+def fit_upright(mask: Mask, projection: Projection, yaw: float, depth: float) -> Posed | None:
+    """Return the standing profile in the vertical plane of ``yaw`` that fills ``mask``.
+
+    ``depth`` of the extrusion is relative to the longest side of the profile. The bottom is cut
+    flat and, where it would tip, widened to a foot.
+    """
+    axes = np.array([[np.cos(yaw), np.sin(yaw), 0.0], [0, 0, 1.0]])
+    normal = np.array([-np.sin(yaw), np.cos(yaw), 0.0])
+    rough = plane_outline(mask, projection, np.zeros(3), axes, np.zeros((1, 3)), 60)
+    if rough is None:
+        return None
+    bounds = np.array(rough.bounds)
+    thick = depth * float((bounds[2:] - bounds[:2]).max())
+    sweep = np.linspace(-0.5, 0.5, 3)[:, None] * normal * thick
+    outline = plane_outline(mask, projection, np.zeros(3), axes, sweep)
+    if outline is None:
+        return None
+    standing = _stand(outline)
+    x0, z0, x1, _ = standing.bounds
+    middle = (x0 + x1) / 2
+    standing = shapely.affinity.translate(standing, -middle, -z0)
+    return Posed("upright", upright(standing, thick), yaw, middle * axes[0] + [0, 0, z0])
+
+
+def _stand(outline: shapely.Polygon) -> shapely.Polygon:
+    """Give a standing profile (y up) a flat bottom under its centre of mass."""
+    x0, y0, x1, y1 = outline.bounds
+    tall = y1 - y0
+    level = y0 + 0.015 * tall
+    cut = outline.intersection(shapely.box(x0 - 1, level, x1 + 1, y1 + 1))
+    cut = largest_polygon(cut)
+    chord = cut.intersection(shapely.box(x0 - 1, level - 1, x1 + 1, level + 0.03 * tall)).bounds
+    center, need = cut.centroid.x, 0.12 * max(tall, x1 - x0)
+    left, right = min(chord[0], center - need), max(chord[2], center + need)
+    if left < chord[0] - 1e-9 or right > chord[2] + 1e-9:
+        cut = cut.union(shapely.box(left, level, right, level + 0.035 * tall))
+    return largest_polygon(cut)

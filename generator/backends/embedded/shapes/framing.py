@@ -1,0 +1,51 @@
+"""Fitting a shape's picture to a mask: scale and shift, and how proportions compare."""
+
+from __future__ import annotations
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from ....geometry import mask_box
+from ....meshes.projection import Projection
+
+Mask = Bool[np.ndarray, "h w"]
+
+
+def _image_box(pixels: Float[np.ndarray, "n 2"]) -> tuple[np.ndarray, np.ndarray]:
+    low, high = pixels.min(0), pixels.max(0)
+    return (low + high) / 2, high - low
+
+
+def frame_to_mask(
+    vertices: Float[np.ndarray, "n 3"], projection: Projection, mask: Mask
+) -> tuple[float, Float[np.ndarray, "3"]]:
+    """Return the scale and shift that make a shape's picture fill the mask's box as it can.
+
+    The shift is parallel to the image plane, the scale makes the areas of the boxes agree.
+    """
+    wanted, size = _image_box(mask_box(mask).reshape(2, 2))
+    scale = float(np.sqrt(mask.sum())) / max(float(np.ptp(vertices, axis=0).max()), 1e-9)
+    shift = np.zeros(3)
+    for _ in range(4):
+        center, have = _image_box(projection.project(vertices * scale + shift))
+        scale *= float(np.sqrt(np.prod(size) / max(np.prod(have), 1e-9)))
+        center, have = _image_box(projection.project(vertices * scale + shift))
+        depth = float(np.linalg.norm(projection.position)) / projection.focal
+        step = (wanted - center) * depth
+        shift = shift + step[0] * projection.rotation[0] + step[1] * projection.rotation[1]
+    return scale, shift
+
+
+def simplex(start: np.ndarray, steps: tuple[float, ...]) -> np.ndarray:
+    """Return a starting simplex for Nelder-Mead: one step along each axis."""
+    return np.concatenate([start[None], start + np.diag(steps)])
+
+
+def proportion_gap(a: Float[np.ndarray, "3"], b: Float[np.ndarray, "3"]) -> float:
+    """Return how far two extents' proportions are apart: mean absolute log ratio, at most 1.5.
+
+    The two horizontal sides are compared in order of length; overall size does not count.
+    """
+    rows = [np.log(np.array([max(v[0], v[1]), min(v[0], v[1]), v[2]])) for v in (a, b)]
+    gap = (rows[0] - rows[0].mean()) - (rows[1] - rows[1].mean())
+    return float(min(np.abs(gap).mean(), 1.5))

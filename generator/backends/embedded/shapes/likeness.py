@@ -1,0 +1,205 @@
+"""Fit a catalogue shape to one crop: variant, yaw, proportions and profile, by outline and colour.
+
+Candidates of several variants are searched over yaw by silhouette; those that stand out are
+judged by how well their coloured regions explain the crop's colours as well, and the best few are
+refined in yaw and proportions. A thing that stands may at last be narrowed or widened along its
+height (``Profile``). How the winner is painted is told in ``painting``.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+from scipy import optimize
+
+from ....catalogue import Category, build
+from ....geometry import (
+    hull_points,
+    parts_to_unit_box,
+    rotation_z,
+    to_unit_box,
+)
+from ....meshes import baking
+from ....meshes.pixels import mask_iou
+from ....meshes.projection import Projection
+from ....scene import ConvexPart, Mesh, Model
+from .framing import frame_to_mask, simplex
+from .painting import explained_colors
+
+VARIANTS = 6
+"""How many seeds of a category are tried."""
+
+_STRETCH = float(np.log(1.6))  # how far proportions may leave the variant's own
+_COLOR = 0.2  # weight of explained colours against silhouette overlap
+_YAWS = 24
+_STANDS_OUT = 0.12  # overlap by which a yaw may be worse than the variant's best and be judged
+_FINALISTS = 3
+_BENT = 0.3  # largest bend of a profile
+_WORTH = 0.01  # overlap that bending a profile must gain
+_STANDING = 0.7  # height over width from which a thing has a profile
+
+
+@dataclass(frozen=True)
+class Profile:
+    """A change of width along the height: ``taper`` widens the top, ``belly`` the middle."""
+
+    taper: float = 0.0
+    belly: float = 0.0
+
+    def bent(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+        """Return points of the unit box with x and y scaled by height."""
+        z = 2 * points[:, 2:]
+        factor = np.exp(self.taper * z + self.belly * (0.5 - z * z))
+        return np.concatenate([points[:, :2] * factor, points[:, 2:]], 1)
+
+    def applied(self, model: Model) -> Model:
+        """Return a canonical model with its width changed along its height."""
+        mesh = model.mesh
+        bent = Mesh(self.bent(mesh.vertices), mesh.faces, mesh.uv, mesh.texture, mesh.opacity)
+        unit, center, extent = to_unit_box(bent)
+        hulls = tuple(ConvexPart(self.bent(p.vertices)) for p in model.parts)
+        parts = parts_to_unit_box(hulls, center, extent)
+        return dataclasses.replace(model, mesh=unit, parts=parts, size=model.size * extent)
+
+
+@dataclass(frozen=True, eq=False)
+class Likeness:
+    """A catalogue model posed to look like a crop.
+
+    ``extent`` (scaled axes), ``yaw`` and ``position`` (of the box's centre) are in the object
+    frame; ``iou`` is the silhouettes' overlap, ``explained`` the share of the crop's colours that
+    the model's coloured regions account for.
+    """
+
+    model: Model
+    extent: Float[np.ndarray, "3"]
+    yaw: float
+    position: Float[np.ndarray, "3"]
+    iou: float
+    explained: float = 0.0
+
+    @property
+    def world(self) -> Float[np.ndarray, "n 3"]:
+        """The mesh's vertices in the object frame."""
+        return self.model.mesh.vertices * self.extent @ rotation_z(self.yaw).T + self.position
+
+    @property
+    def score(self) -> float:
+        """How well the crop is explained."""
+        return self.iou + _COLOR * self.explained
+
+
+class _Search:
+    """Silhouette search over yaw and proportions for one catalogue model."""
+
+    def __init__(self, model: Model, mask: np.ndarray, small: Projection, round_: bool) -> None:
+        self.model, self.mask, self.small, self.round = model, mask, small, round_
+        self._points = model.mesh.vertices.astype(float)
+        self._hull = hull_points(self._points)
+
+    def pose(self, parameters: np.ndarray) -> Likeness:
+        """Return the likeness at (yaw, log width stretch, log height stretch)."""
+        yaw, wide, tall = parameters
+        stretch = np.exp([0.0, 0.0 if self.round else wide, tall])
+        shape = self.model.size * stretch
+        turn = rotation_z(yaw).T
+        scale, shift = frame_to_mask(self._hull * shape @ turn, self.small, self.mask)
+        world = self._points * shape @ turn * scale + shift
+        iou = mask_iou(self.small.silhouette(world, self.model.mesh.faces), self.mask)
+        return Likeness(self.model, shape * scale, float(yaw), shift, iou)
+
+    def standing_out(self) -> list[Likeness]:
+        """Return the poses whose overlap is the best among their neighbours in yaw."""
+        if self.round:
+            return [self.pose(np.zeros(3))]
+        poses = [self.pose(np.array([k * 2 * np.pi / _YAWS, 0.0, 0.0])) for k in range(_YAWS)]
+        iou = np.array([p.iou for p in poses])
+        peak = (iou >= np.roll(iou, 1)) & (iou >= np.roll(iou, -1))
+        kept = np.flatnonzero(peak & (iou > iou.max() - _STANDS_OUT))
+        return [poses[k] for k in kept[np.argsort(-iou[kept], kind="stable")][:6]]
+
+    def loss(self, parameters: np.ndarray) -> float:
+        """Return what the search minimises."""
+        stretch = np.abs(parameters[1:])
+        if stretch.max() > _STRETCH:
+            return 2.0
+        return 1 - self.pose(parameters).iou + 0.03 * float(stretch.sum())
+
+    def refined(self, yaw: float, rigid: bool) -> Likeness:
+        """Return the best likeness near ``yaw``; a ``rigid`` one keeps its proportions."""
+        start = np.array([yaw, 0.0, 0.0])
+        if rigid:
+            near = yaw + np.deg2rad([-5.0, 0.0, 5.0])
+            return max((self.pose(np.array([y, 0.0, 0.0])) for y in near), key=lambda c: c.iou)
+        found = optimize.minimize(
+            self.loss, start, method="Nelder-Mead",
+            options={"maxfev": 45, "initial_simplex": simplex(start, (0.12, 0.12, 0.12))},
+        )  # fmt: skip
+        return self.pose(found.x)
+
+
+def fit_likeness(
+    category: Category,
+    seed: int,
+    crop: UInt8[np.ndarray, "h w 4"],
+    mask: Bool[np.ndarray, "a b"],
+    small: Projection,
+    occluded: bool,
+) -> Likeness:
+    """Return the variant and pose of a category that look most like the crop.
+
+    ``mask`` is the crop's silhouette at the size of ``small``. Of an occluded object the
+    completed outline is a guess, so proportions stay the catalogue's.
+    """
+    image = cv2.resize(
+        baking.opaque_colors(crop)[0], (small.width, small.height), interpolation=cv2.INTER_AREA
+    )
+    round_ = "round" in category.roles
+    drafts: list[tuple[float, _Search, float]] = []
+    for variant in range(VARIANTS):
+        search = _Search(build(category.key, seed + variant), mask, small, round_)
+        drafts += [
+            (_judged(p, image, mask, small).score, search, p.yaw) for p in search.standing_out()
+        ]
+    drafts.sort(key=lambda d: -d[0])
+    refined = [search.refined(yaw, occluded) for _, search, yaw in drafts[:_FINALISTS]]
+    best = max((_judged(c, image, mask, small) for c in refined), key=lambda c: c.score)
+    return best if occluded else _with_profile(best, mask, small, round_)
+
+
+def _judged(
+    candidate: Likeness, image: UInt8[np.ndarray, "h w 3"], mask: np.ndarray, small: Projection
+) -> Likeness:
+    """Return the candidate with its share of explained colours."""
+    explained = explained_colors(candidate.model.mesh, candidate.world, image, mask, small)
+    return dataclasses.replace(candidate, explained=explained)
+
+
+def _with_profile(found: Likeness, mask: np.ndarray, small: Projection, round_: bool) -> Likeness:
+    """Return the likeness with the profile that fits the outline better, if one does."""
+    if found.extent[2] < _STANDING * found.extent[:2].min() or found.iou > 0.975:
+        return found
+    plain = dataclasses.replace(found.model, size=found.extent)
+
+    def bent(profile: np.ndarray) -> Likeness:
+        model = Profile(*profile).applied(plain) if np.abs(profile).max() > 1e-6 else plain
+        return _Search(model, mask, small, round_).pose(np.array([found.yaw, 0.0, 0.0]))
+
+    def loss(profile: np.ndarray) -> float:
+        if np.abs(profile).max() > _BENT:
+            return 2.0
+        return 1 - bent(profile).iou + 0.02 * float(np.abs(profile).sum())
+
+    start = np.zeros(2)
+    tried = optimize.minimize(
+        loss, start, method="Nelder-Mead",
+        options={"maxfev": 24, "initial_simplex": simplex(start, (0.1, 0.1))},
+    )  # fmt: skip
+    better = bent(tried.x)
+    if better.iou < found.iou + _WORTH:
+        return found
+    return dataclasses.replace(better, explained=found.explained)

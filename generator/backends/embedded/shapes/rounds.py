@@ -1,0 +1,76 @@
+"""Solids of revolution about a vertical axis, cut out of a silhouette, with what sticks out."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from jaxtyping import Bool
+
+from ....meshes.projection import Projection
+from .extrusions import plane_outline
+from .slices import (
+    best_stack,
+    largest_slices,
+    longest_run,
+    reach_of,
+)
+from .solids import (
+    Posed,
+    Solid,
+    joined,
+    upright,
+)
+
+Mask = Bool[np.ndarray, "h w"]
+
+_LIMB = 0.015  # least share of the silhouette that a handle or a spout takes
+_LIMBS = 3
+
+
+def fit_revolution(mask: Mask, projection: Projection) -> Posed | None:
+    """Return the solid of revolution about a vertical axis, or None if nothing round fits."""
+    width, tall = reach_of(mask, projection)
+    heights = np.linspace(-tall, tall, 90)
+    found = []
+    for offset in np.linspace(-0.2, 0.2, 7) * width:
+        stack = largest_slices(mask, projection, heights, np.array([offset]), 1.0, 36)
+        stack = longest_run(stack, 0.012 * width)
+        if stack is not None:
+            found.append(stack)
+    best = best_stack(found, mask, projection, free=False)
+    if best is None:
+        return None
+    return _with_handle(best.posed("revolution", projection), mask, projection)
+
+
+def _with_handle(body: Posed, mask: Mask, projection: Projection) -> Posed:
+    """Add what sticks out of a round body as flat pieces in the plane facing the camera.
+
+    A handle and a spout are such pieces; the largest few are taken.
+    """
+    covered = projection.silhouette(body.world, body.solid.faces)
+    rest = cv2.morphologyEx(
+        (mask & ~covered).astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8)
+    )
+    count, labels, stats, _ = cv2.connectedComponentsWithStats(rest)
+    order = 1 + np.argsort(-stats[1:count, cv2.CC_STAT_AREA], kind="stable")
+    solids = [body.solid]
+    for k in order[:_LIMBS]:
+        if stats[k, cv2.CC_STAT_AREA] < _LIMB * mask.sum():
+            break
+        limb = _limb((labels == k) & mask, mask, body, projection)
+        if limb is not None:
+            solids.append(limb)
+    return Posed("revolution", joined(solids), body.yaw, body.position)
+
+
+def _limb(piece: Mask, mask: Mask, body: Posed, projection: Projection) -> Solid | None:
+    """Return a piece of the silhouette beside the body as a flat solid that reaches into it."""
+    grown = cv2.dilate(piece.astype(np.uint8), np.ones((7, 7), np.uint8)) > 0
+    axes = np.array([projection.right, [0, 0, 1.0]])
+    outline = plane_outline(grown & mask, projection, body.position, axes, np.zeros((1, 3)))
+    if outline is None or outline.bounds[1] < 0:
+        return None
+    across = float(np.ptp(body.solid.vertices[:, 0]))
+    low, _, high, _ = outline.bounds
+    return upright(outline, min(0.16 * across, 0.8 * (high - low)))

@@ -1,0 +1,226 @@
+"""Standing things as stacks of level ellipses: each slice as wide as the silhouette lets it be.
+
+A solid of revolution is the stack whose slices are circles about one axis. Where slices may move
+sideways and be shallower than wide, a stack is the inflated silhouette of anything that stands.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from ....meshes.pixels import mask_iou
+from ....meshes.projection import Projection, fill_hull
+from .solids import Posed, simplify_profile, stack_of_ellipses
+
+Mask = Bool[np.ndarray, "h w"]
+
+_ANGLES = np.arange(32) * np.pi / 16
+_FEW = slice(None, None, 3)  # of the angles, while slices are searched for
+_DEPTHS = (1.0, 0.6)  # depth over width of the slices that are tried
+_CUT = 0.006  # overlap that cutting an end may cost
+
+
+@dataclass(frozen=True, eq=False)
+class Stack:
+    """Ellipses at rising ``z``, their middles at ``x`` along ``right``, half as wide as ``r``.
+
+    Lengths are in the object frame, whose origin lies on the stack's plane; ``depth`` is the
+    ellipses' extent away from the camera over their width.
+    """
+
+    z: Float[np.ndarray, "k"]
+    x: Float[np.ndarray, "k"]
+    r: Float[np.ndarray, "k"]
+    depth: float = 1.0
+
+    def cut(self, start: int, stop: int) -> Stack:
+        """Return a run of the slices."""
+        run = slice(start, stop)
+        return Stack(self.z[run], self.x[run], self.r[run], self.depth)
+
+    def rings(self, projection: Projection) -> Float[np.ndarray, "k 32 3"]:
+        """Return points around each slice, in the object frame."""
+        return _rings(projection, self.z, self.x, self.r, self.depth)
+
+    def silhouette(self, projection: Projection) -> Mask:
+        """Return which pixels the stack covers."""
+        canvas = np.zeros((projection.height, projection.width), np.uint8)
+        rings = self.rings(projection)
+        flat = projection.project(rings.reshape(-1, 3)).reshape(*rings.shape[:2], 2)
+        for lower, upper in pairwise(flat):
+            fill_hull(canvas, np.concatenate([lower, upper]))
+        return canvas > 0
+
+    def posed(self, kind: str, projection: Projection, most: int = 20) -> Posed:
+        """Return the stack as a solid of at most ``most`` slices."""
+        profile = np.column_stack([self.r, self.x])
+        keep = simplify_profile(self.z, profile, most, 0.012)
+        foot = self.x[0] * projection.right + self.z[0] * np.array([0, 0, 1.0])
+        yaw = float(np.arctan2(projection.right[1], projection.right[0]))
+        solid = stack_of_ellipses(
+            self.z[keep] - self.z[0], self.r[keep], self.x[keep] - self.x[0], self.depth
+        )
+        return Posed(kind, solid, yaw, foot)
+
+
+def _rings(
+    projection: Projection,
+    z: np.ndarray,
+    x: np.ndarray,
+    r: np.ndarray,
+    depth: float,
+    angles: slice = slice(None),
+) -> np.ndarray:
+    """Return points around level ellipses; ``z``, ``x`` and ``r`` broadcast together."""
+    across = x[..., None] + r[..., None] * np.cos(_ANGLES[angles])
+    ahead = depth * r[..., None] * np.sin(_ANGLES[angles])
+    points = across[..., None] * projection.right + ahead[..., None] * projection.away
+    return points + z[..., None, None] * np.array([0, 0, 1.0])
+
+
+def reach_of(mask: Mask, projection: Projection) -> tuple[float, float]:
+    """Return how far slices may reach sideways and upwards, in units of the object frame."""
+    unit = float(np.linalg.norm(projection.position)) / projection.focal
+    width = int(mask.any(0).sum()) * unit
+    tall = 1.3 * int(mask.any(1).sum()) * unit / max(np.sqrt(1 - projection.sine**2), 0.25)
+    return width, tall
+
+
+def largest_slices(
+    mask: Mask, projection: Projection, z: np.ndarray, x: np.ndarray, depth: float, count: int
+) -> Stack:
+    """Return at each height the widest ellipse inside the mask with its middle among ``x``."""
+    width, _ = reach_of(mask, projection)
+    radii = np.linspace(0, 0.62 * width, count + 1)[1:]
+    points = _rings(projection, z[:, None, None], x[:, None], radii, depth, _FEW)
+    fits = projection.inside(mask, points).mean(-1) > 0.9
+    run = np.cumprod(fits, axis=2).sum(2)
+    best = run.argmax(1)
+    # Of equally wide slices the middle one is taken.
+    tied = run == run.max(1, keepdims=True)
+    middle = (tied * x).sum(1) / tied.sum(1)
+    widest = run[np.arange(len(z)), best]
+    return Stack(z, middle, np.where(widest > 0, radii[np.maximum(widest - 1, 0)], 0.0), depth)
+
+
+def with_stems(stack: Stack, mask: Mask, projection: Projection) -> Stack:
+    """Return the stack with slices where the mask is too thin for those that were tried.
+
+    Such a slice is as wide as the mask's widest stretch at its height.
+    """
+    unit = float(np.linalg.norm(projection.position)) / projection.focal
+    axis = projection.project(stack.z[:, None] * np.array([0, 0, 1.0]))
+    x, r = stack.x.copy(), stack.r.copy()
+    for k in np.flatnonzero(stack.r <= 0):
+        row = int(np.floor(axis[k, 1]))
+        if not 0 <= row < len(mask) or not mask[row].any():
+            continue
+        edges = np.flatnonzero(np.diff(np.pad(mask[row].astype(int), 1))).reshape(-1, 2)
+        start, stop = edges[np.argmax(np.diff(edges)[:, 0])]
+        x[k] = ((start + stop) / 2 - axis[k, 0]) * unit
+        r[k] = (stop - start) / 2 * unit
+    return replace(stack, x=x, r=r)
+
+
+def longest_run(stack: Stack, least: float) -> Stack | None:
+    """Return the longest run of slices wider than ``least``, or None if it is short."""
+    flags = np.concatenate([[0], (stack.r > least).astype(int), [0]])
+    edges = np.flatnonzero(np.diff(flags))
+    runs = [(b - a, a, b) for a, b in zip(edges[::2], edges[1::2], strict=True)]
+    if not runs or max(runs)[0] < 4:
+        return None
+    _, start, stop = max(runs)
+    return stack.cut(start, stop)
+
+
+def trimmed(stack: Stack, mask: Mask, projection: Projection) -> Stack:
+    """Cut a stack's ends as far as the silhouette does not notice.
+
+    What a flat top or bottom hides is ambiguous, so the base is put as high and the top as low as
+    the silhouette allows.
+    """
+    whole = mask_iou(stack.silhouette(projection), mask)
+
+    def longest(cuts: list[tuple[int, int]]) -> Stack:
+        low, high = 0, len(cuts) - 1
+        while low < high:
+            middle = (low + high + 1) // 2
+            score = mask_iou(stack.cut(*cuts[middle]).silhouette(projection), mask)
+            low, high = (middle, high) if score > whole - _CUT else (low, middle - 1)
+        return stack.cut(*cuts[low])
+
+    count = len(stack.z)
+    stack = longest([(k, count) for k in range(count - 3)])
+    count = len(stack.z)
+    return longest([(0, k) for k in range(count, 2, -1)])
+
+
+def refined(stack: Stack, mask: Mask, projection: Projection, free: bool) -> Stack:
+    """Move each slice's sides to where the mask's own sides are, as long as that helps.
+
+    ``free`` slices move sideways as well.
+    """
+    unit = float(np.linalg.norm(projection.position)) / projection.focal
+    rows = np.arange(projection.height)
+    best, reached = stack, mask_iou(stack.silhouette(projection), mask)
+    for _ in range(4):
+        drawn = stack.silhouette(projection)
+        both = mask.any(1) & drawn.any(1)
+        if not both.any():
+            break
+        middle = projection.project(
+            stack.x[:, None] * projection.right + stack.z[:, None] * np.array([0, 0, 1.0])
+        )[:, 1]
+        moves = []
+        for side in (_left, _right):
+            gap = np.interp(rows, rows[both], (side(mask) - side(drawn))[both].astype(float))
+            moves.append(np.interp(middle - 0.5, rows, gap) * unit * 0.8)
+        left, right = (_smooth(m) for m in moves)
+        wider = np.maximum(stack.r + (right - left) / 2, 0.3 * stack.r)
+        aside = stack.x + (right + left) / 2 if free else stack.x
+        stack = replace(stack, r=wider, x=aside)
+        score = mask_iou(stack.silhouette(projection), mask)
+        if score > reached:
+            best, reached = stack, score
+    return best
+
+
+def _left(mask: Mask) -> np.ndarray:
+    return mask.argmax(1)
+
+
+def _right(mask: Mask) -> np.ndarray:
+    return mask.shape[1] - 1 - mask[:, ::-1].argmax(1)
+
+
+def _smooth(values: np.ndarray) -> np.ndarray:
+    return np.convolve(np.pad(values, 1, mode="edge"), [0.25, 0.5, 0.25], "valid")
+
+
+def best_stack(stacks: list[Stack], mask: Mask, projection: Projection, free: bool) -> Stack | None:
+    """Trim and refine the most promising of some stacks; None if there is none."""
+    if not stacks:
+        return None
+    overlaps = [mask_iou(s.silhouette(projection), mask) for s in stacks]
+    best = trimmed(stacks[int(np.argmax(overlaps))], mask, projection)
+    smooth = replace(best, r=_smooth(best.r), x=_smooth(best.x))
+    return refined(smooth, mask, projection, free)
+
+
+def fit_slices(mask: Mask, projection: Projection) -> Posed | None:
+    """Return the inflated silhouette of a standing thing, or None if nothing fits."""
+    width, tall = reach_of(mask, projection)
+    z = np.linspace(-tall, tall, 64)
+    x = np.linspace(-0.4, 0.4, 17) * width
+    found = []
+    for depth in _DEPTHS:
+        slices = largest_slices(mask, projection, z, x, depth, 20)
+        stack = longest_run(with_stems(slices, mask, projection), 0.012 * width)
+        if stack is not None:
+            found.append(replace(stack, x=_smooth(_smooth(stack.x))))
+    best = best_stack(found, mask, projection, free=True)
+    return None if best is None else best.posed("slices", projection, 26)

@@ -1,0 +1,1 @@
+"""The table as a solid, fitted to its picture."""

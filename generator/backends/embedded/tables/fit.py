@@ -1,0 +1,315 @@
+"""Fit a table to its silhouette: the known top first, then the legs that explain the rest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import product
+
+import cv2
+import numpy as np
+from jaxtyping import Bool, Float
+from scipy.optimize import minimize
+
+from ....meshes.projection import Projection, fill_hull
+from ..shapes.framing import simplex
+from .form import (
+    LegStyle,
+    TableForm,
+    at_height,
+    corners_of,
+)
+
+_TALL = (0.2, 1.4)  # metres: what a table's height may be
+_SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # metres: thicknesses tried
+_APRONS = (0.06, 0.1)
+_GAIN = 0.01  # overlap that a thickness or boards must gain
+_SHOWN = 0.1  # overlap of the legs below which none show
+_CLEAR = 0.002  # overlap of whole tables that another kind of legs must gain
+_EVEN = 0.03  # overlap worth a difference of one width between how far in legs stand
+_REACHING = 0.2  # overlap worth feet that end a whole silhouette's height too high or low
+_DEPTHS = (0.03, 0.06, 0.1, 0.15, 0.2)  # of the legs behind the rim, in widths of the top
+_STARTS, _TRIES = 3, 400  # searches for the measures of a table, and steps of each
+
+Mask = Bool[np.ndarray, "h w"]
+
+
+@dataclass(frozen=True, eq=False)
+class Silhouette:
+    """A table's outline in a picture. ``shown`` are the pixels that the picture's frame holds."""
+
+    mask: Mask
+    shown: Mask
+    projection: Projection
+
+    @cached_property
+    def bottom(self) -> int:
+        """The lowest row of the table."""
+        return int(np.flatnonzero((self.mask & self.shown).sum(1) > 1)[-1])
+
+    @cached_property
+    def cut_below(self) -> bool:
+        """Whether the frame hides how far down the table goes."""
+        return not self.shown[min(self.bottom + 2, len(self.shown) - 1)].any()
+
+    def overlap(self, drawn: Mask) -> float:
+        """Return the intersection over union with what is drawn, where the frame shows it."""
+        mask, drawn = self.mask & self.shown, drawn & self.shown
+        return np.count_nonzero(drawn & mask) / max(np.count_nonzero(drawn | mask), 1)
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """A form under a picture: metres times ``scale`` plus ``shift``, from the top's middle.
+
+    ``overlap`` is that of the whole silhouettes, ``legs`` whether legs show.
+    """
+
+    form: TableForm
+    scale: float
+    shift: Float[np.ndarray, "3"]
+    overlap: float
+    legs: bool
+
+    def world(self, canonical: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+        """Return canonical vertices of the built form in the object frame."""
+        return ((canonical - [0, 0, 0.5]) * self.form.size) * self.scale + self.shift
+
+
+def fit_table(
+    outline: Float[np.ndarray, "k 2"], height: float, seen: Silhouette, fine: Silhouette
+) -> Fitted:
+    """Return the table with a given top (metres) whose silhouette is nearest.
+
+    ``height`` is the usual one; it stays where the picture does not tell it. ``fine`` is the same
+    silhouette with more pixels: what was found in ``seen`` is improved there.
+    """
+    scale, shift = place_top(outline, seen)
+    usual = TableForm(outline, corners_of(outline), height)
+    best, rival = _Legs(usual, scale, shift, seen).fitted(height)
+    if max(best[1], rival[1]) < _SHOWN:
+        overlap = fine.overlap(_Legs(usual, scale, shift, fine).silhouette(usual))
+        return Fitted(usual, scale, shift, overlap, False)
+    first, other = (_settled(form, scale, shift, fine, height) for form, _ in (best, rival))
+    return other if other.overlap > first.overlap + _CLEAR else first
+
+
+def _settled(
+    form: TableForm, scale: float, shift: Float[np.ndarray, "3"], seen: Silhouette, usual: float
+) -> Fitted:
+    """Return the form and its place, both improved together.
+
+    Low legs near the rim look just like high ones further in: of those that agree as well, legs
+    stand as far in from the front as from the side.
+    """
+    width = float(min(form.size[:2]))
+    steps = np.array([0.01, 1.0, 1.0, 0.02, 0.02, 0.02, 0.01, -0.01, 0.05])
+    if seen.cut_below:
+        steps[-1] = 1e-6  # nothing tells the height
+    moved = _pixel_moves(seen.projection)
+    tall_rows = float(np.ptp(np.flatnonzero(seen.mask.any(1))) + 1)
+
+    def start(inset: tuple[float, float]) -> np.ndarray:
+        raw = replace(form, inset=inset)
+        tried = _Legs(raw, scale, shift, seen).grounded(raw, usual)
+        measures = np.array([*tried.inset, tried.lean, tried.high, tried.low]) / width
+        return np.array([0.0, 0.0, 0.0, *measures, tried.height])
+
+    def made(p: np.ndarray) -> tuple[TableForm, float, Float[np.ndarray, "3"]]:
+        inset = (float(np.clip(p[3], 0, 0.6)) * width, float(np.clip(p[4], 0, 0.6)) * width)
+        high, low = (v * width for v in _slimmed(form, p[6], p[7], width))
+        tall = float(np.clip(p[8], *_TALL))
+        tried = replace(
+            form, inset=inset, lean=_leaning(p[5]) * width, high=high, low=low, height=tall
+        )
+        return tried, float(scale * np.exp(p[0])), shift + moved(p[1:3])
+
+    def liked(p: np.ndarray) -> float:
+        tried, size, place = made(p)
+        drawn = _Legs(tried, size, place, seen).silhouette(tried)
+        rows = np.flatnonzero(drawn.any(1))
+        low = abs(float(rows[-1]) - seen.bottom) if len(rows) and not seen.cut_below else 0.0
+        return seen.overlap(drawn) - _EVEN * abs(p[3] - p[4]) - _REACHING * low / tall_rows
+
+    def searched(begin: np.ndarray) -> np.ndarray:
+        options = {"initial_simplex": simplex(begin, tuple(steps)), "maxfev": _TRIES, "xatol": 1e-4}
+        return np.asarray(
+            minimize(lambda p: -liked(p), begin, method="Nelder-Mead", options=options).x
+        )
+
+    deep = [d * width for d in _DEPTHS]
+    places = [form.inset, *((form.inset[0], d) for d in deep), *((d, d) for d in deep)]
+    starts = sorted((start(place) for place in places), key=liked)
+    found = max((searched(begin) for begin in starts[-_STARTS:]), key=liked)
+    tried, size, place = made(found)
+    overlap = seen.overlap(_Legs(tried, size, place, seen).silhouette(tried))
+    return Fitted(tried, size, place, overlap, True)
+
+
+def _slimmed(form: TableForm, high: float, low: float, width: float) -> tuple[float, float]:
+    """Return how thick legs are above and below, in widths of the top, as legs may be."""
+    least = 0.012 / width
+    most, slimmest = (0.9, 0.1) if form.legs == "pedestal" else (0.16, 0.3)
+    high = float(np.clip(high, least, most))
+    return high, float(np.clip(low, max(least, slimmest * high), most))
+
+
+def _leaning(lean: float) -> float:
+    return float(np.clip(lean, -0.1, 0.3))
+
+
+def _pixel_moves(view: Projection) -> Callable[[np.ndarray], Float[np.ndarray, "3"]]:
+    """Return what moves a point at the origin by so many pixels to the right and down."""
+    pixel = float(np.linalg.norm(view.position)) / view.focal
+    return lambda step: pixel * (step[0] * view.rotation[0] + step[1] * view.rotation[1])
+
+
+def place_top(
+    outline: Float[np.ndarray, "k 2"], seen: Silhouette
+) -> tuple[float, Float[np.ndarray, "3"]]:
+    """Return the scale and shift that lay a top under the upper part of a silhouette.
+
+    What the silhouette has straight below the top may be legs, and says nothing.
+    """
+    view, mask = seen.projection, seen.mask & seen.shown
+    flat = np.column_stack([outline, np.zeros(len(outline))])
+    pixel = float(np.linalg.norm(view.position)) / view.focal
+    rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
+    wanted = np.array([(columns[0] + columns[-1] + 1) / 2, rows[0]])
+    scale, shift = (columns[-1] - columns[0]) * pixel / float(np.ptp(flat[:, 0])), np.zeros(3)
+    moved = _pixel_moves(view)
+
+    for _ in range(5):
+        at = view.project(flat * scale + shift)
+        scale *= (columns[-1] + 1 - columns[0]) / float(np.ptp(at[:, 0]))
+        at = view.project(flat * scale + shift)
+        shift = shift + moved(wanted - [(at[:, 0].min() + at[:, 0].max()) / 2, at[:, 1].min()])
+
+    def cost(p: np.ndarray) -> float:
+        top = _drawn([flat * scale * np.exp(p[0]) + shift + moved(p[1:])], view)
+        below = np.maximum.accumulate(top, axis=0)
+        wrong = (top & ~mask) | (mask & ~below)
+        return float((wrong & seen.shown).sum() / mask.sum())
+
+    start = np.zeros(3)
+    found = minimize(
+        cost, start, method="Nelder-Mead",
+        options={"initial_simplex": simplex(start, (0.04, 3.0, 3.0)), "maxfev": 120},
+    )  # fmt: skip
+    return float(scale * np.exp(found.x[0])), shift + moved(found.x[1:])
+
+
+def _drawn(pieces: Iterable[Float[np.ndarray, "n 3"]], view: Projection) -> Mask:
+    canvas = np.zeros((view.height, view.width), np.uint8)
+    solids = list(pieces)
+    ends = np.cumsum([len(piece) for piece in solids])[:-1]
+    for flat in np.split(view.project(np.concatenate(solids)), ends):
+        fill_hull(canvas, flat)
+    return canvas > 0
+
+
+class _Legs:
+    """Compares forms' legs and slab with what a silhouette shows below a placed top."""
+
+    def __init__(
+        self, form: TableForm, scale: float, shift: Float[np.ndarray, "3"], seen: Silhouette
+    ) -> None:
+        self.form, self.scale, self.shift, self.seen = form, scale, shift, seen
+        self.top = _drawn([self._placed(at_height(form.outline, 0.0))], seen.projection)
+
+    @cached_property
+    def _counted(self) -> Mask:
+        """What shows, beside the top."""
+        over = cv2.dilate(self.top.astype(np.uint8), np.ones((3, 3), np.uint8)) > 0
+        return self.seen.shown & ~over
+
+    @cached_property
+    def _wanted(self) -> Mask:
+        return self.seen.mask & self._counted
+
+    def _placed(self, points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "n 3"]:
+        return points * self.scale + self.shift
+
+    def drawn(self, form: TableForm) -> Mask:
+        """Return the silhouette of a form's slab and legs."""
+        slab = np.concatenate([at_height(form.outline, z) for z in (-form.thickness, 0.0)])
+        down = np.array([0.0, 0.0, form.height])
+        pieces = [piece.reshape(-1, 3) - down for piece in form.pieces()]
+        return _drawn([self._placed(p) for p in [slab, *pieces]], self.seen.projection)
+
+    def silhouette(self, form: TableForm) -> Mask:
+        """Return the silhouette of a form with the top."""
+        return self.drawn(form) | self.top
+
+    def overlap(self, form: TableForm) -> float:
+        """Return the intersection over union of what lies below the top."""
+        drawn = self.drawn(form) & self._counted
+        union = np.count_nonzero(drawn | self._wanted)
+        return np.count_nonzero(drawn & self._wanted) / union if union else 0.0
+
+    def grounded(self, form: TableForm, usual: float) -> TableForm:
+        """Return a form as high as brings its feet down to the silhouette's lowest row.
+
+        Where the frame cuts the legs, it is at least as high as usual.
+        """
+        low, high = _TALL
+        feet = form.feet()
+        for _ in range(12):
+            middle = (low + high) / 2
+            rows = self.seen.projection.project(self._placed(at_height(feet, -middle)))[:, 1]
+            low, high = (middle, high) if rows.max() < self.seen.bottom + 1 else (low, middle)
+        found = max(low, usual) if self.seen.cut_below else low
+        return replace(form, height=found)
+
+    def fitted(self, usual: float) -> tuple[tuple[TableForm, float], tuple[TableForm, float]]:
+        """Return the best form with posts and the best other, and their overlaps below the top."""
+        kinds = ("posts", "sled", "trestle", "pedestal")
+        firsts = [self._best(self._coarse(kind, usual)) for kind in kinds]
+        rival = max(firsts[1:], key=lambda f: f[1])
+        best, rival = (self._refined(self._boarded(*f)[0], usual) for f in (firsts[0], rival))
+        return self._refined(self._boarded(*best)[0], usual), rival
+
+    def _boarded(self, form: TableForm, overlap: float) -> tuple[TableForm, float]:
+        """Return the form with another slab, or boards under it, if that explains clearly more."""
+        aprons = (0.0, *_APRONS) if form.legs == "posts" else (0.0,)
+        finer = self._best(replace(form, thickness=t, apron=a) for t, a in product(_SLABS, aprons))
+        return finer if finer[1] > overlap + _GAIN else (form, overlap)
+
+    def _best(self, forms: Iterable[TableForm]) -> tuple[TableForm, float]:
+        return max(((form, self.overlap(form)) for form in forms), key=lambda f: f[1])
+
+    def _coarse(self, kind: LegStyle, usual: float) -> Iterable[TableForm]:
+        width = float(min(self.form.size[:2]))
+        insets, leans, sides, tapers = (0.03, 0.1, 0.2, 0.32), (0.0, 0.08), (0.05, 0.1), (1.0, 0.5)
+        if kind == "pedestal":
+            insets, leans, sides, tapers = (0.1,), (0.0,), (0.06, 0.12, 0.25), (7.0, 4.0, 2.5)
+        elif kind in ("sled", "trestle"):
+            leans, tapers = (0.0,), (1.0,)
+        for x, y, lean, side, taper in product(insets, insets, leans, sides, tapers):
+            high, low = side * width, side * min(taper, 0.8 / side) * width
+            inset = (x * width, y * width)
+            yield self.grounded(
+                replace(self.form, legs=kind, inset=inset, lean=lean * width, high=high, low=low),
+                usual,
+            )
+
+    def _refined(self, form: TableForm, usual: float) -> tuple[TableForm, float]:
+        """Return the form with its legs' measures improved, and its overlap below the top."""
+        width = float(min(form.size[:2]))
+
+        def made(p: np.ndarray) -> TableForm:
+            x, y = (float(np.clip(v, 0.0, 0.6)) * width for v in p[:2])
+            high, low = (v * width for v in _slimmed(form, p[3], p[4], width))
+            raw = replace(form, inset=(x, y), lean=_leaning(p[2]) * width, high=high, low=low)
+            return self.grounded(raw, usual)
+
+        start = np.array([*form.inset, form.lean, form.high, form.low]) / width
+        found = self._searched(lambda p: -self.overlap(made(p)), start)
+        return made(found), self.overlap(made(found))
+
+    @staticmethod
+    def _searched(cost: Callable[[np.ndarray], float], start: np.ndarray) -> np.ndarray:
+        steps = (0.04, 0.04, 0.03, 0.015, -0.015)
+        options = {"initial_simplex": simplex(start, steps), "maxfev": 160, "xatol": 1e-3}
+        return np.asarray(minimize(cost, start, method="Nelder-Mead", options=options).x)

@@ -1,0 +1,202 @@
+"""Model the table of a picture: its top as it was measured, legs by silhouette, colours by pixels.
+
+The top is painted as the picture shows it: a plain one stays plain, whatever shadows lie on it;
+a patterned one keeps its pattern.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import cv2
+import numpy as np
+import shapely
+from jaxtyping import Bool, Float, Int, UInt8
+
+from ....catalogue.build.outlines import ellipse, rectangle, rounded_polygon
+from ....meshes import baking
+from ....meshes.projection import Projection
+from ....meshes.unshading import estimate_shading
+from ....meshes.unwrap import unwrap
+from ....scene import (
+    Instance,
+    Mesh,
+    Model,
+    SizePrior,
+    View,
+)
+from .fit import Fitted, Silhouette, fit_table
+
+_COARSE, _FINE = 240, 480  # longer side of the silhouettes that are compared, pixels
+_EDGE = 0.02  # of the length: how far from the edge of a top its colours are its own
+_PLAIN = 14.0  # grey levels of unrest within a hand's breadth, up to which a top is plain
+_BESIDE = 0.01  # of the crop's longer side: how near to a thing its halo lies
+_SHADE = 0.05  # likewise, its shadow
+_DARK = 0.8  # of the top's usual brightness: darker places there are shadow
+_CELLS = 192  # along the longer side of the top as it is filled in
+
+
+def model_table(instance: Instance, size: SizePrior, view: View, seed: int, texture: int) -> Model:
+    """Return a table that looks like the picture's, yaw zero.
+
+    The top has the prior's outline, or that of the usual ones whose silhouette agrees best. Legs
+    and height are those that explain the silhouette below it; the prior's height stays where the
+    picture does not show any.
+    """
+    projection = Projection.of_instance(instance, view)
+    seen = [_silhouette(instance, projection.resized(side)) for side in (_COARSE, _FINE)]
+    extent = np.clip(size.extent, 0.2, 4.0)
+    tops = _usual_tops(*extent[:2]) if size.outline is None else [np.asarray(size.outline)]
+    tops = [top * (extent[:2] / np.ptp(top, axis=0)) for top in tops]
+    fits = (fit_table(top, float(extent[2]), *seen) for top in tops)
+    best = max(fits, key=lambda fit: fit.overlap)
+    model = best.form.built()
+    return dataclasses.replace(model, mesh=_painted(best, model, instance, projection, texture))
+
+
+def _silhouette(instance: Instance, small: Projection) -> Silhouette:
+    size = small.width, small.height
+    alpha = cv2.resize(instance.crop[..., 3], size, interpolation=cv2.INTER_AREA)
+    return Silhouette(alpha > 127, _places(instance, *size)[2], small)
+
+
+def _places(
+    instance: Instance, width: int, height: int
+) -> tuple[Int[np.ndarray, "h w"], Int[np.ndarray, "h w"], Bool[np.ndarray, "h w"]]:
+    """Return the row and column in the picture of each pixel of a crop, and which the frame holds.
+
+    Rows and columns are those of the nearest pixel of the picture.
+    """
+    x0, y0, x1, y1 = instance.crop_box
+    columns = np.floor(x0 + (np.arange(width) + 0.5) * (x1 - x0) / width).astype(int)
+    rows = np.floor(y0 + (np.arange(height) + 0.5) * (y1 - y0) / height).astype(int)
+    rows, columns = np.meshgrid(rows, columns, indexing="ij")
+    tall, wide = instance.mask.shape
+    held = (rows >= 0) & (rows < tall) & (columns >= 0) & (columns < wide)
+    return rows.clip(0, tall - 1), columns.clip(0, wide - 1), held
+
+
+def _usual_tops(length: float, width: float) -> list[Float[np.ndarray, "k 2"]]:
+    """Return the outlines that a top of these sides usually has."""
+    corners = np.array([[-0.5, -0.5], [0.5, -0.5], [0.0, 0.5]]) * [length, width]
+    triangle = rounded_polygon(corners, 0.1 * min(length, width), 4)
+    triangle = triangle - (triangle.min(0) + triangle.max(0)) / 2
+    round_top = ellipse(length, width, 64)
+    tops = [rectangle(length, width, r * min(length, width), 6) for r in (0.02, 0.14, 0.3)]
+    return [*tops, round_top, triangle, -triangle]
+
+
+# ------------------------------------------------------------------------------------- colours
+
+
+def _painted(
+    fit: Fitted, model: Model, instance: Instance, projection: Projection, size: int
+) -> Mesh:
+    """Return the table's mesh in the picture's colours, top and legs each for themselves."""
+    mesh = model.mesh
+    world = fit.world(np.asarray(mesh.vertices, float))
+    image, mask = baking.opaque_colors(instance.crop)
+    atlas = unwrap(mesh.vertices * model.size, mesh.faces, size)
+    surface = baking.surface_of(atlas, world)
+    sight = baking.Sight.of(world, mesh.faces, projection)
+    pixels = projection.project(surface.point)
+    bare = _bare(instance, mask)
+    own = baking.sample(np.dstack([mask, bare]).astype(np.uint8), pixels) > 0.5
+    visible = sight.sees(surface) & own[:, 0]
+    colors = baking.sample(image, pixels)
+    colors = estimate_shading(colors, surface.normal, visible).removed(colors, surface.normal)
+    slab = 0.5 - fit.form.thickness / fit.form.height - 1e-4
+    on_top = (mesh.vertices[mesh.faces, 2] > slab).all(1)[atlas.face]
+    clear = visible & own[:, 1]
+    upper = clear & on_top & (surface.normal[:, 2] > 0.9)
+    upper &= _within(surface.point[:, :2], on_top)
+    texels = np.full(colors.shape, 200.0)
+    if upper.sum() > 40:
+        near = baking.sample(_near_things(instance, mask)[..., None], pixels)[:, 0] > 0.5
+        dark = colors.mean(1) < _DARK * np.median(colors[upper].mean(1))
+        texels[:] = np.median(colors[upper], 0)
+        texels[on_top] = top_colors(surface.point, colors, upper & ~(near & dark))[on_top]
+    rim = on_top & (np.abs(surface.normal[:, 2]) < 0.5)
+    for part in (rim, ~on_top):
+        if (clear & part).sum() > 40:
+            texels[part] = np.median(colors[clear & part], 0)
+    return baking.textured(atlas, mesh.vertices, baking.lay_out(atlas, texels))
+
+
+def _within(
+    points: Float[np.ndarray, "t 2"], on_top: Bool[np.ndarray, "t"]
+) -> Bool[np.ndarray, "t"]:
+    """Tell which places are away from the top's edge, where the picture already shows its side."""
+    top = shapely.convex_hull(shapely.MultiPoint(points[on_top]))
+    low, high = points[on_top].min(0), points[on_top].max(0)
+    inner = top.buffer(-_EDGE * float((high - low).max()))
+    return np.asarray(shapely.contains_xy(inner, points))
+
+
+def _bare(instance: Instance, mask: Bool[np.ndarray, "h w"]) -> Bool[np.ndarray, "h w"]:
+    """Return the crop's pixels that show the table itself, away from what stands on it."""
+    return mask & ~_covered(instance, mask, _BESIDE)
+
+
+def _near_things(instance: Instance, mask: Bool[np.ndarray, "h w"]) -> UInt8[np.ndarray, "h w"]:
+    """Return the crop's pixels near enough to what stands on the table to lie in its shadow."""
+    return _covered(instance, mask, _SHADE).astype(np.uint8)
+
+
+def _covered(
+    instance: Instance, mask: Bool[np.ndarray, "h w"], reach: float
+) -> Bool[np.ndarray, "h w"]:
+    """Return the crop's pixels within ``reach`` (of its longer side) of what hides the table."""
+    rows, columns, held = _places(instance, mask.shape[1], mask.shape[0])
+    hidden = mask & ~(instance.mask[rows, columns] & held)
+    brush = 2 * max(1, round(reach * max(mask.shape))) + 1
+    kernel = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (brush, brush))
+    return cv2.dilate(hidden.astype(np.uint8), kernel) > 0
+
+
+def top_colors(
+    points: Float[np.ndarray, "t 3"], colors: Float[np.ndarray, "t 3"], clear: Bool[np.ndarray, "t"]
+) -> Float[np.ndarray, "t 3"]:
+    """Return the colours of a top's places: one colour if it is plain, else the picture's own.
+
+    ``clear`` tells the places that the picture shows bare. Elsewhere the colours around are
+    carried on, along the top's longer side first, as grain and boards run.
+    """
+    middle = np.median(colors[clear], 0)
+    if unrest(colors[clear], _cells(points[clear])) < _PLAIN:
+        return np.broadcast_to(middle, colors.shape)
+    flat = points[:, :2] - points[:, :2].min(0)
+    at = np.floor(flat / flat.max() * (_CELLS - 1)).astype(int)
+    side = at.max(0)[::-1] + 1
+    total, count = np.zeros((*side, 3), np.float32), np.zeros(side, np.float32)
+    np.add.at(total, (at[clear, 1], at[clear, 0]), colors[clear])
+    np.add.at(count, (at[clear, 1], at[clear, 0]), 1.0)
+    filled = np.broadcast_to(middle, total.shape).astype(np.float32)
+    for spread in ((90.0, 12.0), (24.0, 2.5)):  # coarse first; near by counts for more
+        weight = cv2.GaussianBlur(count, (0, 0), spread[0], sigmaY=spread[1])
+        smooth = cv2.GaussianBlur(total, (0, 0), spread[0], sigmaY=spread[1])
+        trust = (weight / (weight + 0.02))[..., None]
+        filled = trust * smooth / np.maximum(weight, 1e-6)[..., None] + (1 - trust) * filled
+    carried = baking.sample(filled, at + 0.5)
+    return np.where(clear[:, None], colors, carried)
+
+
+def _cells(point: Float[np.ndarray, "t 3"], count: int = 10) -> Int[np.ndarray, "t"]:
+    """Number the squares of a grid over the table, ``count`` along its longest side."""
+    flat = point[:, :2] - point[:, :2].min(0)
+    index = np.minimum((flat / max(float(flat.max()), 1e-9) * count).astype(int), count - 1)
+    return index[:, 0] * count + index[:, 1]
+
+
+def unrest(colors: Float[np.ndarray, "t 3"], cell: Int[np.ndarray, "t"]) -> float:
+    """Return the usual spread of brightness within cells of the surface, in grey levels.
+
+    Light that fades across the table is nearly the same within a cell and does not count.
+    """
+    brightness = colors.mean(1)
+    spreads = []
+    for k in np.unique(cell):
+        own = brightness[cell == k]
+        if len(own) >= 12:
+            spreads.append(float(np.subtract(*np.quantile(own, [0.95, 0.05]))))
+    return float(np.median(spreads)) if spreads else 0.0

@@ -1,0 +1,1 @@
+"""Detections by open models: boxes by words, masks by boxes, merged."""

@@ -1,0 +1,67 @@
+"""Boxes by words: Grounding DINO (S. Liu et al., ECCV 2024)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from jaxtyping import UInt8
+
+from .detections import Find
+from .phrases import Question, best_words, questions
+from .pixels import IMAGENET, bounded, seen
+from .tiles import Tile
+
+_LONGEST = 1333 / 800  # of the shorter side: how long the longer side is at most
+
+
+@dataclass(frozen=True, eq=False)
+class GroundingDino:
+    """Grounding DINO's network and tokenizer, asked tile by tile.
+
+    Attributes:
+        network: a ``GroundingDinoForObjectDetection``.
+        tokenizer: its tokenizer.
+        threshold: least score of a find.
+        side: shorter side that a tile is resized to, pixels.
+        words: most words in one text.
+    """
+
+    network: Any
+    tokenizer: Any
+    threshold: float
+    side: int
+    words: int
+
+    def find(
+        self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
+    ) -> list[Find]:
+        """Return what each tile shows of ``words``; see ``finds.Finder``."""
+        asked = questions(words, self.tokenizer, self.words, self.network.config.max_text_len)
+        return [f for tile in tiles for question in asked for f in self._ask(image, tile, question)]
+
+    def _ask(self, image: UInt8[np.ndarray, "h w 3"], tile: Tile, question: Question) -> list[Find]:
+        import torch
+
+        size = bounded(*tile.size, self.side, round(self.side * _LONGEST))
+        device = self.network.device
+        ids = torch.tensor([question.ids], device=device)
+        with torch.inference_mode():
+            answer = self.network(
+                pixel_values=seen(tile.cut(image), *size, IMAGENET).to(device),
+                input_ids=ids,
+                token_type_ids=torch.zeros_like(ids),
+                attention_mask=torch.ones_like(ids),
+            )
+        scores, best = best_words(answer.logits[0], question)
+        middles = answer.pred_boxes[0].double().cpu().numpy()
+        shares = np.hstack(
+            [middles[:, :2] - middles[:, 2:] / 2, middles[:, :2] + middles[:, 2:] / 2]
+        )
+        boxes = tile.to_picture(shares)
+        kept = tile.told_by(boxes, scores, self.threshold)
+        return [
+            Find(question.words[best[k]], float(scores[k]), boxes[k]) for k in np.flatnonzero(kept)
+        ]

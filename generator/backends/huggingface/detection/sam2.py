@@ -1,0 +1,75 @@
+"""Masks by boxes: SAM 2 (N. Ravi et al., 2024)."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Bool, Float, UInt8
+
+from .detections import Find
+from .pixels import IMAGENET, seen
+from .tiles import Tile, closest
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+_BATCH = 32  # boxes masked at once
+_MARGIN = 0.25  # of a box's side: what has to be seen around it
+
+
+@dataclass(frozen=True, eq=False)
+class Sam2:
+    """SAM 2's network (a ``Sam2Model``); each box is masked in the smallest tile that holds it."""
+
+    network: Any
+
+    def mask(
+        self, image: UInt8[np.ndarray, "h w 3"], finds: Sequence[Find], tiles: Sequence[Tile]
+    ) -> list[Find]:
+        """Return the finds with masks; see ``finds.Masker``."""
+        chosen = [closest(tiles, find.box, _MARGIN) for find in finds]
+        made: dict[int, Find] = {}
+        for tile in dict.fromkeys(chosen):
+            held = [k for k, t in enumerate(chosen) if t == tile]
+            masks = self._masks(image, tile, np.stack([finds[k].box for k in held]))
+            for k, mask in zip(held, masks, strict=True):
+                made[k] = dataclasses.replace(finds[k], mask=tile.whole(mask))
+        return [made[k] for k in range(len(finds)) if made[k].mask.any()]
+
+    def _masks(
+        self, image: UInt8[np.ndarray, "h w 3"], tile: Tile, boxes: Float[np.ndarray, "n 4"]
+    ) -> list[Bool[np.ndarray, "th tw"]]:
+        """Return the masks of boxes in a tile, of its size; the tile is encoded once."""
+        import torch
+
+        side = int(self.network.config.prompt_encoder_config.image_size)
+        device = self.network.device
+        at = torch.as_tensor(tile.to_part(boxes) * side, dtype=torch.float32, device=device)
+        found: list[np.ndarray] = []
+        with torch.inference_mode():
+            pixels = seen(tile.cut(image), side, side, IMAGENET).to(device)
+            encoded = self.network.get_image_embeddings(pixels)
+            for part in at.split(_BATCH):
+                answer = self.network(
+                    image_embeddings=encoded, input_boxes=part[None], multimask_output=False
+                )
+                found += enlarged(answer.pred_masks[0, :, 0], tile.size, 0.0)
+        return found
+
+
+def enlarged(
+    logits: Float[Tensor, "n a b"], size: tuple[int, int], threshold: float
+) -> list[Bool[np.ndarray, "h w"]]:
+    """Return where maps, stretched to (width, height), are above a threshold."""
+    from torch.nn import functional
+
+    width, height = size
+    return [
+        (functional.interpolate(m[None, None].float(), (height, width), mode="bilinear")[0, 0]
+         > threshold).cpu().numpy()
+        for m in logits
+    ]  # fmt: skip

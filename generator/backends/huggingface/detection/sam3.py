@@ -1,0 +1,74 @@
+"""Masks by words, one model for both: SAM 3 (2025)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from jaxtyping import UInt8
+
+from .detections import Find
+from .phrases import plain
+from .pixels import HALVES, seen
+from .sam2 import enlarged
+from .tiles import Tile
+
+_TOKENS = 32  # of a phrase, the longest that SAM 3 was trained with
+
+
+@dataclass(frozen=True, eq=False)
+class Sam3:
+    """SAM 3's network and tokenizer, asked about one word of one tile at a time.
+
+    Attributes:
+        network: a ``Sam3Model``.
+        tokenizer: its tokenizer.
+        threshold: least score of a find.
+    """
+
+    network: Any
+    tokenizer: Any
+    threshold: float
+
+    def find(
+        self, image: UInt8[np.ndarray, "h w 3"], words: Sequence[str], tiles: Sequence[Tile]
+    ) -> list[Find]:
+        """Return what each tile shows of ``words``, with masks; see ``finds.Finder``."""
+        import torch
+
+        found: list[Find] = []
+        with torch.inference_mode():
+            for tile in tiles:
+                side = int(self.network.config.vision_config.backbone_config.image_size)
+                pixels = seen(tile.cut(image), side, side, HALVES).to(self.network.device)
+                encoded = self.network.get_vision_features(pixels)
+                for word in words:
+                    found += self._ask(encoded, tile, word)
+        return found
+
+    def mask(
+        self, image: UInt8[np.ndarray, "h w 3"], finds: Sequence[Find], tiles: Sequence[Tile]
+    ) -> list[Find]:
+        """Return the finds that have a mask: it came with the box."""
+        return [find for find in finds if find.mask.any()]
+
+    def _ask(self, encoded: Any, tile: Tile, word: str) -> list[Find]:
+        import torch
+
+        coded = self.tokenizer(plain(word))["input_ids"]
+        kept = coded if len(coded) <= _TOKENS else [*coded[: _TOKENS - 1], coded[-1]]
+        ids = torch.tensor([kept], device=self.network.device)
+        answer = self.network(
+            vision_embeds=encoded, input_ids=ids, attention_mask=torch.ones_like(ids)
+        )
+        there = answer.presence_logits[0].float().sigmoid()
+        scores = (answer.pred_logits[0].float().sigmoid() * there).cpu().numpy().astype(float)
+        boxes = tile.to_picture(answer.pred_boxes[0].double().cpu().numpy())
+        rows = np.flatnonzero(tile.told_by(boxes, scores, self.threshold))
+        masks = enlarged(answer.pred_masks[0][rows].sigmoid(), tile.size, 0.5)
+        return [
+            Find(word, float(scores[k]), boxes[k], tile.whole(mask))
+            for k, mask in zip(rows, masks, strict=True)
+        ]

@@ -1,0 +1,1 @@
+"""Pinned models: where they lie, downloading and loading them."""

@@ -1,0 +1,250 @@
+"""One attempt: a request sent, and its answer read, bounded in size and time."""
+
+from __future__ import annotations
+
+import time
+import zlib
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import httpx2
+
+from ...errors import UnusableError
+from ...io.reading import parse_json
+from .redaction import excerpt
+
+MOST_REDIRECTS = 3
+
+_AGAIN = frozenset({408, 425, 429, 500, 502, 503, 504, 520, 521, 522, 523, 524, 529})
+_LATE = frozenset({504, 524})  # a gateway waited in vain; behind it the call may be worked on
+_CHARGED = _LATE | {502, 520}  # the same of one whose answer broke off there
+_EXCERPT = 300  # characters of an answer that a message quotes
+_PIECE = 2**18  # bytes that are unpacked at once
+
+UNPACKED = "gzip, deflate"
+"""How an answer's body may be packed, as a request says it; it is packed once, or not at all."""
+
+Dial = Callable[[float, int], httpx2.BaseTransport]
+"""Gives the connections of one call, by when it must be over and what its answer may have."""
+
+
+@dataclass(frozen=True)
+class Reply:
+    """A whole answer; ``payload`` is its JSON, None where it has none."""
+
+    status: int
+    content_type: str
+    body: bytes
+    payload: Any = None
+    wait: str | None = None
+
+    @property
+    def good(self) -> bool:
+        """Whether its status is 2xx."""
+        return 200 <= self.status < 300
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """Why there is no answer: a sentence.
+
+    ``again``: another attempt may mend it. ``charged``: it may have been paid for. ``alive``: the
+    server works, or says when it will. ``late``: it was waited for in vain. ``wait``: what its
+    Retry-After says. ``unusable``: it answered, with nothing of use.
+    """
+
+    reason: str
+    again: bool
+    charged: bool = False
+    alive: bool = False
+    late: bool = False
+    wait: str | None = None
+    unusable: bool = False
+
+
+def exchange(
+    dial: Dial,
+    request: httpx2.Request,
+    timeout: float,
+    most_bytes: int,
+    secrets: tuple[str, ...] = (),
+) -> Reply | Trouble:
+    """Send a request once and read its answer; what is quoted of it holds none of ``secrets``.
+
+    All of it ends within ``timeout``: connecting, hints, headers, redirects, and the body. Nothing
+    is raised for what servers and networks do: errors of the library hold the request, and with it
+    the key.
+    """
+    until = time.monotonic() + timeout
+    paid = request.method not in ("GET", "HEAD")
+    try:
+        with dial(until, most_bytes) as wire:
+            reply = _read(wire, request, until, most_bytes)
+    except (httpx2.ConnectTimeout, httpx2.PoolTimeout):
+        connect = request.extensions["timeout"]["connect"]
+        return Trouble(f"It did not take the call within {connect:g} s.", again=True)
+    except (httpx2.TimeoutException, _TooSlow):
+        told = f"It did not answer within {timeout:g} s."
+        return Trouble(told, again=True, charged=paid, late=True)
+    except (httpx2.ConnectError, httpx2.ProxyError) as error:
+        again = "certificate" not in str(error).lower()
+        return Trouble(f"It cannot be reached ({error}).", again=again)
+    except (httpx2.TransportError, zlib.error) as error:
+        if isinstance(error, httpx2.UnsupportedProtocol | httpx2.LocalProtocolError):
+            return Trouble(f"The request cannot be sent ({error}).", again=False)
+        told = f"Its answer broke off ({str(error)[:_EXCERPT] or type(error).__name__})."
+        return Trouble(told, again=True, charged=paid)
+    if isinstance(reply, Trouble):
+        return reply
+    return _judged(reply, paid, secrets)
+
+
+class _TooSlow(Exception):
+    """The whole answer took too long, though each piece came in time."""
+
+
+def _read(
+    wire: httpx2.BaseTransport, request: httpx2.Request, until: float, most_bytes: int
+) -> Reply | Trouble:
+    for _ in range(MOST_REDIRECTS + 1):
+        response = wire.handle_request(request)
+        try:
+            if not response.has_redirect_location:
+                return _body(response, until, most_bytes)
+            target = _target(request.url, response.headers["location"])
+        finally:
+            response.close()
+        if isinstance(target, Trouble):
+            return target
+        if request.method not in ("GET", "HEAD") and response.status_code not in (307, 308):
+            return Trouble(
+                f"It sends a {request.method} on with status {response.status_code}, which would "
+                "lose the question. Check the address.",
+                again=False,
+            )
+        request = httpx2.Request(
+            request.method, target, headers=request.headers, content=request.content,
+            extensions=request.extensions,
+        )  # fmt: skip
+    return Trouble(f"It sent on more than {MOST_REDIRECTS} times.", again=False)
+
+
+def _target(url: httpx2.URL, location: str) -> httpx2.URL | Trouble:
+    """Return where a redirect leads, or why it is not followed."""
+    try:
+        target = url.join(location)
+        origin, where = _origin(target), f"{target.scheme}://{target.netloc.decode()}"
+        bare = not target.userinfo
+    except (httpx2.InvalidURL, ValueError):
+        return Trouble("It sends on to what is no address.", again=False)
+    if origin != _origin(url):
+        return Trouble(
+            f"It sends on to another server, {where[:_EXCERPT]}, which was not followed: the key "
+            "would go there. If that is right, name that address.",
+            again=False,
+        )
+    if not bare:
+        return Trouble("It sends on to an address with a user name in it.", again=False)
+    return target
+
+
+def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | Trouble:
+    """Read an answer piece by piece, so that no more is held than may be."""
+    packed = response.headers.get("content-encoding", "").strip().lower()
+    if packed not in ("", "identity", "gzip", "x-gzip", "deflate"):
+        told = f"Its answer is packed by {packed[:40]!r}, which was not asked for."
+        return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
+    pieces, size = [], 0
+    length = response.headers.get("content-length", "")
+    if not (length.isdecimal() and (len(length) > 18 or int(length) > most_bytes)):
+        for piece in _unpacked(response.iter_raw(_PIECE), packed):
+            size += len(piece)
+            pieces.append(piece)
+            if size > most_bytes:
+                break
+            if time.monotonic() > until:
+                raise _TooSlow
+        else:
+            kind = response.headers.get("content-type", "")
+            wait = response.headers.get("retry-after")
+            return Reply(response.status_code, kind, b"".join(pieces), wait=wait)
+    told = f"Its answer has more than the {most_bytes} bytes that are read."
+    return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
+
+
+def _unpacked(raw: Iterator[bytes], packed: str) -> Iterator[bytes]:
+    """Yield a body's pieces, none of more than ``_PIECE`` bytes, as they were before packing."""
+    if packed in ("", "identity"):
+        yield from raw
+        return
+    unpacker = None
+    for piece in raw:
+        if unpacker is None:  # "deflate" is sent with and without a header
+            bare = packed == "deflate" and piece[:1] and piece[0] & 15 != 8
+            unpacker = zlib.decompressobj(-zlib.MAX_WBITS if bare else zlib.MAX_WBITS | 32)
+        while piece and not unpacker.eof:
+            yield unpacker.decompress(piece, _PIECE)
+            piece = unpacker.unconsumed_tail
+    if unpacker is not None:
+        yield unpacker.flush()
+        if not unpacker.eof:
+            raise zlib.error("the packed body ends too early")
+
+
+def _judged(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Trouble:
+    """Return the answer with its JSON, or why it is none."""
+    status, again = reply.status, reply.status in _AGAIN
+    head = reply.body[:_EXCERPT].lstrip().lower()
+    if "text/html" in reply.content_type or head.startswith((b"<!doctype html", b"<html")):
+        told = (
+            f"It answered with an HTML page (status {status}), not with JSON or a file: "
+            f"{_excerpt(reply.body, secrets)}. Check the address; a proxy or a web "
+            "site may answer there."
+        )
+        trouble = _trouble(reply, status, paid, secrets)
+        alive = trouble.alive or not again
+        return replace(trouble, reason=told, alive=alive, unusable=not again)
+    payload = None
+    if "json" in reply.content_type and reply.body:
+        try:
+            payload = parse_json(reply.body, "It", UnusableError)
+        except UnusableError:
+            if reply.good:
+                told = f"Its answer is not whole JSON: {_excerpt(reply.body, secrets)}."
+                return Trouble(told, again=True, charged=paid)
+    passed_on = _code(payload) if reply.good else None
+    if passed_on in _AGAIN:
+        told = f"It passed on an error of code {passed_on}: {_excerpt(reply.body, secrets)}."
+        return replace(_trouble(reply, passed_on, paid, secrets), reason=told)
+    if again or status >= 500 or status < 200:
+        spent = status == 429 and b"insufficient_quota" in reply.body
+        trouble = _trouble(reply, status, paid, secrets)
+        return replace(trouble, again=again and not spent)
+    return Reply(status, reply.content_type, reply.body, payload)
+
+
+def _trouble(reply: Reply, status: int, paid: bool, secrets: tuple[str, ...]) -> Trouble:
+    """Return what an answer of a status that is none of use means."""
+    return Trouble(
+        f"It answered with status {status}: {_excerpt(reply.body, secrets)}.",
+        again=status in _AGAIN, charged=paid and status in _CHARGED, late=status in _LATE,
+        alive=status == 429 or (status == 503 and reply.wait is not None), wait=reply.wait,
+    )  # fmt: skip
+
+
+def _code(payload: Any) -> int | None:
+    """Return the status of the error that an answer tells of, as routers pass it on."""
+    error = payload.get("error") if isinstance(payload, dict) else None
+    code = str(error.get("code")) if isinstance(error, dict) else ""
+    return int(code) if code.isdecimal() and len(code) <= 3 else None
+
+
+def _excerpt(body: bytes, secrets: tuple[str, ...]) -> str:
+    """Return how an answer begins, in quotes."""
+    text = " ".join(excerpt(body, _EXCERPT, secrets).split())
+    return repr(text) if text else "nothing"
+
+
+def _origin(url: httpx2.URL) -> tuple[str, str, int | None]:
+    return url.scheme, url.host, url.port

@@ -1,0 +1,150 @@
+"""How long to wait before a call is sent again, and when not to send at all."""
+
+from __future__ import annotations
+
+import email.utils
+import random
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import UTC, datetime
+
+from ...errors import BackendError, require
+
+
+@dataclass(frozen=True)
+class Patience:
+    """How calls are tried again; all in seconds but ``factor`` and ``failures``.
+
+    The k-th wait is drawn evenly from half to all of ``first * factor**k``, at most ``longest``.
+    A server that says how long to wait (Retry-After) is obeyed up to ``obeyed``; one that asks for
+    more is not waited for. After ``failures`` in a row a server is left alone for ``rest``; then
+    one call tries it. Calls that fail beside each other count as one of them: see ``Line``.
+
+    Raises:
+        InputError: a number is out of range.
+    """
+
+    first: float = 1.0
+    factor: float = 2.0
+    longest: float = 30.0
+    obeyed: float = 120.0
+    failures: int = 8
+    rest: float = 30.0
+
+    def __post_init__(self) -> None:
+        require(self, "first", "longest", "obeyed", "rest", least=0)
+        require(self, "factor", least=1)
+        require(self, "failures", least=1, whole=True)
+
+    def pause(self, k: int, share: float) -> float:
+        """Return the wait after the k-th failure, k from 0; ``share`` in [0, 1] is the draw."""
+        whole = min(self.first * self.factor ** min(k, 64), self.longest)
+        return whole * (0.5 + 0.5 * share)
+
+    def drawn(self, k: int) -> float:
+        """Return the wait after the k-th failure, drawn anew each time."""
+        return self.pause(k, random.random())
+
+
+def retry_after(text: str | None, now: datetime | None = None) -> float | None:
+    """Return the seconds that a Retry-After header asks for: a number, or a date still to come.
+
+    None where there is no header, or none that can be read.
+    """
+    if text is None:
+        return None
+    try:
+        seconds = float(text)
+    except ValueError:
+        pass
+    else:
+        return seconds if 0 <= seconds < float("inf") else None
+    try:
+        date = email.utils.parsedate_to_datetime(text)
+        date = date if date.tzinfo else date.replace(tzinfo=UTC)
+        return max(0.0, (date - (now or datetime.now(UTC))).total_seconds())
+    except (ValueError, TypeError, IndexError, OverflowError):
+        return None
+
+
+@dataclass
+class Line:
+    """The failures in a row that one call stands at the end of: earlier calls' and its own.
+
+    Of calls at once each has a line of its own, so that one bad moment of a server, which befalls
+    all of them, counts once.
+    """
+
+    turn: int
+    length: int
+
+
+class Breaker:
+    """Keeps calls from a server that does not work: one for each server, shared by all threads."""
+
+    def __init__(
+        self, server: str, patience: Patience, clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        """``server`` is its name in messages; ``clock`` tells seconds."""
+        self._server = server
+        self._patience = patience
+        self._clock = clock
+        self._lock = threading.Lock()
+        self._failures = 0
+        self._turn = 0  # grows as a call is answered
+        self._reason = ""
+        self._closed_again = 0.0  # when the next call may try
+
+    def check(self, what: str) -> None:
+        """Let a call through, or not; ``what`` names it in the message.
+
+        Raises:
+            BackendError: the server failed too often in a row, and has not rested yet.
+        """
+        with self._lock:
+            if self._failures < self._patience.failures:
+                return
+            left = self._closed_again - self._clock()
+            if left > 0:
+                raise BackendError(
+                    f"{what}: not sent. {self._server} failed {self._failures} times in a row, "
+                    f"last: {self._reason} It is left alone for {left:.0f} s more. "
+                    "See whether it runs, then try again."
+                )
+            self._closed_again = self._clock() + self._patience.rest  # others wait for this one
+
+    def line(self) -> Line:
+        """Return the line of a call that begins now."""
+        with self._lock:
+            return Line(self._turn, self._failures)
+
+    def worked(self) -> None:
+        """Hear that a call was answered."""
+        with self._lock:
+            self._failures = 0
+            self._turn += 1
+
+    def failed(self, reason: str, line: Line) -> None:
+        """Hear that the call of a line was not; ``reason`` is a sentence for messages."""
+        with self._lock:
+            if line.turn != self._turn:
+                line.turn, line.length = self._turn, 0
+            line.length += 1
+            self._failures = max(self._failures, line.length)
+            self._reason = reason
+            self._closed_again = self._clock() + self._patience.rest
+
+
+class Breakers:
+    """The breakers of one session, made as servers are first called."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._made: dict[tuple[str, str], Breaker] = {}
+
+    def of(self, server: str, origin: str, patience: Patience) -> Breaker:
+        """Return the breaker of the server of that name at ``origin``."""
+        with self._lock:
+            return self._made.setdefault((server, origin), Breaker(server, patience))

@@ -1,0 +1,268 @@
+"""The ledger: what was asked, how long it took, and what it cost."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import json
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from ...errors import BudgetError, StorageError
+from ...io.files import write_whole
+from .budget import Spender
+from .entries import (
+    Entry,
+    Row,
+    rows_of,
+    table,
+)
+from .prices import Prices
+from .spending import Spending, new_call
+
+LEDGER = "ledger.json"
+"""The file that lies beside what a bundle lists."""
+
+_POLL = 0.1  # seconds between two looks at whether to stop
+
+
+class Account:
+    """The calls of one scene, entered by any thread.
+
+    With a ``spender`` a budget is that of all who spend from its purse, in any process.
+    """
+
+    def __init__(self, spender: Spender | None = None) -> None:
+        self._spender = spender
+        self._lock = threading.Lock()
+        self._ended = threading.Condition(self._lock)
+        self._entries: list[Entry] = []
+        self._notes: list[str] = []
+        self._reserved: list[float] = []
+        self._spending: Spending | None = None
+
+    def resume(self, spending: Spending, prices: Prices | None = None) -> None:
+        """Enter what earlier runs of this scene spent, and write there what this one does.
+
+        To be called before any call. What was spent earlier counts for a budget, too. Answers whose
+        price was not known are priced by ``prices``, if their models are there now; a budget cannot
+        be kept while there are others.
+
+        Raises:
+            StorageError: the file is there, and cannot be read.
+            InputError: what was spent was in another currency.
+        """
+        entries = [_priced(_earlier(told), prices) for told in spending.earlier()]
+        with self._lock:
+            self._spending = spending
+            self._entries[:0] = entries
+        if entries:
+            money = sum(entry.money or 0.0 for entry in entries)
+            unknown = sum(entry.money is None for entry in entries)
+            rest = f", and {unknown} of their calls have no known price" * bool(unknown)
+            self.note(f"Of this, {money:.4f} was spent by earlier runs of the same scene{rest}.")
+
+    def record(self, sent: Entry, key: str, *, must: bool = False) -> Callable[[Entry], None]:
+        """Write down a call that is about to be sent; returns what writes down how it ended.
+
+        Args:
+            sent: the call, as it counts if nobody says how it ended.
+            key: its question's.
+            must: whether it may only be sent where it is written down: with a budget.
+
+        Raises:
+            StorageError: with ``must``, the disk refuses. Else, and at its end, it is noted.
+        """
+        spending, call = self._spending, new_call()
+
+        def write(entry: Entry, must: bool = False) -> None:
+            if spending is None or sent.money == 0:
+                return
+            try:
+                spending.write(call, key, entry)
+            except StorageError as error:  # an answer must not be lost for it
+                if must:
+                    raise
+                self.note(str(error))
+
+        write(sent, must)
+        return write
+
+    def add(self, entry: Entry) -> None:
+        """Enter a call."""
+        with self._lock:
+            self._entries.append(entry)
+
+    def note(self, text: str) -> None:
+        """Keep a remark that the summary ends with; the same one is kept once."""
+        with self._lock:
+            if text not in self._notes:
+                self._notes.append(text)
+
+    @property
+    def entries(self) -> tuple[Entry, ...]:
+        """All calls, in the order they ended."""
+        with self._lock:
+            return tuple(self._entries)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """The remarks."""
+        with self._lock:
+            return tuple(self._notes)
+
+    @property
+    def money(self) -> float:
+        """What the calls cost whose price is known."""
+        return sum(entry.money or 0.0 for entry in self.entries)
+
+    @property
+    def unpriced(self) -> int:
+        """How many calls there are whose price is not known."""
+        return sum(entry.money is None for entry in self.entries)
+
+    @contextlib.contextmanager
+    def reserving(
+        self,
+        most: float | None,
+        budget: float | None,
+        what: str,
+        check: Callable[[], None] = lambda: None,
+    ) -> Iterator[Callable[[Entry], None]]:
+        """Set aside what a call may cost while it runs; yields what enters the call instead.
+
+        Where the budget would do but for calls under way, they are waited for: most cost less
+        than they might.
+
+        Args:
+            most: the most it can cost; None where that is not known.
+            budget: what all calls may cost; None for no limit.
+            what: names the call in the message.
+            check: called now and then while it waits; may raise.
+
+        Raises:
+            BudgetError: it might exceed the budget, or nobody knows.
+        """
+        if budget is not None and most is None:
+            raise BudgetError(
+                f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. "
+                'Add the model, or its server as "@host", to the price table, or give no budget.'
+            )
+        asked = most or 0.0
+        if budget is not None and asked and self._spender is None:  # a purse has its own sum
+            self._check_earlier(what, budget)
+        with self._ended:
+            while not self._taken(asked, budget, what):
+                check()
+                self._ended.wait(_POLL)
+        left = [asked]
+
+        def enter(entry: Entry | None) -> None:
+            with self._ended:
+                if left:
+                    self._settle(left.pop(), entry)
+                if entry is not None:
+                    self._entries.append(entry)
+                self._ended.notify_all()
+
+        try:
+            yield enter
+        finally:
+            enter(None)
+
+    def _check_earlier(self, what: str, budget: float) -> None:
+        """Refuse a call where nobody knows what earlier ones cost."""
+        unknown = [entry for entry in self.entries if entry.earlier and entry.money is None]
+        if unknown and self._spending is not None:
+            names = {entry.model or f"@{entry.at}" for entry in unknown if entry.model or entry.at}
+            models = [f'[models."{name}"]' for name in sorted(names)]
+            raise BudgetError(
+                f"{what}: not sent, for earlier runs of the same scene made {len(unknown)} calls "
+                f"whose price is not known, so the budget of {budget:g} cannot be kept. Add "
+                f"{', '.join(models) or 'their models'} to the price table, or remove "
+                f"{self._spending.path} for them to count as nothing. Calls that broke off can "
+                "only be removed."
+            )
+
+    def _taken(self, asked: float, budget: float | None, what: str) -> bool:
+        """Set aside what a call may cost, if it may be sent now; else others have to end first."""
+        if self._spender is not None:
+            return self._spender.hold(asked, budget, what)
+        spent = sum(entry.money or 0.0 for entry in self._entries)
+        if budget is None or not asked or spent + sum(self._reserved) + asked <= budget:
+            self._reserved.append(asked)
+            return True
+        if spent + asked > budget:
+            raise BudgetError(
+                f"{what}: not sent, for it may cost {asked:.4f}. Of the budget of {budget:g}, "
+                f"{spent:.4f} is spent. What was answered is kept; raise the budget to go on."
+            )
+        return False
+
+    def _settle(self, asked: float, entry: Entry | None) -> None:
+        """Give back what was set aside for a call, and spend what it cost.
+
+        One that nobody entered broke off: a purse, which others trust, counts it as answered.
+        """
+        if self._spender is None:
+            self._reserved.remove(asked)
+            return
+        try:
+            self._spender.settle(asked, asked if entry is None else entry.money)
+        except StorageError as error:  # what is set aside stays so; the answer must not be lost
+            if str(error) not in self._notes:
+                self._notes.append(str(error))
+
+    def summary(self) -> tuple[Row, ...]:
+        """Return a row for each question, server and model, in the order first asked."""
+        return rows_of(self.entries)
+
+    def text(self, currency: str = "USD") -> str:
+        """Return the summary as a table for people; "" if nothing was asked."""
+        told = table(self.entries, currency)
+        return "\n".join([told, *(f"note: {note}" for note in self.notes)]) if told else ""
+
+    def facts(self, prices: Prices) -> dict[str, Any]:
+        """Return the ledger as JSON values."""
+        return {
+            "currency": prices.currency,
+            "prices_of": prices.date,
+            "money": self.money,
+            "unpriced": self.unpriced,
+            "summary": [dataclasses.asdict(row) for row in self.summary()],
+            "calls": [dataclasses.asdict(entry) for entry in self.entries],
+            "notes": list(self.notes),
+        }
+
+    def save(self, folder: str | Path, prices: Prices) -> Path:
+        """Write ``ledger.json`` into ``folder``, whole or not at all; return its path.
+
+        A bundle's folder may hold it: what the bundle lists does not change.
+
+        Raises:
+            StorageError: it cannot be written.
+        """
+        path = Path(folder) / LEDGER
+        text = json.dumps(self.facts(prices), indent=2)
+        write_whole(path, text, "The ledger", "Choose another folder.")
+        return path
+
+
+def _earlier(told: Mapping[str, Any]) -> Entry:
+    """Return a call of an earlier run as ``Spending`` keeps it."""
+    known = {f.name for f in dataclasses.fields(Entry)}
+    entry = Entry(**{name: value for name, value in told.items() if name in known})
+    return dataclasses.replace(entry, earlier=True)
+
+
+def _priced(entry: Entry, prices: Prices | None) -> Entry:
+    """Return an answer of unknown price with that of its model, if that is known by now."""
+    if entry.money is not None or entry.outcome != "answered" or prices is None:
+        return entry
+    price = prices.price(entry.model, entry.at)
+    if price is None or not price.told(entry.tokens_in, entry.tokens_out):
+        return entry
+    money = price.of(entry.tokens_in, entry.tokens_out, entry.images)
+    return dataclasses.replace(entry, money=money)

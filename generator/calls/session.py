@@ -1,0 +1,276 @@
+"""What the calls of one generation share."""
+
+from __future__ import annotations
+
+import functools
+import logging
+import ssl
+import threading
+import time
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, TypeVar
+
+from ..errors import (
+    BackendError,
+    DryRunError,
+    StoppedError,
+    require,
+)
+from .http.address import checked_address
+from .http.flight import Flight, Haste
+from .http.waiting import Breakers, Patience
+from .money.account import Account
+from .money.prices import Prices
+from .money.spending import Spending
+from .store import CallStore
+
+if TYPE_CHECKING:
+    import httpx2
+
+    from .transport import Sign
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+EXTRA = "pip install 'tabletopgen[cloud]'"
+_SLICE = 0.05  # seconds between two looks at whether to stop
+
+
+@dataclass(frozen=True, eq=False)
+class Session:
+    """Keeps, counts, bounds and repeats the calls of one generation; safe for threads.
+
+    ``store``: where answers are kept; None keeps nothing.
+    ``account``: the ledger they are entered in; ``resume`` has it know of earlier runs.
+    ``prices``: what they cost.
+    ``budget``: what they may cost together, in the currency of ``prices``; a call that might exceed
+    it is not sent; what that may be is estimated on the high side. None for no limit.
+    ``workers``: how many things are asked for at once.
+    ``attempts``: how often a call is sent at most.
+    ``dry``: nothing is sent: the first call that the store cannot answer raises DryRunError.
+    ``stop``: once set, calls that wait or are still to be sent raise StoppedError. So do those
+    under way that do not end within ``grace``.
+    ``patience``: how long to wait between attempts.
+    ``grace``: seconds that a call under way has after ``stop``, or Ctrl-C, to be answered, so that
+    the answer is kept. A second Ctrl-C ends it at once.
+
+    Raises:
+        InputError: a number is out of range.
+    """
+
+    store: CallStore | None = None
+    account: Account = field(default_factory=Account)
+    prices: Prices = field(default_factory=Prices.shipped)
+    budget: float | None = None
+    workers: int = 8
+    attempts: int = 5
+    dry: bool = False
+    stop: threading.Event = field(default_factory=threading.Event, repr=False)
+    patience: Patience = field(default_factory=Patience)
+    grace: float = 5.0
+    breakers: Breakers = field(default_factory=Breakers, init=False, repr=False)
+    _scope: threading.local = field(default_factory=threading.local, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        require(self, "workers", "attempts", least=1, whole=True)
+        if self.budget is not None:
+            require(self, "budget", least=0)
+        require(self, "grace", least=0)
+
+    def client(
+        self,
+        server: str,
+        base_url: str,
+        *,
+        timeout: float = 120.0,
+        most_bytes: int = 64 * 2**20,
+        secrets: tuple[str, ...] = (),
+        headers: tuple[str, ...] = (),
+        sign: Sign | None = None,
+    ) -> httpx2.Client:
+        """Return an HTTP client whose calls this session keeps, counts, bounds and repeats.
+
+        It speaks to the origin of ``base_url`` alone. A request says what it is for by headers that
+        are not sent: ``x-tabletopgen-question`` (a protocol's method), ``x-tabletopgen-model``, and
+        ``x-tabletopgen-memo``: "no" for an answer that changes (the state of a job), "renew" where
+        the kept answer is of no use any more. ``x-tabletopgen-meant`` stands for the body where
+        requests that differ ask the same, or that are alike do not: what is kept, is kept by it.
+        ``x-tabletopgen-free``: "yes" for what costs nothing (a look at a job), whatever the price
+        table has.
+        Other headers than those of HTTP itself are not sent either, whatever a library that makes
+        the request finds in the environment. Answers of status 2xx, and 4xx that no wait would
+        mend, are returned, with the key that they are kept under (``used.KEY``); everything else
+        raises BackendError.
+
+        Args:
+            server: names the server in messages and in the ledger.
+            base_url: http or https, as far as all paths have it in common.
+            timeout: seconds that one attempt may take.
+            most_bytes: what an answer may have at most.
+            secrets: what no message may hold. Keys go into headers, never into a URL, and where
+                some are given no others are sent.
+            headers: more that may be sent, in lower case.
+            sign: gives the headers that sign a request, for each attempt anew.
+
+        Raises:
+            BackendError: the extra is not installed, or the URL is none, or holds a password.
+            UnusableError: by a call, of an answer that is a web page or too large.
+        """
+        try:
+            import httpx2
+
+            from .transport import PaidTransport
+        except ImportError as error:
+            raise BackendError(
+                f"{server} is asked over HTTP, and {error.name} is not installed. Run: {EXTRA}"
+            ) from error
+        checked_address(base_url, f"{server}: its address")
+        transport = PaidTransport(
+            self, server, base_url, timeout, most_bytes, secrets, headers, sign
+        )
+        return httpx2.Client(
+            base_url=base_url, transport=transport, timeout=timeout, trust_env=False
+        )
+
+    def resume(self, scene: str) -> Spending | None:
+        """Know what earlier runs of a scene spent, and write this one's calls down with theirs.
+
+        To be called before any call.
+
+        Args:
+            scene: names it, file-safe.
+
+        Returns:
+            Where that is: beside the answers; None if none are kept.
+
+        Raises:
+            StorageError: what was spent cannot be read.
+            InputError: it was in another currency than that of ``prices``.
+        """
+        if self.store is None:
+            return None
+        spending = Spending.beside(self.store.folder, scene, self.prices.currency)
+        self.account.resume(spending, self.prices)
+        return spending
+
+    @functools.cached_property
+    def trust(self) -> ssl.SSLContext:
+        """The certificates that servers are held against: reading them takes long, so once."""
+        import httpx2
+
+        return httpx2.create_ssl_context()
+
+    def each(self, work: Callable[[T], R], items: Sequence[T]) -> list[R]:
+        """Return ``work`` of every item, in their order, ``workers`` at a time.
+
+        The first error stops what waits or has not begun, and is raised when the rest has ended;
+        what was answered by then is in the store. Ctrl-C leaves the rest ``grace``, a second one
+        nothing. In a dry run all items are tried, and one error names all calls.
+        """
+        if min(self.workers, len(items)) <= 1 and not self.dry:
+            return [work(item) for item in items]
+        halted, haste = threading.Event(), Haste()
+        scope = (*self._halts(), halted), (*self._hastes(), haste)
+
+        def one(item: T) -> R:
+            self._scope.halts, self._scope.hastes = scope
+            try:
+                self.check()
+                return work(item)
+            finally:
+                self._scope.halts, self._scope.hastes = (), ()
+
+        with ThreadPoolExecutor(min(self.workers, len(items)) or 1) as pool:
+            futures = [pool.submit(one, item) for item in items]
+            try:
+                if not self.dry:
+                    wait(futures, return_when=FIRST_EXCEPTION)
+                    if any(f.done() and f.exception() for f in futures):
+                        halted.set()
+                wait(futures)
+            except BaseException:  # an interrupt, or the end of what this is part of
+                halted.set()
+                self._hurried(futures, haste)
+                raise
+        return _results(futures)
+
+    def _hurried(self, futures: Sequence[Future[R]], haste: Haste) -> None:
+        """Wait for work under way for ``grace``; no longer after a second interrupt."""
+        haste.ask(self._allowed())
+        try:
+            wait(futures)
+        finally:
+            haste.ask(time.monotonic())
+
+    def landing(self, flight: Flight[T]) -> BaseException | None:
+        """Wait for a call under way; return the interrupt that came meanwhile, to raise it later.
+
+        Raises:
+            StoppedError: there is reason to stop, and it did not end within ``grace``.
+            KeyboardInterrupt: the same for the main thread, or the second one.
+        """
+        own, stopping = Haste(), False
+        interrupt: BaseException | None = None
+        while True:
+            try:
+                if flight.landed(_SLICE):
+                    return interrupt
+            except KeyboardInterrupt as error:
+                if interrupt is not None:
+                    raise
+                interrupt = error
+                own.ask(self._allowed())
+            if self.stop.is_set() and not stopping:
+                stopping = True
+                own.ask(time.monotonic() + self.grace)
+            if any(h.until is not None and time.monotonic() >= h.until
+                   for h in (own, *self._hastes())):  # fmt: skip
+                raise interrupt or StoppedError(
+                    "Stopped; a call under way had no answer yet. What was answered is kept."
+                )
+
+    def _allowed(self) -> float:
+        """Tell an interrupted user what is waited for; return until when."""
+        logging.getLogger(__name__).warning(
+            "Interrupted: calls under way have %g s to be answered, so that what is paid for is "
+            "kept. Interrupt again to end at once.", self.grace,
+        )  # fmt: skip
+        return time.monotonic() + self.grace
+
+    def check(self) -> None:
+        """Raise StoppedError if this session, or the work that this thread is part of, is over."""
+        if self.stop.is_set():
+            raise StoppedError("Stopped before all calls were made; what was answered is kept.")
+        if any(halt.is_set() for halt in self._halts()):
+            raise StoppedError("Given up, for a call beside this one failed.")
+
+    def pause(self, seconds: float) -> None:
+        """Wait, unless there is a reason to stop: see ``check``."""
+        left = seconds
+        while left > 0:
+            self.check()
+            self.stop.wait(min(left, _SLICE))
+            left -= _SLICE
+        self.check()
+
+    def _halts(self) -> tuple[threading.Event, ...]:
+        return getattr(self._scope, "halts", ())
+
+    def _hastes(self) -> tuple[Haste, ...]:
+        return getattr(self._scope, "hastes", ())
+
+
+def _results(futures: Sequence[Future[R]]) -> list[R]:
+    """Return the results, or raise the first item's error that is more than "stopped"."""
+    errors = [error for f in futures if (error := f.exception()) is not None]
+    dry = [str(error) for error in errors if isinstance(error, DryRunError)]
+    if len(dry) > 1 and len(dry) == len(errors):
+        raise DryRunError("\n".join(dict.fromkeys(dry)))
+    for error in errors:
+        if not isinstance(error, StoppedError):
+            raise error
+    if errors:
+        raise errors[0]
+    return [f.result() for f in futures]

@@ -1,0 +1,263 @@
+"""Answers that were paid for, kept on disk by the content of their question.
+
+An answer is published or absent: it is written beside and renamed, and carries a checksum of all it
+holds, its key included. Of a question nothing but its key is kept; of an answer status, content
+type and body.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import os
+import re
+import stat
+import tempfile
+import threading
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from filelock import FileLock, Timeout
+
+from ..errors import StorageError, require_number
+from ..io.files import make_private, remove_file
+from ..io.reading import parse_object, read_regular
+
+MOST_BYTES = 4 * 2**30
+"""Size of a store unless its owner says otherwise."""
+
+MOST_ANSWER_BYTES = 257 * 2**20
+"""Size of one kept answer: more than the largest that a server is read for."""
+
+_MAGIC = b"tabletopgen call 1"
+_KEY = re.compile(r"[0-9a-f]{64}")
+_PARTIAL = ".partial-"
+_STALE = 3600.0  # seconds: an older unfinished file was left by a process that is gone
+_MOST_HEAD = 2**16  # bytes of what is said of an answer
+_SHARE = 32  # of its size is what a store is filled by between two looks at it
+_POLL = 0.05  # seconds between two looks at a lock
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a server answered: all that is kept of it."""
+
+    status: int
+    content_type: str
+    body: bytes
+
+
+class CallStore:
+    """A folder of answers that several threads and processes may use at once."""
+
+    def __init__(self, folder: str | Path, most_bytes: int = MOST_BYTES) -> None:
+        """Use ``folder``, which is made, for its owner alone, when the first answer is kept.
+
+        Args:
+            folder: where the answers are.
+            most_bytes: what they may take up; those not asked for the longest go first. Where
+                several write, each may be off by a 32nd of it.
+
+        Raises:
+            InputError: ``most_bytes`` is no positive whole number.
+        """
+        require_number("CallStore needs most_bytes", most_bytes, least=1, whole=True)
+        self.folder = Path(folder)
+        self.most_bytes = most_bytes
+        self._most_answer = min(most_bytes, MOST_ANSWER_BYTES)
+        self._broken = False
+        self._lock_room = threading.Lock()
+        self._room = 0  # bytes that may be written before the folder is looked at again
+
+    def get(self, key: str) -> Answer | None:
+        """Return the answer to a question, or None. A damaged one is dropped."""
+        path = self._path(key)
+        if not os.path.lexists(path):
+            return None
+        answer = None
+        with contextlib.suppress(StorageError):
+            if not path.is_symlink():
+                raw = read_regular(path, "An answer", StorageError, max_bytes=self._most_answer)
+                answer = _decoded(key, raw)
+        with contextlib.suppress(OSError):
+            if answer is None:
+                remove_file(path.parent, key)
+            else:
+                os.utime(path, follow_symlinks=False)  # the order in which answers go
+        return answer
+
+    def put(self, key: str, answer: Answer) -> None:
+        """Keep an answer; whoever reads sees it whole or not at all.
+
+        Call it while ``holding`` the question, where others may do so.
+
+        Raises:
+            StorageError: it is larger than the store, or than any answer. Or the disk refuses: that
+                is said once, and from then on nothing is kept.
+        """
+        if self._broken:
+            return
+        path, raw = self._path(key), _encoded(key, answer)
+        if len(raw) > self._most_answer:
+            raise StorageError(
+                f"An answer of {len(raw)} bytes does not fit the call store {self.folder}, "
+                f"which holds {self.most_bytes}, and {MOST_ANSWER_BYTES} an answer. Raise its "
+                "most_bytes, or ask for less."
+            )
+        try:
+            self._write(path, raw)
+            self._make_room(path, len(raw))
+        except OSError as error:
+            self._broken = True
+            raise StorageError(
+                f"The call store {self.folder} cannot be written ({error.strerror or error}): "
+                "answers of this run are used, but not kept. Free space or name another folder."
+            ) from error
+
+    def forget(self, key: str) -> None:
+        """Drop an answer, if there is one."""
+        with contextlib.suppress(OSError):
+            remove_file(self._path(key).parent, key)
+
+    @contextlib.contextmanager
+    def holding(self, key: str, check: Callable[[], None] = lambda: None) -> Iterator[None]:
+        """Hold a question, so that nobody else, in any process, asks it meanwhile.
+
+        The system lets go of it when the process dies; what that left half written is removed.
+        ``check`` is called now and then while another holds it, and may raise. Where no lock can be
+        had, nothing is held.
+        """
+        with contextlib.ExitStack() as held:
+            lock = self._lock(key)
+            while lock is not None:
+                try:
+                    held.enter_context(lock.acquire(timeout=_POLL, poll_interval=_POLL / 2))
+                    self._clear(key)
+                    break
+                except Timeout:
+                    check()
+                except OSError:
+                    break
+            yield
+
+    def __len__(self) -> int:
+        """Return how many answers are kept."""
+        return len(self._kept())
+
+    def size(self) -> int:
+        """Return how many bytes the answers take up."""
+        return sum(entry.bytes for entry in self._kept())
+
+    def _path(self, key: str) -> Path:
+        if not _KEY.fullmatch(key):
+            raise StorageError(f"A key is a sha256 in 64 hexadecimal digits, got {key!r}.")
+        return self.folder / "answers" / key[:2] / key
+
+    def _lock(self, key: str) -> FileLock | None:
+        """Return the lock of a key; a few keys of 4096 share one."""
+        path = self.folder / "locks" / f"{key[:3]}.lock"
+        try:
+            make_private(path.parent)
+        except OSError:
+            return None
+        return FileLock(path, mode=0o600)
+
+    def _write(self, path: Path, raw: bytes) -> None:
+        make_private(path.parent)
+        number, name = tempfile.mkstemp(prefix=f"{_PARTIAL}{path.name}-", dir=path.parent)
+        try:
+            with os.fdopen(number, "wb") as file:
+                file.write(raw)
+                file.flush()
+                os.fsync(file.fileno())
+            Path(name).replace(path)
+        except BaseException:
+            Path(name).unlink(missing_ok=True)
+            raise
+
+    def _clear(self, key: str) -> None:
+        """Remove unfinished files of a question that is held: their writers are gone."""
+        path = self._path(key)
+        for left in path.parent.glob(f"{_PARTIAL}{path.name}-*"):
+            remove_file(left.parent, left.name)
+
+    def _make_room(self, newest: Path, size: int) -> None:
+        """See to it that all answers fit, now that one of ``size`` bytes is there, too.
+
+        The folder is looked at only after so many bytes that it may be full.
+        """
+        with self._lock_room:
+            self._room -= size
+            if self._room < 0:
+                kept, spare = self._evict(newest), self.most_bytes // _SHARE
+                self._room = min(self.most_bytes - kept, spare)
+
+    def _evict(self, newest: Path) -> int:
+        """Drop what was not asked for the longest if it is too much; return the size of the rest.
+
+        ``newest`` stays. More goes than has to, so that the next answers find room.
+        """
+        kept = sorted(self._kept(), key=lambda entry: entry.used)
+        size = sum(entry.bytes for entry in kept)
+        wanted = size if size <= self.most_bytes else self.most_bytes - self.most_bytes // _SHARE
+        for entry in kept:
+            if size <= wanted:
+                break
+            if entry.path != newest:
+                remove_file(entry.path.parent, entry.path.name)
+                size -= entry.bytes
+        return size
+
+    def _kept(self) -> list[_Kept]:
+        """Return the answers that are there; what dead writers left half done is removed.
+
+        What has no answer's name, or is a link or in a linked folder, is somebody else's.
+        """
+        kept = []
+        for path in (self.folder / "answers").glob("[0-9a-f][0-9a-f]/*"):
+            with contextlib.suppress(OSError):  # another process dropped it
+                status = path.lstat()
+                if not stat.S_ISREG(status.st_mode) or path.parent.is_symlink():
+                    continue
+                if _KEY.fullmatch(path.name):
+                    kept.append(_Kept(path, status.st_size, status.st_mtime))
+                elif path.name.startswith(_PARTIAL) and time.time() - status.st_mtime > _STALE:
+                    remove_file(path.parent, path.name)
+        return kept
+
+
+@dataclass(frozen=True)
+class _Kept:
+    path: Path
+    bytes: int
+    used: float
+
+
+def _encoded(key: str, answer: Answer) -> bytes:
+    facts = json.dumps({"status": answer.status, "content_type": answer.content_type})
+    content = facts.encode() + b"\n" + answer.body
+    return b"%s %s\n%s" % (_MAGIC, _checksum(key, content), content)
+
+
+def _decoded(key: str, raw: bytes) -> Answer | None:
+    """Return the answer that ``raw`` holds, or None if it is not whole or another key's.
+
+    Raises:
+        StorageError: it was not written by a store.
+    """
+    first, _, content = raw.partition(b"\n")
+    if first != b"%s %s" % (_MAGIC, _checksum(key, content)):
+        return None
+    head, _, body = content.partition(b"\n")
+    facts = parse_object(head, "An answer's head", StorageError, max_bytes=_MOST_HEAD)
+    status, kind = facts.get("status"), facts.get("content_type")
+    if not isinstance(status, int) or isinstance(status, bool) or not 100 <= status <= 599:
+        return None
+    return Answer(status, kind, body) if isinstance(kind, str) and kind.isprintable() else None
+
+
+def _checksum(key: str, content: bytes) -> bytes:
+    return hashlib.sha256(key.encode() + b"\n" + content).hexdigest().encode()

@@ -1,0 +1,1 @@
+"""How things are made: solids, outlines, shapes, styles, collision parts, materials."""

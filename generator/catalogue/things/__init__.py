@@ -1,0 +1,1 @@
+"""The things, a folder for each part of a home."""

@@ -1,0 +1,1 @@
+"""Decoration and household."""

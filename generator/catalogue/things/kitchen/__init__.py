@@ -1,0 +1,1 @@
+"""Things to cook and to eat with."""

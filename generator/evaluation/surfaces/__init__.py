@@ -1,0 +1,1 @@
+"""Geometry of finished scenes: collisions, silhouettes, symmetry."""

@@ -1,0 +1,226 @@
+"""Col_O and Col_S (Sec. 4.1): which drawn meshes overlap, and by how much.
+
+The meshes that are drawn are measured, not the convex parts the simulation uses. The *depth* of an
+overlap is the larger of two lengths: the farthest that a point of either surface lies inside the
+other body (its distance to that body's surface), and the diameter of a ball that fits into both
+(found at points within walls; it tells things that coincide, whose surfaces lie on each other).
+Two boxes pushed 3 mm into each other are 3 mm deep; so is a spoon's tip 3 mm inside a mug's wall.
+A spoon that stands in the hollow of a mug lies in no body and is no collision. Two sheets that are
+both thinner than the threshold can cross unseen: nothing of either is that deep in the other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ...errors import InputError
+from ...scene import TABLE, Object, Scene
+from .shells import Shell, shells
+from .triangles import bisected, nearest_on_triangles
+
+THRESHOLD = 5e-4
+"""Overlaps up to this depth, metres, are contact."""
+
+_TOLERANCE, _SHARE = 2e-5, 0.02  # depths are found to within this length and this share
+_MOST = 30_000  # pieces of triangles looked at in one round
+_CORES, _LENGTHS = 48, (5e-4, 1e-3, 2e-3, 4e-3, 8e-3, 1.6e-2)
+
+Body = tuple[Shell, ...]
+_UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
+
+
+@dataclass(frozen=True)
+class Overlap:
+    """Two things that overlap: names, and the depth in metres."""
+
+    a: str
+    b: str
+    depth: float
+
+
+@dataclass(frozen=True)
+class Collisions:
+    """The overlaps of one scene.
+
+    ``pairs`` is the number of pairs of objects, the table not counted; ``overlaps`` are those of
+    objects with each other, ``sunk`` those of objects with the table.
+    """
+
+    pairs: int
+    overlaps: tuple[Overlap, ...]
+    sunk: tuple[Overlap, ...]
+    threshold: float = THRESHOLD
+
+    @property
+    def col_o(self) -> float:
+        """Share of the pairs of objects that collide; 0 where there is no pair."""
+        return len(self.overlaps) / self.pairs if self.pairs else 0.0
+
+    @property
+    def col_s(self) -> bool:
+        """Whether the scene holds a collision, with the table included."""
+        return bool(self.overlaps or self.sunk)
+
+    def facts(self) -> dict[str, Any]:
+        """Return the figures as JSON values, depths in millimetres."""
+        return {
+            "pairs": self.pairs,
+            "col_o": round(self.col_o, 6),
+            "col_s": self.col_s,
+            "threshold_mm": round(1e3 * self.threshold, 4),
+            "overlaps": [_fact(o) for o in self.overlaps],
+            "sunk_into_table": [_fact(o) for o in self.sunk],
+        }
+
+
+@dataclass(frozen=True)
+class Rates:
+    """Col_O and Col_S of a set of scenes, as shares in [0, 1].
+
+    ``col_o`` is taken over all pairs of all scenes. ``col_s_objects`` leaves the table out.
+    """
+
+    scenes: int
+    pairs: int
+    col_o: float
+    col_s: float
+    col_s_objects: float
+
+
+def collisions(scene: Scene, threshold: float = THRESHOLD) -> Collisions:
+    """Find the overlaps of a scene at its settled poses that are deeper than ``threshold`` metres.
+
+    Raises:
+        InputError: the threshold is no positive length.
+    """
+    if not (np.isfinite(threshold) and threshold > 0):
+        raise InputError(f"The threshold of collisions is a positive length, got {threshold!r} m.")
+    names = [o.name for o in scene.objects]
+    bodies = [body(o) for o in scene.objects]
+    table = table_body(scene)
+    overlaps, sunk = [], []
+    for k, (name, own) in enumerate(zip(names, bodies, strict=True)):
+        depth = overlap_depth(own, table, threshold)
+        if depth > threshold:
+            sunk.append(Overlap(name, TABLE, depth))
+        for other in range(k):
+            depth = overlap_depth(bodies[other], own, threshold)
+            if depth > threshold:
+                overlaps.append(Overlap(names[other], name, depth))
+    count = len(names)
+    return Collisions(count * (count - 1) // 2, tuple(overlaps), tuple(sunk), threshold)
+
+
+def rates(found: Iterable[Collisions]) -> Rates:
+    """Return the collision rates of several scenes (the two columns of Table 1).
+
+    Raises:
+        InputError: there is no scene.
+    """
+    every = list(found)
+    if not every:
+        raise InputError("Collision rates need at least one scene.")
+    pairs = sum(c.pairs for c in every)
+    hits = sum(len(c.overlaps) for c in every)
+    return Rates(
+        len(every),
+        pairs,
+        hits / pairs if pairs else 0.0,
+        sum(c.col_s for c in every) / len(every),
+        sum(bool(c.overlaps) for c in every) / len(every),
+    )
+
+
+def body(thing: Object) -> Body:
+    """Return the drawn surface of an object at its settled pose, in the world."""
+    return shells(thing.model.mesh, thing.scale, thing.pose.position, thing.pose.quaternion)
+
+
+def table_body(scene: Scene) -> Body:
+    """Return the drawn surface of the table, in the world."""
+    table = scene.table
+    return shells(table.model.mesh, table.scale, np.array([0, 0, table.height / 2]), _UPRIGHT)
+
+
+def overlap_depth(a: Body, b: Body, least: float = THRESHOLD) -> float:
+    """Return the depth of the overlap of two bodies, metres; 0 if none is deeper than ``least``."""
+    deepest = 0.0
+    for one in a:
+        for other in b:
+            if _boxes_overlap(one, other) <= least:
+                continue
+            deepest = max(deepest, _core_depth(one, other), _core_depth(other, one))
+            deepest = _surface_depth(one, other, least, deepest)
+            deepest = _surface_depth(other, one, least, deepest)
+    return deepest if deepest > least else 0.0
+
+
+def _boxes_overlap(a: Shell, b: Shell) -> float:
+    """Return the least distance by which the two boxes must part, which bounds every depth."""
+    (low_a, high_a), (low_b, high_b) = a.bounds, b.bounds
+    return float(min((high_a - low_b).min(), (high_b - low_a).min()))
+
+
+def _surface_depth(surface: Shell, inside: Shell, least: float, best: float) -> float:
+    """Return the larger of ``best`` and the deepest that ``surface`` lies in ``inside``.
+
+    Branch and bound over pieces of triangles. No point of a piece lies deeper than its middle by
+    more than its radius; nor deeper than the farthest of its corners lies from any one triangle of
+    the other surface, that distance being convex.
+    """
+    low, high = inside.bounds
+    pieces = surface.corners
+    meets = (pieces.max(1) > low + least) & (pieces.min(1) < high - least)
+    pieces = pieces[meets.all(1)]
+    if len(pieces):
+        best = max(best, float(inside.depths(pieces.reshape(-1, 3))[0].max()))
+    while len(pieces):
+        middle = pieces.mean(1)
+        radius = np.linalg.norm(pieces - middle[:, None], axis=2).max(1)
+        depth, face = inside.depths(middle)
+        best = max(best, float(depth.max()))
+        bound = depth + radius
+        goal = max(best * (1 + _SHARE), least) + _TOLERANCE
+        open_ = np.flatnonzero((bound > goal) & (face >= 0))
+        far = [
+            np.linalg.norm(pieces[open_, k] - place, axis=1)
+            for k in range(3)
+            for place in [nearest_on_triangles(pieces[open_, k], inside.corners[face[open_]])[0]]
+        ]
+        bound[open_] = np.minimum(bound[open_], np.max(far, axis=0, initial=0.0))
+        kept = np.flatnonzero(bound > goal)
+        kept = kept[np.argsort(-bound[kept], kind="stable")[:_MOST]]
+        pieces = bisected(pieces[kept])
+    return best
+
+
+def _core_depth(a: Shell, b: Shell) -> float:
+    """Return the diameter of the largest ball, of those about a few points in ``a``, in both."""
+    if not (a.closed and b.closed):
+        return 0.0
+    picked = np.linspace(0, len(a.corners) - 1, min(_CORES, len(a.corners))).astype(int)
+    middle, inward = a.corners[picked].mean(1), -a.normals[picked, 0]
+    points = np.concatenate([middle + length * inward for length in _LENGTHS])
+    low, high = b.bounds
+    points = points[((points > low) & (points < high)).all(1)]
+    if not len(points):
+        return 0.0
+    there = b.depths(points)[0]
+    points, there = points[there > 0], there[there > 0]
+    if not len(points):
+        return 0.0
+    return 2 * float(np.minimum(a.depths(points)[0], there).max(initial=0.0))
+
+
+def _fact(overlap: Overlap) -> dict[str, Any]:
+    return {"a": overlap.a, "b": overlap.b, "depth_mm": round(1e3 * overlap.depth, 3)}
+
+
+def colliding(found: Collisions) -> Sequence[str]:
+    """Return the names of the objects that take part in an overlap, each once, sorted."""
+    pairs = [{o.a, o.b} for o in (*found.overlaps, *found.sunk)]
+    return sorted(set().union(*pairs) - {TABLE})

@@ -1,0 +1,135 @@
+"""What a picture tells about an object's turn and size: would another fit its mask better?
+
+Each object is drawn alone from the picture's camera, as it stands and otherwise turned or scaled.
+Pixels that show another object in the picture are left out, so that what is hidden counts neither
+way. Each silhouette may shift onto the mask, for a thing in a wrong place is not a turned one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from jaxtyping import Bool, Float
+
+from ...comparison import Comparison
+from ...geometry import Camera, quaternion_matrix, rotation_z
+from ...render.scanlines import rasterise
+from ...scene import TABLE, Object
+from .symmetry import order, yaw_error
+
+TURNS = tuple(np.deg2rad(range(15, 360, 15)).tolist())
+"""Turns tried, radians."""
+
+FACTORS = (0.4, 0.5, 0.6, 0.7, 0.8, 1.25, 1.4, 1.65, 2.0, 2.5)
+"""Scales tried."""
+
+_SIDE = 480  # longest side of the pictures masks are compared in
+_LEAST_PIXELS, _LEAST_SHOWN = 60, 0.5
+_SAME = 20.0  # degrees: turns nearer than this to a symmetry are not told apart
+
+
+@dataclass(frozen=True)
+class Fit:
+    """How an object's silhouette fits its mask: as it stands, best turned, best scaled.
+
+    ``turn`` (radians, counter-clockwise) and ``factor`` are what fits best of what was tried.
+    """
+
+    name: str
+    iou: float
+    turn: float
+    turned_iou: float
+    factor: float
+    scaled_iou: float
+
+
+def fits(compared: Comparison) -> tuple[Fit, ...]:
+    """Return the fit of each object that the picture shows well enough to tell.
+
+    Left out are objects without a mask, with one of a few pixels, and such as hide half behind
+    others.
+    """
+    height, width = compared.segments.index.shape
+    factor = min(1.0, _SIDE / max(height, width))
+    rows = (np.arange(round(height * factor)) / factor).astype(int)
+    columns = (np.arange(round(width * factor)) / factor).astype(int)
+    index = np.asarray(compared.segments.index)[np.ix_(rows, columns)]
+    camera = replace(compared.camera, width=index.shape[1], height=index.shape[0])
+    names = compared.segments.names
+    found = []
+    for thing in compared.scene.objects:
+        if thing.name in names:
+            mask = index == names.index(thing.name) + 1
+            free = mask | (index == 0)
+            if TABLE in names:
+                free |= index == names.index(TABLE) + 1
+            fit = _fit(thing, camera, mask, free)
+            found += [] if fit is None else [fit]
+    return tuple(found)
+
+
+def _fit(
+    thing: Object, camera: Camera, mask: Bool[np.ndarray, "h w"], free: Bool[np.ndarray, "h w"]
+) -> Fit | None:
+    if mask.sum() < _LEAST_PIXELS:
+        return None
+    shape = _silhouette(thing, camera)
+    if not shape.any() or (shape & free).sum() < _LEAST_SHOWN * shape.sum():
+        return None
+    whole = _overlap(shape, mask, free)
+    own = order(thing.model.mesh, thing.scale, prints=False)  # a silhouette shows none
+    turned = [
+        (_overlap(_silhouette(thing, camera, turn=turn), mask, free), turn)
+        for turn in TURNS
+        if yaw_error(turn, 0.0, own) > _SAME
+    ]
+    scaled = [
+        (_overlap(_silhouette(thing, camera, factor=factor), mask, free), factor)
+        for factor in FACTORS
+    ]
+    best_turn, best_factor = max(turned, default=(whole, 0.0)), max(scaled)
+    return Fit(thing.name, whole, best_turn[1], best_turn[0], best_factor[1], best_factor[0])
+
+
+def _silhouette(
+    thing: Object, camera: Camera, turn: float = 0.0, factor: float = 1.0
+) -> Bool[np.ndarray, "h w"]:
+    """Return the pixels of an object drawn alone, turned or scaled about the middle of its foot."""
+    points = (thing.model.mesh.vertices * thing.scale) @ quaternion_matrix(thing.pose.quaternion).T
+    foot = np.array([0.0, 0.0, points[:, 2].min()])
+    points = factor * (points - foot) @ rotation_z(turn).T + foot + thing.pose.position
+    seen = camera.to_camera(points)
+    near = 1 / np.maximum(seen[:, 2:], 1e-3)
+    corners = np.concatenate([seen[:, :2] * near * camera.focal + camera.center, near], 1)
+    faces = thing.model.mesh.faces
+    shown = rasterise(corners[faces[(seen[faces, 2] > 1e-3).all(1)]], camera.width, camera.height)
+    return (shown[0] >= 0).reshape(camera.height, camera.width)
+
+
+def _overlap(
+    shape: Bool[np.ndarray, "h w"], mask: Bool[np.ndarray, "h w"], free: Bool[np.ndarray, "h w"]
+) -> float:
+    """Return the silhouette's overlap with the mask, where it is or shifted middle to middle."""
+    if not shape.any():
+        return 0.0
+    here, there = _middle(shape & free if (shape & free).any() else shape), _middle(mask)
+    return max(_iou(s & free, mask) for s in (shape, _shifted(shape, there - here)))
+
+
+def _iou(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
+    union = int((a | b).sum())
+    return int((a & b).sum()) / union if union else 0.0
+
+
+def _middle(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "2"]:
+    return np.argwhere(mask).mean(0)
+
+
+def _shifted(mask: Bool[np.ndarray, "h w"], by: Float[np.ndarray, "2"]) -> np.ndarray:
+    """Return a mask moved by whole pixels; what leaves the picture is lost."""
+    places = np.argwhere(mask) + np.round(by).astype(int)
+    places = places[((places >= 0) & (places < mask.shape)).all(1)]
+    moved = np.zeros(mask.shape, bool)
+    moved[places[:, 0], places[:, 1]] = True
+    return moved

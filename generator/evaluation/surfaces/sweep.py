@@ -1,0 +1,162 @@
+"""The camera sweep (supplement, Sec. 8.1): a scene from 160 views, and the view nearest a picture.
+
+The picture's camera is unknown for a foreign method's scene, so every scene is looked at from the
+front, from straight above down to the table's own height, from near to far; each metric counts in
+the view in which it is best.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+from jaxtyping import Float, UInt8
+
+from ...errors import InputError
+from ...geometry import Camera
+from ...render.picture import scene_items
+from ...render.raster import render
+from ...scene import Scene, View
+
+ELEVATIONS = tuple(float(e) for e in range(90, -1, -10))
+"""Degrees above the horizon, in the paper's order."""
+
+DISTANCES = tuple(round(1.0 + 0.1 * k, 1) for k in range(16))
+"""Multiples of the scene's radius."""
+
+_LEVEL = 1e-3  # radians: a view's elevation is above 0
+
+
+@dataclass(frozen=True)
+class SweepConfig:
+    """What the sweep leaves open.
+
+    ``fov`` is vertical, ``azimuth`` as in ``View`` (0 looks from the front), both in radians.
+    ``longest`` is the longer side of the renders in pixels; their proportions are the picture's.
+    """
+
+    fov: float = float(np.deg2rad(60.0))
+    azimuth: float = 0.0
+    longest: int = 256
+    elevations: tuple[float, ...] = ELEVATIONS
+    distances: tuple[float, ...] = DISTANCES
+    shadows: bool = False
+
+    def __post_init__(self) -> None:
+        if not (self.elevations and self.distances):
+            raise InputError("A sweep needs at least one elevation and one distance.")
+        angles = np.array(self.elevations)
+        if not ((angles >= 0) & (angles <= 90)).all() or min(self.distances) <= 0:
+            raise InputError("A sweep's elevations are 0 to 90 degrees, its distances positive.")
+        if not 16 <= self.longest <= 2048:
+            raise InputError(f"A sweep's renders are 16 to 2048 pixels long, not {self.longest}.")
+
+
+@dataclass(frozen=True)
+class Station:
+    """Where one view was taken from: degrees, and multiples of the scene's radius."""
+
+    elevation: float
+    distance: float
+
+
+class Metric(Protocol):
+    """How alike pictures are. ``name`` says what is measured and by which model."""
+
+    @property
+    def name(self) -> str:
+        """The key that the figure is reported under."""
+        ...
+
+    @property
+    def higher_is_better(self) -> bool:
+        """Whether a larger figure means more alike."""
+        ...
+
+    def score(
+        self, pictures: Sequence[UInt8[np.ndarray, "h w 3"]], reference: UInt8[np.ndarray, "a b 3"]
+    ) -> Float[np.ndarray, "n"]:
+        """Return one figure a picture, held against the reference."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class Best:
+    """A metric in the view that suits it best, with all figures in the order of the sweep."""
+
+    metric: str
+    higher_is_better: bool
+    value: float
+    station: Station
+    picture: UInt8[np.ndarray, "h w 3"]
+    values: Float[np.ndarray, "n"]
+
+    def facts(self) -> dict[str, Any]:
+        """Return the best figure and its view as JSON values."""
+        return {
+            "value": round(self.value, 5),
+            "higher_is_better": self.higher_is_better,
+            "elevation_deg": self.station.elevation,
+            "distance_radii": self.station.distance,
+        }
+
+
+def stations(config: SweepConfig | None = None) -> tuple[Station, ...]:
+    """Return the views of a sweep: for each elevation every distance; 160 by default."""
+    config = config or SweepConfig()
+    return tuple(Station(e, d) for e in config.elevations for d in config.distances)
+
+
+def center_and_radius(scene: Scene) -> tuple[Float[np.ndarray, "3"], float]:
+    """Return the middle of the scene's box, and half the box's diagonal, metres."""
+    points = np.concatenate([item.vertices for item in scene_items(scene)])
+    low, high = points.min(0), points.max(0)
+    return (low + high) / 2, float(np.linalg.norm(high - low)) / 2
+
+
+def station_camera(
+    scene: Scene, station: Station, width: int, height: int, config: SweepConfig
+) -> Camera:
+    """Return the camera of one view of the sweep."""
+    center, radius = center_and_radius(scene)
+    elevation = float(np.clip(np.deg2rad(station.elevation), _LEVEL, np.pi / 2))
+    view = View(config.azimuth, elevation, config.fov)
+    return Camera.looking_at(center, view, station.distance * radius, width, height)
+
+
+def sweep(
+    scene: Scene, aspect: float = 4 / 3, config: SweepConfig | None = None
+) -> Iterator[tuple[Station, UInt8[np.ndarray, "h w 3"]]]:
+    """Draw the scene from each view in turn, on white; ``aspect`` is width over height."""
+    config = config or SweepConfig()
+    wide = aspect >= 1
+    width = config.longest if wide else max(1, round(config.longest * aspect))
+    height = max(1, round(config.longest / aspect)) if wide else config.longest
+    items = scene_items(scene)
+    for station in stations(config):
+        camera = station_camera(scene, station, width, height, config)
+        yield station, render(items, camera, supersample=1, shadows=config.shadows).image
+
+
+def best_views(
+    scene: Scene,
+    reference: UInt8[np.ndarray, "h w 3"],
+    metrics: Sequence[Metric],
+    config: SweepConfig | None = None,
+) -> tuple[Best, ...]:
+    """Return, for each metric, the view of the sweep that comes nearest to ``reference``."""
+    taken = list(sweep(scene, reference.shape[1] / reference.shape[0], config))
+    pictures = [picture for _, picture in taken]
+    found = []
+    for metric in metrics:
+        values = np.asarray(metric.score(pictures, reference), float)
+        k = int(np.argmax(values) if metric.higher_is_better else np.argmin(values))
+        found.append(
+            Best(
+                metric.name, metric.higher_is_better, float(values[k]), taken[k][0], pictures[k],
+                values,
+            )
+        )  # fmt: skip
+    return tuple(found)

@@ -1,0 +1,254 @@
+"""Bounded readers of foreign input: JSON, URLs, regular files, printable text.
+
+Whatever comes from outside the process (a bundle, a server's answer, a record in a shared folder,
+a file the user names) is hostile until it has passed one of these. Each takes the error to raise,
+a child of ``TabletopError``, so that a caller's message fits what it was reading.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import math
+import os
+import re
+import stat
+import tomllib
+from pathlib import Path
+from typing import Any, NoReturn
+from urllib.parse import SplitResult, urlsplit
+
+from ..errors import TabletopError
+
+MAX_DEPTH = 64
+"""Lists and objects of a JSON text may be nested this deep."""
+
+MAX_JSON_BYTES = 64 * 2**20
+"""A JSON text may be this long unless the caller says otherwise."""
+
+MAX_VALUES = 4_000_000
+"""A JSON text may hold this many lists, objects and commas; read, each takes up to 72 bytes."""
+
+MAX_URL_LENGTH = 8192
+
+MAX_NAME_LENGTH = 200
+"""Characters of a name or a label."""
+
+_STRING = re.compile(rb'"[^"\\]*+(?:\\.[^"\\]*+)*+"?', re.DOTALL)  # possessive: linear in time
+_PART = rb'(?:[\w-]++|"[^"\n]*+"|\'[^\'\n]*+\')[ \t]*+'  # of a dotted key
+_DOTTED = re.compile(
+    rb"(?m:^|[\[{,])[ \t]*+" + _PART + rb"(?:\.[ \t]*+" + _PART + rb"){%d}" % MAX_DEPTH
+)
+_HOST = re.compile(r"[\w.:%-]+", re.ASCII)  # of an IPv6 address the colons, too
+_NOT_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
+_STEP = {ord("["): 1, ord("{"): 1, ord("]"): -1, ord("}"): -1}
+
+
+def parse_json(
+    raw: bytes | str,
+    what: str,
+    error: type[TabletopError],
+    *,
+    max_bytes: int = MAX_JSON_BYTES,
+    max_depth: int = MAX_DEPTH,
+    unique: bool = False,
+) -> Any:
+    """Parse a foreign JSON text; every number in it is finite, every string is valid Unicode.
+
+    Args:
+        raw: the text, UTF-8 if bytes.
+        what: begins the message of an error: "The answer of the server".
+        error: what is raised.
+        max_bytes: the longest text that is parsed.
+        max_depth: how deep lists and objects may be nested.
+        unique: refuse objects that repeat a key (otherwise the last one counts, as usual).
+
+    Raises:
+        TabletopError: ``error``, if the text is too long, too deep, or not such JSON.
+    """
+    try:
+        data = raw.encode() if isinstance(raw, str) else bytes(raw)
+    except ValueError as failure:
+        raise _not_json(what, error, failure) from failure
+    if len(data) > max_bytes:
+        raise error(f"{what} has {len(data)} bytes of JSON; at most {max_bytes} are read.")
+    bare = _STRING.sub(b"", data)
+    if bare.count(b",") + bare.count(b"[") + bare.count(b"{") > MAX_VALUES:
+        raise error(f"{what} holds more than the {MAX_VALUES} values that are read.")
+    if _depth(bare) > max_depth:
+        raise error(f"{what} nests lists or objects deeper than {max_depth} levels.")
+    try:
+        payload = json.loads(
+            data.decode("utf-8-sig"),
+            parse_constant=_not_finite,
+            parse_float=_finite,
+            object_pairs_hook=_unique if unique else None,
+        )
+        if rb"\u" in data:  # an escape may spell half a surrogate pair, which is no text
+            json.dumps(payload, ensure_ascii=False).encode()
+    except (ValueError, RecursionError) as failure:
+        raise _not_json(what, error, failure) from failure
+    return payload
+
+
+def parse_object(
+    raw: bytes | str,
+    what: str,
+    error: type[TabletopError],
+    *,
+    max_bytes: int = MAX_JSON_BYTES,
+    max_depth: int = MAX_DEPTH,
+    unique: bool = False,
+) -> dict[str, Any]:
+    """Parse a foreign JSON text that is one object; see :func:`parse_json`.
+
+    Raises:
+        TabletopError: ``error``, if it is not.
+    """
+    payload = parse_json(raw, what, error, max_bytes=max_bytes, max_depth=max_depth, unique=unique)
+    if not isinstance(payload, dict):
+        raise error(f"{what} must be one JSON object, not {type(payload).__name__}.")
+    return payload
+
+
+def parse_toml(raw: bytes, what: str, error: type[TabletopError]) -> dict[str, Any]:
+    """Parse a foreign TOML text; the caller bounds its length.
+
+    Args:
+        raw: the text, UTF-8.
+        what: begins the message of an error: "The price table".
+        error: what is raised.
+
+    Raises:
+        TabletopError: ``error``, if it is too deep, by brackets or by dotted keys, or no TOML.
+    """
+    if _depth(raw) > MAX_DEPTH or _DOTTED.search(raw):
+        raise error(f"{what} nests tables deeper than {MAX_DEPTH} levels.")
+    try:
+        return tomllib.loads(raw.decode("utf-8-sig"))
+    except (ValueError, RecursionError) as failure:
+        raise error(f"{what} is no TOML ({str(failure)[:200]!r}).") from failure
+
+
+def split_url(url: object, what: str, error: type[TabletopError]) -> SplitResult:
+    """Split a foreign http(s) URL; its ``hostname`` and ``port`` can be read without an error.
+
+    Args:
+        url: the URL, of any type.
+        what: begins the message of an error: "The link to the model". The URL is not repeated:
+            it may hold a signature.
+        error: what is raised.
+
+    Raises:
+        TabletopError: ``error``, if it is no http(s) URL with a host.
+    """
+    if not isinstance(url, str):
+        raise error(f"{what} must be an http(s) URL, not {type(url).__name__}.")
+    if len(url) > MAX_URL_LENGTH:
+        raise error(f"{what} has {len(url)} characters; at most {MAX_URL_LENGTH} are read.")
+    try:
+        parts = urlsplit(url)
+        host, port = parts.hostname, parts.port
+        fine = parts.scheme in ("http", "https") and bool(_HOST.fullmatch(host or ""))
+        fine = fine and port != 0
+        fine = fine and url.isascii() and url.isprintable() and " " not in url
+    except ValueError:
+        fine = False
+    if not fine:
+        raise error(
+            f"{what} is no URL of the form https://host/path in ASCII, with other letters of a "
+            "host as punycode (xn--...) and of a path as %XX."
+        )
+    return parts
+
+
+def read_regular(
+    path: str | Path, what: str, error: type[TabletopError], *, max_bytes: int
+) -> bytes:
+    """Read a regular file the user or a record names; never a pipe, a device or a folder.
+
+    Args:
+        path: the file; links to regular files are followed.
+        what: begins the message of an error: "The depth map".
+        error: what is raised.
+        max_bytes: the largest file that is read.
+
+    Raises:
+        TabletopError: ``error``, if it is missing, no regular file, too large, or unreadable.
+    """
+    try:
+        # A pipe without a writer would block the opening of it.
+        descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+        try:
+            status = os.fstat(descriptor)
+            regular, large = stat.S_ISREG(status.st_mode), status.st_size > max_bytes
+            content = _read(descriptor, max_bytes + 1) if regular and not large else b""
+        finally:
+            os.close(descriptor)
+    except (OSError, ValueError) as failure:
+        reason = getattr(failure, "strerror", None) or failure
+        raise error(f"{what} {str(path)!r} cannot be read: {reason}.") from failure
+    if not regular:
+        raise error(f"{what} {str(path)!r} is not a regular file. Name a file.")
+    if large or len(content) > max_bytes:
+        raise error(f"{what} {str(path)!r} is larger than {max_bytes} bytes, which is the limit.")
+    return content
+
+
+def printable(
+    text: object, what: str, error: type[TabletopError], *, max_length: int = MAX_NAME_LENGTH
+) -> str:
+    """Return a name or a label that can be shown on a terminal: no controls, one line, bounded.
+
+    Raises:
+        TabletopError: ``error``, if it is not.
+    """
+    if not isinstance(text, str):
+        raise error(f"{what} must be a text, not {type(text).__name__}.")
+    if len(text) > max_length:
+        raise error(f"{what} has {len(text)} characters; at most {max_length} are read.")
+    if not text.isprintable():
+        raise error(f"{what} {text!r} holds characters that cannot be printed.")
+    return text
+
+
+def is_number(value: object, *, least: float = 0.0, most: float = 1e12) -> bool:
+    """Return whether a value of a foreign JSON text is a number in a range; ``true`` is none."""
+    return type(value) in (int, float) and least <= value <= most  # type: ignore[operator]
+
+
+def is_count(value: object, *, most: float = 1e12) -> bool:
+    """Return whether a value of a foreign JSON text is an integer from 0 to ``most``."""
+    return type(value) is int and is_number(value, most=most)
+
+
+def _read(descriptor: int, count: int) -> bytes:
+    with open(descriptor, "rb", closefd=False) as file:
+        return file.read(count)
+
+
+def _not_json(what: str, error: type[TabletopError], failure: Exception) -> TabletopError:
+    reason = str(failure)[:200] or type(failure).__name__
+    return error(f"{what} is not valid JSON ({reason}).")
+
+
+def _depth(bare: bytes) -> int:
+    """Return how deep the brackets of a JSON text without its strings are nested."""
+    brackets = bare.translate(None, _NOT_BRACKETS)
+    return max(itertools.accumulate(map(_STEP.__getitem__, brackets)), default=0)
+
+
+def _finite(text: str) -> float:
+    value = float(text)
+    return value if math.isfinite(value) else _not_finite(text)
+
+
+def _not_finite(constant: str) -> NoReturn:
+    raise ValueError(f"{constant} is not a finite number")
+
+
+def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) != len(pairs):
+        raise ValueError("a key is repeated")
+    return found

@@ -1,0 +1,180 @@
+"""How the scenes of a batch are made: what runs in its processes. All of it can be pickled."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol
+
+from ..backends import Backends, Mix
+from ..calls.money.budget import Purse
+from ..calls.money.prices import Prices
+from ..errors import (
+    BackendError,
+    InputError,
+    StorageError,
+    require,
+)
+from ..threads import threads
+from .prompts import Job
+from .records import key_of
+
+if TYPE_CHECKING:
+    from ..calls import Session
+    from ..pipeline import Config
+
+
+class Maker(Protocol):
+    """Makes scenes in whatever process; has to be picklable, and to repeat itself to the byte."""
+
+    def identity(self) -> dict[str, Any]:
+        """Return what decides its scenes, as JSON values."""
+        ...
+
+    def __call__(self, job: Job, folder: Path) -> Path:
+        """Publish a job's scene as a bundle in ``folder``; return the bundle's path.
+
+        Raises:
+            TabletopError: it cannot be made.
+        """
+        ...
+
+
+@dataclass(frozen=True)
+class Composing:
+    """Composes texts (``generator.compose``)."""
+
+    def identity(self) -> dict[str, Any]:
+        """Return that it composes."""
+        return {"route": "compose"}
+
+    def __call__(self, job: Job, folder: Path) -> Path:
+        """Compose a job's text."""
+        from ..bundle import save
+        from ..compose import compose
+        from ..method.figures import preview
+
+        scene = compose(job.text, job.seed)
+        return save(scene, folder, images={"preview": preview(scene)})
+
+
+@dataclass(frozen=True)
+class Generating:
+    """Generates scenes from texts or pictures by all stages (``generator.pipeline``).
+
+    Attributes:
+        mix: who answers the stages' questions.
+        config: settings of the stages; None for the usual ones.
+        calls: folder where answers of servers are kept, so that nothing is paid for twice; None
+            keeps nothing.
+        prices: what calls of servers cost; None: the table that comes with the package.
+        purse: the sum that all scenes are paid from, see ``purse_of``; None adds up nothing.
+        budget: what all scenes may cost together, those of earlier runs too, in the currency of
+            ``prices``; needs ``purse``. A call that might exceed it is not sent.
+        dry: nothing is sent: the first call that is not kept raises DryRunError.
+
+    Raises:
+        BackendError: the backends cannot be selected here.
+        InputError: a budget without a purse, or none from 0 on.
+    """
+
+    mix: Mix = field(default_factory=Mix)
+    config: Config | None = None
+    calls: str | None = None
+    prices: Prices | None = None
+    purse: Purse | None = None
+    budget: float | None = None
+    dry: bool = False
+    _answering: dict[str, Any] = field(init=False, repr=False, compare=False)
+    """Who answers, as of where this was made; a process elsewhere has to agree."""
+
+    def __post_init__(self) -> None:
+        from ..scene.provenance import plain
+
+        told = self.mix.identity()
+        if set(self.mix.roles().values()) != {"embedded"}:  # models and addresses, say
+            told["answering"] = plain(self.mix.select().identity())
+        object.__setattr__(self, "_answering", told)
+        if self.budget is None:
+            return
+        require(self, "budget", least=0)
+        if self.purse is None:
+            raise InputError(
+                "Generating needs a purse for its budget: processes spend it together. Give "
+                "purse=purse_of(FOLDER) of the batch's folder."
+            )
+
+    def identity(self) -> dict[str, Any]:
+        """Return backends, their settings unless all are embedded, and the stages' settings."""
+        from ..pipeline import Config
+        from ..scene.provenance import plain
+
+        config = plain(self.config or Config())
+        return {"route": "generate", **self._answering, "config": config}
+
+    def __call__(self, job: Job, folder: Path) -> Path:
+        """Generate a job's scene.
+
+        Raises:
+            BudgetError: it cannot be afforded; DryRunError: it would have asked a server.
+            BackendError: here others would answer than where the batch was started.
+        """
+        from ..pipeline import generate
+
+        _share()
+        with self._session(job) as session:
+            backends = self.mix.select(session)
+            self._check_answering(backends)
+            generation = generate(job.text, backends, self.config, job.seed)
+            path = generation.save(folder)
+            if any(entry.outcome != "cached" for entry in session.account.entries):
+                session.account.save(path, session.prices)
+        return path
+
+    def _check_answering(self, backends: Backends) -> None:
+        from ..scene.provenance import plain
+
+        expected = self._answering.get("answering")
+        if expected is None:
+            return
+        here = plain(backends.identity())
+        roles = [role for role in expected if here.get(role) != expected[role]]
+        if roles:
+            raise BackendError(
+                f"{' and '.join(roles)} would be another here than where the batch was started: "
+                f"{', '.join(f'{here.get(r)} instead of {expected[r]}' for r in roles)}. Set the "
+                "same environment variables on all machines."
+            )
+
+    @contextlib.contextmanager
+    def _session(self, job: Job) -> Iterator[Session]:
+        """Return what the calls of one scene share; it knows what earlier runs spent on it."""
+        from ..calls import Session
+        from ..calls.money.account import Account
+        from ..calls.store import CallStore
+
+        with contextlib.ExitStack() as open_:
+            spender = None if self.purse is None else open_.enter_context(self.purse.spending())
+            session = Session(
+                store=None if self.calls is None else CallStore(self.calls),
+                account=Account(spender),
+                prices=self.prices or Prices.shipped(),
+                budget=self.budget,
+                dry=self.dry,
+            )
+            try:
+                session.resume(key_of(job, self))
+            except InputError as error:  # of another currency: no fault of the scene's
+                raise StorageError(str(error)) from error
+            yield session
+
+
+def _share() -> None:
+    """Have libraries that do not heed it themselves keep to ``threads``: others work beside it."""
+    import cv2
+    import torch
+
+    torch.set_num_threads(threads())
+    cv2.setNumThreads(threads())

@@ -1,0 +1,213 @@
+"""What came of each job, kept in the batch's folder; and the one way to make a scene there.
+
+``.batch/<key>.json`` is the record of a job, ``.batch/<key>.lock`` is held by who makes it, in
+``.batch/<key>/``. The record is written when the bundle is whole, before it is put in its place: a
+process that dies in between leaves the rest to who comes next.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import json
+import time
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from filelock import FileLock, Timeout
+
+from ..bundle import load_fingerprint, load_report, put_in_place
+from ..errors import (
+    BackendError,
+    BudgetError,
+    BundleError,
+    DryRunError,
+    InputError,
+    StorageError,
+    TabletopError,
+)
+from ..io.files import remove_file, remove_tree, write_whole
+from .facts import read
+from .place import PLACE, place_of
+from .prompts import Job, key
+
+if TYPE_CHECKING:
+    from .making import Maker
+
+KEPT = frozenset({"InputError", "SceneError"})
+"""Failures that the same job meets again: they are not tried anew unless asked for."""
+
+CRASH = "Crash"
+"""The kind of failure of a job whose process died."""
+
+State = Literal["made", "there", "failed", "unpaid", "busy"]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What came of a job.
+
+    Attributes:
+        job: the job.
+        state: "made" now, "there" already, "failed", "unpaid": a call that it needs was not sent,
+            for want of money or in a dry run, or "busy": someone else is at it.
+        bundle: the name of its bundle, if there is one.
+        kind: the class of the error, if it failed or is unpaid.
+        error: what it says.
+        seconds: how long it took whoever made it.
+        gate: figures of the recorded gate: see ``summary``.
+    """
+
+    job: Job
+    state: State
+    bundle: str | None = None
+    kind: str | None = None
+    error: str | None = None
+    seconds: float = 0.0
+    gate: Mapping[str, float] = field(default_factory=dict)
+
+
+def key_of(job: Job, make: Maker) -> str:
+    """Return what names a job's record. Of a picture, its content counts, if it can be read."""
+    from ..method.reference import fetch, is_picture_name
+
+    picture = None
+    if is_picture_name(job.text):
+        with contextlib.suppress(InputError):  # who makes it tells of it
+            content = fetch(job.text)
+            picture = content if isinstance(content, bytes) else None
+    return key(job, make.identity(), picture)
+
+
+def work(job: Job, folder: Path, make: Maker, retry: bool = False) -> Outcome:
+    """Make a job's scene in ``folder``, unless that is done, or someone else is at it.
+
+    Args:
+        job: what to make.
+        folder: where the bundle goes; it is there.
+        make: how it is made.
+        retry: try again what failed in a way that was kept.
+
+    Raises:
+        StorageError: the folder cannot be written, or the disk is full.
+    """
+    name, place = key_of(job, make), place_of(folder)
+    try:
+        with FileLock(place / f"{name}.lock", timeout=0):
+            _put_in_place(folder, name)
+            return recorded(job, folder, name, retry) or _made(job, folder, name, make)
+    except Timeout:
+        return Outcome(job, "busy")
+    except StorageError:
+        raise
+    except OSError as error:
+        raise StorageError(
+            f"The batch's folder {folder} cannot be written: {error.strerror or error}. Free "
+            "space there, or choose another folder."
+        ) from error
+
+
+def recorded(job: Job, folder: Path, name: str, retry: bool = False) -> Outcome | None:
+    """Return what came of a job before, its bundle in place; None if it is to be made."""
+    facts = read(folder / PLACE, name)
+    if facts is None:
+        return None
+    if facts.bundle is None:
+        kept = facts.kind in KEPT and not retry
+        return Outcome(job, "failed", **dataclasses.asdict(facts)) if kept else None
+    there = _sound(folder / facts.bundle)
+    return Outcome(job, "there", **dataclasses.asdict(facts)) if there else None
+
+
+def failed(job: Job, folder: Path, name: str, error: str, kind: str, seconds: float) -> Outcome:
+    """Write down that a job failed; return that."""
+    error = error.encode("utf-8", "backslashreplace").decode()  # a file's name need not be text
+    outcome = Outcome(job, "failed", None, kind, error, round(seconds, 2))
+    _write(outcome, folder, name)
+    return outcome
+
+
+def _made(job: Job, folder: Path, name: str, make: Maker) -> Outcome:
+    """Make a job's scene; whatever goes wrong with it is written down."""
+    own = folder / PLACE / name
+    _clear(folder / PLACE, name)
+    start = time.perf_counter()
+    try:
+        made = make(job, own)
+        report = load_report(made)
+    except StorageError:
+        raise
+    except (BudgetError, DryRunError) as error:  # nothing is written down: it is no fault of it
+        spent = round(time.perf_counter() - start, 2)
+        return Outcome(job, "unpaid", None, type(error).__name__, str(error), spent)
+    except TabletopError as error:
+        kind = "BackendError" if isinstance(error, BackendError) else type(error).__name__
+        return failed(job, folder, name, str(error), kind, time.perf_counter() - start)
+    except Exception as error:  # one scene must not end the batch
+        spent = time.perf_counter() - start
+        return failed(job, folder, name, str(error), type(error).__name__, spent)
+    spent = round(time.perf_counter() - start, 2)
+    outcome = Outcome(job, "made", made.name, seconds=spent, gate=_figures(report))
+    _write(outcome, folder, name)
+    _put_in_place(folder, name)
+    if not _sound(folder / made.name):
+        raise StorageError(
+            f"The scene of {job.text!r:.80} was made, but its record or its bundle "
+            f"{made.name!r:.80} cannot be read again in {folder}. Check the disk, and the name."
+        )
+    return outcome
+
+
+def _put_in_place(folder: Path, name: str) -> None:
+    """Put a recorded bundle that lies where it was made among the others.
+
+    What lies in its place makes way only if the new one has the digest that its name ends with, so
+    that it is the same bundle, damaged.
+    """
+    own = folder / PLACE / name
+    facts = None if own.is_symlink() or not own.is_dir() else read(folder / PLACE, name)
+    if facts is not None and facts.bundle is not None:
+        made, target = own / facts.bundle, folder / facts.bundle
+        if not made.is_symlink() and _sound(made) and not _sound(target):
+            put_in_place(made, target, lambda: _sound(target))
+    _clear(folder / PLACE, name)
+
+
+def _clear(place: Path, name: str) -> None:
+    """Remove what was left where a job's scene is made; of a link, the link."""
+    own = place / name
+    if own.is_symlink() or own.is_file():
+        remove_file(place, name)
+    else:
+        remove_tree(place, name)
+
+
+def _sound(bundle: Path) -> bool:
+    """Tell whether a bundle is there: published by one rename, it is then whole."""
+    try:
+        load_fingerprint(bundle)
+    except BundleError:
+        return False
+    return True
+
+
+def _figures(report: Mapping[str, Any]) -> dict[str, float]:
+    """Return what is summed up of a bundle's recorded gate, in millimetres and degrees."""
+    lengths = ("penetration", "drift", "leaning", "settling", "moved")
+    return {
+        "objects": report["objects"],
+        **{f"{name}_mm": round(1e3 * report[name], 4) for name in lengths},
+        "tilt_deg": round(float(np.rad2deg(report["tilt"])), 4),
+        "left_out": len(report["dropped"]),
+    }
+
+
+def _write(outcome: Outcome, folder: Path, name: str) -> None:
+    facts = dataclasses.asdict(outcome)
+    told = {**facts.pop("job"), **{k: v for k, v in facts.items() if k != "state"}}
+    text = json.dumps(told, indent=1, sort_keys=True) + "\n"
+    path = folder / PLACE / f"{name}.json"
+    write_whole(path, text, "The record of a scene", "Free space there, or choose another folder.")

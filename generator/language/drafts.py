@@ -1,0 +1,146 @@
+"""What a text asks for while it is being read: drafts of objects, the table, doubts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..catalogue import CATEGORIES
+from ..errors import InputError
+from .parsing.grammar import NounPhrase
+from .relations import fits
+
+MAX_OBJECTS = 24
+"""More objects than this no table of the catalogue holds."""
+
+
+@dataclass(eq=False)
+class Draft:
+    """An object while the text is being read; ``relations`` are (kind, Draft or "table")."""
+
+    noun: str
+    category: str | None
+    attributes: dict[str, str]
+    lengths: tuple[float, ...] = ()
+    relations: list[tuple[str, Draft | str]] = field(default_factory=list)
+    provisional: bool = False
+    implied: bool = False
+    stacked_under: Draft | None = None
+
+    def relate(self, kind: str, target: Draft | str) -> None:
+        """Add a relation; it replaces one that was only assumed."""
+        if self.provisional:
+            self.relations.clear()
+            self.provisional = False
+        if (kind, target) not in self.relations:
+            self.relations.append((kind, target))
+
+
+Group = list[Draft]
+
+
+@dataclass(eq=False)
+class Reading:
+    """What the text said, read so far."""
+
+    objects: list[Draft] = field(default_factory=list)
+    table: list[NounPhrase] = field(default_factory=list)
+    table_parts: list[NounPhrase] = field(default_factory=list)
+    excluded: set[str] = field(default_factory=set)
+    warnings: list[str] = field(default_factory=list)
+    vague: bool = False
+
+    def number(self, noun: NounPhrase, rng: np.random.Generator) -> int:
+        """Return how many objects a noun phrase asks for; vague amounts are drawn.
+
+        Raises:
+            InputError: no whole number from 1 up, or more than a table holds.
+        """
+        if noun.count is not None:
+            if noun.count < 1 or noun.count % 1 > 0:
+                raise InputError(f"{said(noun)!r}: say a whole number of objects, from 1 up.")
+            if noun.count > MAX_OBJECTS - len(self.objects):
+                raise InputError(
+                    f"{said(noun)!r} is too many: a table holds at most {MAX_OBJECTS} objects in "
+                    "all. Ask for fewer."
+                )
+            return int(noun.count)
+        if noun.vague is None and not noun.plural:
+            return 1
+        self.vague = True
+        low, high = noun.vague or (2, 3)
+        if noun.vague == (2, 3) and not noun.plural:  # "some bread"
+            return 1
+        return int(rng.integers(low, high + 1))
+
+    def add(
+        self,
+        noun: str,
+        category: str | None,
+        attributes: dict[str, str],
+        *,
+        lengths: tuple[float, ...] = (),
+        implied: bool = False,
+    ) -> Draft:
+        """Add one object.
+
+        Raises:
+            InputError: the table is full.
+        """
+        if len(self.objects) >= MAX_OBJECTS:
+            raise InputError(
+                f"The text asks for more than {MAX_OBJECTS} objects, more than a table holds. "
+                "Ask for fewer."
+            )
+        kept = {k: v for k, v in attributes.items() if k != "stack"}
+        self.objects.append(Draft(noun, category, kept, lengths, implied=implied))
+        return self.objects[-1]
+
+
+def same(draft: Draft, noun: NounPhrase) -> bool:
+    """Tell whether a noun phrase may mean this object: same kind, no clashing attribute."""
+    alike = draft.category == noun.category and (noun.category or draft.noun == noun.noun)
+    return bool(alike) and all(
+        draft.attributes.get(k, v) == v for k, v in noun.attributes.items() if k != "state"
+    )
+
+
+def said(noun: NounPhrase) -> str:
+    """Return a noun phrase about as the text had it."""
+    amount = f"{noun.count:g} " if noun.count is not None else ""
+    return amount + " ".join(noun.words)
+
+
+def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
+    """Tell whether "an apple and a pear on a plate" may mean that the apple is on it too.
+
+    So it may with any other relation, unless the first has one of its own.
+    """
+    target = targets[0]
+    if isinstance(target, str) or kind not in ("on", "in"):
+        return not any(d.relations for d in group)
+    if any(not d.category for d in (group[0], target)):
+        return False
+    outer = CATEGORIES[str(target.category)]
+    return all(
+        fits(kind, CATEGORIES[str(d.category)].size, outer.size, outer.container)
+        and not d.relations
+        for d in group
+    )
+
+
+def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
+    """Return where a thing named with its owner goes: in a vessel, on a plate, else beside it."""
+    if owner.category is None:
+        return "in" if held else "next_to"
+    outer = CATEGORIES[owner.category]
+    if draft.category is None:
+        return "next_to" if not held else "in" if outer.container else "on"
+    inner = CATEGORIES[draft.category].size
+    if fits("in", inner, outer.size, outer.container) and (held or min(inner) < 0.06):
+        return "in"
+    if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(outer.size[:2])):
+        return "on"
+    return "next_to"

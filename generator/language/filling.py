@@ -1,0 +1,148 @@
+"""Tables that a text leaves open: filled with what belongs to their theme."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..catalogue import CATEGORIES
+from ..catalogue.surfaces.look import SIZE_FACTORS
+from ..errors import InputError, choices
+from ..scene import (
+    OutlineKind,
+    PlannedObject,
+    PlannedTable,
+    Relation,
+    RelationKind,
+)
+from . import relations
+from .drafts import Reading
+from .furniture import plan_table
+from .parsing import lexicon
+from .themes import THEMES, Theme
+
+Thing = tuple[str | None, RelationKind | None, str | None]
+"""A category, its relation and the category it relates to; None where there is none."""
+
+
+def fill(
+    objects: Sequence[PlannedObject],
+    theme: Theme,
+    count: tuple[int, int],
+    excluded: Collection[str],
+    rng: np.random.Generator,
+    extras: Sequence[Thing] = (),
+) -> list[PlannedObject]:
+    """Add a theme's things and their functional relations until there are enough objects.
+
+    ``count`` is the least and the most, drawn by ``rng``; there are fewer if the theme has no more.
+    ``extras`` are drawn like the things of the theme that are not of its core.
+    """
+    things = [thing(entry) for entry in theme.things]
+    core = [] if objects else things[: theme.core]
+    others = [*(t for t in things if t not in core), *extras]
+    order = [others[i] for i in rng.permutation(len(others))]
+    low, high = count
+    enough = low if low == high else int(rng.integers(low, high + 1))
+    present = Counter(o.category for o in objects)
+    out = list(objects)
+    for key, kind, to in [*core, *order]:
+        if len(out) >= enough:
+            break
+        if key is None or key in excluded or present[key]:
+            continue
+        goal = to if to == "table" else next((o.name for o in out if o.category == to), None)
+        if kind in ("on", "in") and goal is None:
+            continue
+        relation = (Relation(kind, goal),) if kind and goal else ()
+        out.append(PlannedObject(f"{key}_1", key.replace("_", " "), key, {}, relation))
+        present[key] += 1
+    return out
+
+
+def thing(entry: str) -> Thing:
+    """Read "mug right_of laptop" into category keys; None for what the catalogue lacks."""
+    words = entry.split()
+    at = next((i for i, w in enumerate(words) if w in relations.KINDS), len(words))
+    key = lexicon.category_of(tuple(words[:at]))
+    if at == len(words):
+        return key, None, None
+    to = words[at + 1 :]
+    return (
+        key,
+        relations.kind(words[at]),
+        ("table" if to == ["table"] else lexicon.category_of(tuple(to))),
+    )
+
+
+def needed(phrase: str) -> PlannedObject | None:
+    """Read a thing that a table needs: its name, after a size if there is one; None if unknown.
+
+    "small cucumber" is the cucumber of a small size.
+    """
+    size, _, rest = phrase.partition(" ")
+    noun = rest if size in SIZE_FACTORS and rest else phrase
+    key = lexicon.category_of(tuple(noun.split()))
+    attributes = {} if noun == phrase else {"size": size}
+    return None if key is None else PlannedObject(f"{key}_1", noun, key, attributes)
+
+
+def supply(
+    objects: Sequence[PlannedObject],
+    theme: str,
+    needs: Sequence[Sequence[str]],
+    rng: np.random.Generator,
+) -> list[PlannedObject]:
+    """Add a thing for each of ``needs``, drawn among what it lists and is not there yet.
+
+    Of what a need lists, things of the theme go before others. One that is all there adds nothing.
+    """
+    listed = {thing(entry)[0] for entry in THEMES[theme].things}
+    out = list(objects)
+    for phrases in needs:
+        there = {o.noun for o in out}
+        known = (needed(phrase) for phrase in phrases)
+        free = [o for o in known if o is not None and o.noun not in there]
+        of_theme = [
+            o for o in free if o.category in listed or theme in CATEGORIES[o.category].themes
+        ]
+        fit = of_theme or free
+        if fit:
+            drawn = fit[int(rng.integers(len(fit)))]
+            same = sum(o.category == drawn.category for o in out)
+            out.append(replace(drawn, name=f"{drawn.category}_{same + 1}"))
+    return out
+
+
+def furnish(
+    theme: str,
+    count: int,
+    rng: np.random.Generator,
+    outline: OutlineKind | None = None,
+    needs: Sequence[Sequence[str]] = (),
+) -> tuple[PlannedTable, list[PlannedObject]]:
+    """Draw a table of a theme, and ``count`` things for it without any text.
+
+    The things are the core of the theme, then any that the theme lists or that the catalogue counts
+    to it; fewer if there are no more. ``outline`` None draws a shape that is usual for the theme.
+    The last of them are those that fill the ``needs`` (see ``supply``), with at least one before.
+
+    Raises:
+        InputError: there is no such theme.
+    """
+    if theme not in THEMES:
+        raise InputError(f"There is no theme {theme!r}." + choices(theme, THEMES))
+    found = THEMES[theme]
+    listed = {thing(entry)[0] for entry in found.things}
+    extras: list[Thing] = [
+        (key, None, None)
+        for key, category in CATEGORIES.items()
+        if theme in category.themes and key not in listed
+    ]
+    own = count if not needs else max(count - len(needs), 1)
+    objects = supply(fill((), found, (own, own), (), rng, extras), theme, needs, rng)
+    shaped = found if outline is None else replace(found, outlines=(outline,))
+    return plan_table(Reading(), shaped, len(objects), rng), objects

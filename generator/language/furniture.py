@@ -1,0 +1,104 @@
+"""The table a text describes: outline, material, colour, legs and size."""
+
+from __future__ import annotations
+
+from typing import cast
+
+import numpy as np
+
+from ..scene import OutlineKind, PlannedTable
+from .drafts import Reading
+from .parsing.vocabulary import (
+    COLORS,
+    LEGS,
+    OUTLINES,
+    SHADES,
+    SIZES,
+    TABLE_MATERIALS,
+)
+from .themes import Theme
+
+_FACTORS = {"tiny": 0.75, "small": 0.85, "large": 1.2, "huge": 1.35}
+_BOARDS = ("oak", "pine", "walnut")  # what slats are made of
+_DEFAULT = Theme(
+    (), ("rectangle",), ("oak", "walnut", "pine", "beech", "white"), (1.2, 0.7, 0.74), ()
+)
+
+
+def plan_table(
+    reading: Reading, theme: Theme | None, count: int, rng: np.random.Generator
+) -> PlannedTable:
+    """Return the table of a text for ``count`` objects; chance and theme fill what it leaves open.
+
+    A table whose size the text leaves open is smaller for few objects.
+    """
+    theme = theme or _DEFAULT
+    outline = cast(OutlineKind, theme.outlines[int(rng.integers(len(theme.outlines)))])
+    material = theme.materials[int(rng.integers(len(theme.materials)))]
+    legs = theme.legs[int(rng.integers(len(theme.legs)))]
+    color = None
+    words = [word for noun in reading.table for word in noun.words[:-1] or noun.words]
+    tops = [w for n in reading.table_parts if n.words[-1] not in ("leg", "legs") for w in n.words]
+    feet = [w for n in reading.table_parts if n.words[-1] in ("leg", "legs") for w in n.words]
+    words += tops
+    outline = cast(OutlineKind, next((OUTLINES[w] for w in words if w in OUTLINES), outline))
+    asked = [w for w in words if w in TABLE_MATERIALS]
+    tints = _colors(words)
+    if asked or tints:
+        material = TABLE_MATERIALS[asked[0]] if asked else "painted wood"
+        color = tints[0] if tints else None
+    elif outline == "slatted" and material not in _BOARDS:
+        material = _BOARDS[int(rng.integers(len(_BOARDS)))]
+    elif material in COLORS:
+        material, color = "painted wood", material
+    legs = next((LEGS[w] for w in (*feet, *words) if w in LEGS and (w in feet or _is_leg(w))), legs)
+    if outline in ("triangle", "oval") and legs == "trestle":
+        legs = "tapered"
+    length, depth, height = _size(reading, theme, outline, words)
+    if not any(n.lengths for n in reading.table) and not any(w in SIZES for w in words):
+        factor = float(np.clip(0.66 + 0.05 * count, 0.75, 1.0))
+        length, depth = round(length * factor, 3), round(depth * factor, 3)
+    return PlannedTable(outline, material, legs, (length, depth, height), color)
+
+
+def _is_leg(word: str) -> bool:
+    return LEGS[word] in ("tapered", "splayed", "trestle", "pedestal", "hairpin")
+
+
+def _colors(words: list[str]) -> list[str]:
+    return [
+        f"{before} {word}" if before in SHADES else word
+        for before, word in zip(("", *words), words, strict=False)
+        if word in COLORS and word not in TABLE_MATERIALS
+    ]
+
+
+def _size(
+    reading: Reading, theme: Theme, outline: OutlineKind, words: list[str]
+) -> tuple[float, float, float]:
+    """Return length, depth and height in metres: lengths in the text first, then size words."""
+    x, y, z = theme.size
+    if outline in ("square", "round"):
+        x = y = float(np.sqrt(x * y)) * (1.02 if outline == "round" else 1.0)
+    elif outline == "triangle":
+        x, y = max(x, 1.1), max(x, 1.1) * 0.87
+    elif outline == "oval":
+        x, y = x * 1.05, max(y, 0.62 * x)
+    for word in words:
+        factor = _FACTORS.get(SIZES.get(word, ""), 1.0)
+        if word in ("long", "wide"):
+            x = x * 1.25
+        elif word == "narrow":
+            y = y * 0.8
+        elif word == "low":
+            z = 0.45
+        else:
+            x, y = x * factor, y * factor
+    lengths = [n.lengths for n in reading.table if n.lengths]
+    if lengths:
+        given = [float(np.clip(v, 0.4, 2.4)) for v in lengths[0]]
+        x, y = (given[0], given[1]) if len(given) > 1 else (given[0], y * given[0] / x)
+        z = given[2] if len(given) > 2 else z
+        if outline in ("square", "round"):
+            y = x
+    return round(x, 3), round(float(np.clip(y, 0.35, 2.0)), 3), round(z, 3)

@@ -1,0 +1,115 @@
+"""What the things are called: the eye's guesses, weighed with size, or the words of a text."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from jaxtyping import Bool, Float
+from scipy.optimize import linear_sum_assignment
+
+from ..catalogue import CATEGORIES, Category, category
+from ..errors import InputError
+
+_SURE = 0.45  # probability from which a thing gets its category's name
+_SPREAD = 0.3  # of a thing's usual size, log: one standard deviation
+_SHAPES = 0.4  # of its proportions in the picture, log
+_TABLES = 0.35  # of a table's usual size, log
+_SHIFTS = np.linspace(-0.7, 0.7, 29)
+_UNLIKE = 0.003  # likelihood of a size and shape that the category does not have
+_ANY = 0.6  # and of any, for a thing of no category
+_LIKE = 0.03  # probability from which a doubtful thing looks like a word
+_NEVER = 1e3  # cost of a pair that is none
+_RARE = 1e-4  # probability that no category falls below
+
+
+def known(word: str) -> Category | None:
+    """Return the catalogue's category for a word, or None if it has none."""
+    try:
+        return category(word)
+    except InputError:
+        return None
+
+
+def weighed(
+    names: Float[np.ndarray, "n k"],
+    looks: Sequence[Mapping[int, tuple[float, float]] | None],
+    metric: bool = False,
+) -> Float[np.ndarray, "n k"]:
+    """Return the probabilities after a look at sizes and shapes, on the likeliest table.
+
+    All things share one table, so that one scale must do for all: it is chosen to make the names
+    likeliest together. A category that was not looked at is as likely as one that is unlike.
+
+    Args:
+        names: probabilities of each thing over the categories and, last, "unknown".
+        looks: by category index, what ``apparent_scale`` returns on a table of usual size; None for
+            a thing that the frame cuts.
+        metric: whether the table's scale was measured, so that there is none to choose.
+    """
+    shifts = np.zeros(1) if metric else _SHIFTS
+    joint = [names * _likely(names, looks, shift) for shift in shifts]
+    evidence = [np.log(j.sum(1)).sum() for j in joint] - 0.5 * (shifts / _TABLES) ** 2
+    best = joint[int(np.argmax(evidence))]
+    return best / best.sum(1, keepdims=True)
+
+
+def _likely(
+    names: Float[np.ndarray, "n k"],
+    looks: Sequence[Mapping[int, tuple[float, float]] | None],
+    shift: float,
+) -> Float[np.ndarray, "n k"]:
+    """Return how likely sizes and shapes are, by category, on a table of log scale ``shift``."""
+    likely = np.full(names.shape, _UNLIKE)
+    likely[:, -1] = _ANY
+    for row, seen in zip(likely, looks, strict=True):
+        if seen is None:
+            row[:] = 1.0
+            continue
+        for column, (scale, off) in seen.items():
+            size = (np.log(scale) + shift) / _SPREAD
+            row[column] = max(np.exp(-0.5 * (size**2 + (off / _SHAPES) ** 2)), _UNLIKE)
+    return likely
+
+
+def free_labels(names: Float[np.ndarray, "n k"], keys: Sequence[str]) -> list[str | None]:
+    """Return each thing's noun, or None where no category is likely enough."""
+    best = names[:, :-1].argmax(1)
+    return [
+        CATEGORIES[keys[int(k)]].noun if p[k] > _SURE and p[k] > p[-1] else None
+        for p, k in zip(names, best, strict=True)
+    ]
+
+
+def shape_word(width: float, height: float, share: float) -> str:
+    """Return "tall", "flat", "round" or plain "object" after a mask's box and its filled share."""
+    if height > 1.6 * width:
+        return "tall object"
+    if width > 1.6 * height:
+        return "flat object"
+    return "round object" if 0.72 < share < 0.86 else "object"
+
+
+def assigned(
+    names: Float[np.ndarray, "n k"],
+    keys: Sequence[str],
+    scores: Float[np.ndarray, "n"],
+    wanted: Sequence[str],
+    doubtful: Bool[np.ndarray, "n"] | None = None,
+) -> list[tuple[int, int]]:
+    """Give each wanted word to one thing, all together as likely as possible.
+
+    ``doubtful`` things, which may be parts of others, are given only words that they look like.
+
+    Returns:
+        Pairs (thing, index into ``wanted``); words or things may be left over.
+    """
+    at = {key: k for k, key in enumerate(keys)}
+    found = [known(word) for word in wanted]
+    columns = [at.get(c.key, len(keys)) if c else len(keys) for c in found]
+    likely = np.maximum(names[:, columns], _RARE)
+    cost = -np.log(likely) - np.log(np.clip(scores, 0.05, 1.0))[:, None]
+    if doubtful is not None:
+        cost[doubtful[:, None] & (likely < _LIKE)] = _NEVER
+    pairs = zip(*linear_sum_assignment(cost), strict=True)
+    return [(int(i), int(j)) for i, j in pairs if cost[i, j] < _NEVER]

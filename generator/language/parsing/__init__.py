@@ -1,0 +1,1 @@
+"""English about tabletops: words, phrases, statements and what they refer to."""

@@ -1,0 +1,120 @@
+"""Words to catalogue categories: exact names first, then reviewed synonyms; never by spelling."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Mapping
+from functools import cache
+from types import MappingProxyType
+
+from ...catalogue import CATEGORIES
+from .vocabulary import (
+    COLLECTIVES,
+    PARTS,
+    PLACES,
+    SYNONYMS,
+    TABLE_NOUNS,
+)
+
+IRREGULAR: Mapping[str, str] = MappingProxyType(
+    {
+        "knives": "knife", "loaves": "loaf", "leaves": "leaf", "mice": "mouse", "dice": "die",
+        "tomatoes": "tomato", "potatoes": "potato", "mangoes": "mango", "people": "person",
+        "cookies": "cookie", "shelves": "shelf", "children": "child", "lenses": "lens",
+        "movies": "movie", "pies": "pie", "brownies": "brownie", "axes": "axe",
+        "smoothies": "smoothie", "dies": "die", "glasses": "glass", "halves": "half",
+        "vases": "vase", "cases": "case", "bases": "base", "roses": "rose", "houses": "house",
+    }
+)  # fmt: skip
+
+
+def tokens(text: str) -> list[str]:
+    """Split a text into lower-case words, numbers and punctuation; accents and "'s" go.
+
+    A range of numbers ("2-3") becomes its upper end.
+    """
+    plain = unicodedata.normalize("NFKD", text.lower().replace("’", "'"))
+    plain = "".join(c for c in plain if not unicodedata.combining(c))
+    plain = re.sub(r"(?<=[a-z])'s?\b", "", plain).replace("&", " and ")
+    plain = re.sub(r"(?<=\d),(?=\d{3}\b)", "", plain)
+    plain = re.sub(r"\b\d+ ?[-–] ?(?=\d)", "", plain)
+    return re.findall(r"(?<![\w.])-\d+|\d+(?:\.\d+)?(?:e\d+)?|[a-z]+|[,.;:!?\n()]", plain)
+
+
+def singular(word: str) -> str:
+    """Return the singular of an English noun by rule ("boxes" to "box")."""
+    if word in IRREGULAR:
+        return IRREGULAR[word]
+    if len(word) < 4 or not word.endswith("s") or word.endswith(("ss", "us", "is")):
+        return word
+    if word.endswith("ies") and len(word) > 4:
+        return word[:-3] + "y"
+    if word.endswith(("ches", "shes", "xes", "sses", "zes")):
+        return word[:-2]
+    return word[:-1]
+
+
+@cache
+def _index() -> Mapping[str, str]:
+    """Return every noun the planner knows with its category key; the catalogue's own words win."""
+    index = {alias: c.key for c in reversed(list(CATEGORIES.values())) for alias in c.aliases}
+    index |= {c.noun: c.key for c in CATEGORIES.values()}
+    for _ in range(2):  # a synonym may lead to another synonym
+        for word, meaning in SYNONYMS:
+            if word not in index and meaning in index:
+                index[word] = index[meaning]
+    index = {" ".join(tokens(word)): key for word, key in index.items()}
+    return MappingProxyType({word: key for word, key in index.items() if word not in NEVER_OBJECTS})
+
+
+NEVER_OBJECTS = PARTS | TABLE_NOUNS
+"""Words that never name an object, whatever the catalogue's aliases say."""
+
+
+def _forms(words: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the ways to read a noun: as written, last word singular, first word singular."""
+    last = (*words[:-1], singular(words[-1]))
+    first = (singular(words[0]), *words[1:])
+    both = (singular(words[0]), *last[1:]) if len(words) > 1 else last
+    return tuple(dict.fromkeys(" ".join(form) for form in (words, last, first, both)))
+
+
+def category_of(words: tuple[str, ...]) -> str | None:
+    """Return the category key that exactly these words name, or None."""
+    index = _index()
+    return next((index[form] for form in _forms(words) if form in index), None)
+
+
+def is_plural(words: tuple[str, ...]) -> bool:
+    """Tell whether a noun stands for several things ("mugs", not "scissors" or "glass")."""
+    written = " ".join(words)
+    if written in _index() and written != "dice":
+        return False
+    return any(singular(word) != word for word in (words[0], words[-1]))
+
+
+def collective_of(words: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the categories that a word for a mixed group stands for, or nothing."""
+    members = COLLECTIVES.get(" ".join(words), ())
+    keys = (category_of(tuple(member.split())) for member in members)
+    return tuple(key for key in keys if key is not None)
+
+
+def is_phrase_start(words: tuple[str, ...]) -> bool:
+    """Tell whether these words, with an "of" or "and" among them, are one noun."""
+    return bool({"of", "and"} & set(words)) and (
+        category_of(words) is not None or " ".join(words) in COLLECTIVES
+    )
+
+
+def is_setting(word: str) -> bool:
+    """Tell whether a word names a place or an aspect of the picture instead of an object."""
+    return word in PLACES or singular(word) in PLACES
+
+
+@cache
+def vocabulary() -> frozenset[str]:
+    """Return every single word of every noun the planner knows."""
+    names = [*_index(), *COLLECTIVES, *TABLE_NOUNS]
+    return frozenset(word for name in names for word in name.split())

@@ -1,0 +1,227 @@
+"""Text to scene plan (Sec. 3, Fig. 20) by rules and data: an English grammar, synonyms, themes."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..catalogue import CATEGORIES
+from ..errors import InputError
+from ..scene import PlannedObject, Relation, ScenePlan
+from . import relations
+from .drafts import Draft, Reading
+from .filling import fill
+from .furniture import plan_table
+from .laying import place_settings, setting_of
+from .parsing import lexicon
+from .parsing.grammar import chunks
+from .parsing.statements import Reader
+from .parsing.vocabulary import (
+    COLORS,
+    DEFINITE,
+    DRAWN,
+    FILLERS,
+    FOREIGN,
+    MATERIALS,
+    NUMBERS,
+    PEOPLE,
+    PLACES,
+    STATES,
+    STYLES,
+    VAGUE,
+    VERBS,
+)
+from .themes import DEFAULT_TABLES, THEMES
+
+MAX_CHARACTERS = 2000
+"""Longest text the planner reads."""
+
+EXAMPLE = "'a laptop, a red mug to the right of it and two books on a wooden desk'"
+_ENGLISH = VERBS | FILLERS | DEFINITE | STATES | COLORS | MATERIALS | PLACES | {
+    "and", "on", "in", "with", "of", "left", "right", "behind", "front", "next", "between",
+    *NUMBERS, *VAGUE,
+}  # fmt: skip
+_REQUEST = re.compile(r"\b(?:can|could|would) (?:you|we|i)\b")
+_SOME = "|".join(PEOPLE)
+_PEOPLE = re.compile(
+    rf"\b(?:(?:set |laid )?for ({_SOME})(?: (?:people|persons|guests|diners|children|kids))?"
+    r"(?=\s*(?:[.,;]|$|with|and|on|in|at))"
+    rf"|({_SOME})[ -](?:person|seat|seater))\b"
+)
+
+
+def plan_scene(prompt: str, seed: int) -> ScenePlan:
+    """Plan the tabletop scene that an English text describes.
+
+    Explicit objects, counts, attributes and relations are kept exactly. A text that only names a
+    kind of table ("an office desk"), or stays vague ("some tools"), is filled up to seven objects
+    with what belongs there. A word outside the catalogue becomes a "generic" object with a
+    warning. The same text and seed give the same plan.
+
+    Raises:
+        InputError: empty, too long or not English; nothing for a table in it; impossible counts
+            or contradicting relations.
+    """
+    _check_text(prompt)
+    rng = np.random.default_rng([int(seed) & 0xFFFFFFFF, 11])
+    text = _REQUEST.sub(" ", " ".join(lexicon.tokens(prompt)))
+    text, drawn = _drawn(text)
+    people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
+    words = _PEOPLE.sub(" ", text).split()
+    reading = Reader(rng).read(chunks(words))
+    theme = _theme(words)
+    _check_content(prompt, reading, theme)
+    objects = _plan_objects(reading)
+    name = theme or _default_theme(reading, empty=not objects)
+    _check_bare(reading, objects)
+    setting = setting_of(THEMES[name], objects) if name and people > 1 else None
+    if setting:
+        objects = [*objects, *place_settings(people, setting, objects, reading.excluded)]
+    elif name and (not objects or (theme and reading.vague and len(objects) < 6)):
+        most = min(7, len(objects) + 3) if objects else 7
+        fewest = most if objects else max(THEMES[name].core, most - 2)
+        objects = fill(objects, THEMES[name], (fewest, most), reading.excluded, rng)
+    table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
+    objects, doubts = relations.checked(objects)
+    style = drawn or next((word for word in words if word in STYLES), "plain")
+    warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown(objects), *doubts]))
+    return ScenePlan(prompt, table, tuple(objects), style, warnings)
+
+
+# ------------------------------------------------------------------------------------- checks
+
+
+def _check_text(prompt: str) -> None:
+    if not isinstance(prompt, str):
+        raise InputError(f"A text or a ScenePlan is needed, got {type(prompt).__name__}.")
+    if not prompt.strip():
+        raise InputError(f"The text is empty. Describe a tabletop, for example {EXAMPLE}.")
+    if len(prompt) > MAX_CHARACTERS:
+        raise InputError(
+            f"The text has {len(prompt)} characters; at most {MAX_CHARACTERS} are read. "
+            "Describe one table in a few sentences."
+        )
+    letters = [c for c in prompt if c.isalpha()]
+    if not letters:
+        raise InputError(f"The text holds no words. Describe a tabletop, for example {EXAMPLE}.")
+    latin = sum(bool(re.fullmatch("[a-z]+", "".join(lexicon.tokens(c)) or "-")) for c in letters)
+    words = [w for w in lexicon.tokens(prompt) if w.isalpha()]
+    known = _ENGLISH | lexicon.vocabulary()
+    english = sum(w in known or lexicon.singular(w) in known for w in words)
+    foreign = sum(w in FOREIGN for w in words)
+    if latin < 0.7 * len(letters) or not english or foreign > english - foreign:
+        raise InputError(
+            "The embedded planner reads English and recognised none here. Write in English, for "
+            f"example {EXAMPLE}, or choose another reasoner backend that reads your language."
+        )
+
+
+def _check_content(prompt: str, reading: Reading, theme: str | None) -> None:
+    known = any(draft.category for draft in reading.objects)
+    if known or reading.table or theme:
+        return
+    words = ", ".join(repr(draft.noun) for draft in reading.objects[:4])
+    found = f" (of {words} none is known)" if words else ""
+    raise InputError(
+        f"No object and no kind of table was found in {prompt.strip()[:60]!r}{found}. Name things "
+        f"and the table they are on, for example {EXAMPLE}, or a kind of table: 'an office desk'."
+    )
+
+
+def _check_bare(reading: Reading, objects: Sequence[PlannedObject]) -> None:
+    """Refuse a text that leaves nothing on the table."""
+    bare = any({"empty", "bare"} & set(noun.words) for noun in reading.table)
+    if not objects and (reading.objects or bare):
+        raise InputError(
+            "The text leaves nothing on the table; a scene needs at least one object. Name one, "
+            f"for example {EXAMPLE}."
+        )
+
+
+def _unknown(objects: Sequence[PlannedObject]) -> list[str]:
+    nouns = dict.fromkeys(o.noun for o in objects if o.category == "generic")
+    return [
+        f"The catalogue has no {noun!r}; a plain shape of plausible size stands for it."
+        for noun in nouns
+    ]
+
+
+# -------------------------------------------------------------------------------------- themes
+
+
+def _drawn(text: str) -> tuple[str, str | None]:
+    """Take "cartoon style" or "low poly" out of a text; return the rest and the way to draw."""
+    for phrase, drawn in DRAWN.items():
+        found = re.search(rf"\b{phrase}\b(?: styled?\b)?", text)
+        if found:
+            return f"{text[: found.start()]} {text[found.end() :]}", drawn
+    return text, None
+
+
+def _theme(words: Sequence[str]) -> str | None:
+    """Return the theme whose longest phrase occurs in the text."""
+    text = f" {' '.join(words)} "
+    singular = f" {' '.join(lexicon.singular(w) for w in words)} "
+    found = [
+        (len(phrase), name)
+        for name, theme in THEMES.items()
+        for phrase in theme.words
+        if f" {phrase} " in text or f" {phrase} " in singular
+    ]
+    return max(found, key=lambda pair: pair[0])[1] if found else None
+
+
+def _default_theme(reading: Reading, *, empty: bool) -> str | None:
+    """Return what a table named without a theme is likely to be; a "table" only if bare."""
+    heads = [noun.words[-1] for noun in reading.table if noun.kind == "table"]
+    heads = [head for head in heads if empty or head not in ("table", "tabletop")]
+    return next((DEFAULT_TABLES[head] for head in heads if head in DEFAULT_TABLES), None)
+
+
+# ------------------------------------------------------------------------------------- objects
+
+
+def _plan_objects(reading: Reading) -> list[PlannedObject]:
+    """Name the drafted objects and turn references into names."""
+    drafts = [d for d in reading.objects if not d.category or d.category not in reading.excluded]
+    taken: Counter[str] = Counter()
+    names: dict[int, str] = {}
+    for draft in drafts:
+        stem = draft.category or re.sub(r"[^a-z0-9]+", "_", draft.noun).strip("_") or "object"
+        stem = "object" if stem == "table" else stem
+        taken[stem] += 1
+        names[id(draft)] = f"{stem}_{taken[stem]}"
+    return [
+        PlannedObject(
+            names[id(d)], d.noun, d.category or "generic", dict(d.attributes),
+            tuple(
+                Relation(relations.kind(kind), names[id(to)] if isinstance(to, Draft) else to)
+                for kind, to in d.relations
+                if isinstance(to, str) or id(to) in names
+            ),
+            _size(d),
+        )
+        for d in drafts
+    ]  # fmt: skip
+
+
+GENERIC_SIZE = (0.1, 0.08, 0.09)
+"""Extent in metres of an object nothing is known about."""
+
+_SIZE_FACTORS = {"tiny": 0.45, "small": 0.7, "large": 1.5, "huge": 2.0}
+
+
+def _size(draft: Draft) -> tuple[float, float, float] | None:
+    """Return the extent a text fixes: a length in it, or the guess for an unknown thing."""
+    known = CATEGORIES[draft.category].size if draft.category else GENERIC_SIZE
+    if draft.lengths:
+        longest = float(np.clip(draft.lengths[0], 0.01, 0.6))
+        factor = longest / max(known)
+    elif draft.category:
+        return None
+    else:
+        factor = _SIZE_FACTORS.get(draft.attributes.get("size", ""), 1.0)
+    return float(known[0] * factor), float(known[1] * factor), float(known[2] * factor)

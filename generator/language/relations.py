@@ -1,0 +1,151 @@
+"""Whether planned relations can all hold: contradictions raise, implausible ones step aside."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import cast, get_args
+
+from ..catalogue import CATEGORIES
+from ..errors import InputError
+from ..scene import (
+    TABLE,
+    PlannedObject,
+    Relation,
+    RelationKind,
+)
+
+KINDS: frozenset[str] = frozenset(get_args(RelationKind))
+OPPOSITE: Mapping[str, str] = {
+    "left_of": "right_of", "right_of": "left_of", "behind": "in_front_of", "in_front_of": "behind",
+}  # fmt: skip
+_SUPPORTED = ("on", "in")
+
+
+def kind(word: str) -> RelationKind:
+    """Return ``word`` as a relation kind.
+
+    Raises:
+        InputError: it is none.
+    """
+    if word not in KINDS:
+        raise InputError(f"{word!r} is no relation; relations are {', '.join(sorted(KINDS))}.")
+    return cast(RelationKind, word)
+
+
+def checked(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObject], list[str]]:
+    """Return the objects with relations that can hold together, and warnings for changed ones.
+
+    "In" a thing that is no vessel becomes "on"; "in" or "on" a thing too small becomes "next to";
+    "in the middle of" or "at the edge of" another object becomes "on" or "next to" it.
+
+    Raises:
+        InputError: an object related to itself, on two supports at once, or in a circle (a on b,
+            b on a; a left of b, b left of a).
+    """
+    _check_circles(objects)
+    by_name = {o.name: o for o in objects}
+    warnings: list[str] = []
+    out = []
+    for planned in objects:
+        kept = []
+        for relation in planned.relations:
+            better = _plausible(planned, relation, by_name)
+            if better != relation and relation.kind in _SUPPORTED:
+                target = by_name[relation.target]
+                warnings.append(
+                    f"A {planned.noun} does not fit {relation.kind} a {target.noun}; it stands "
+                    f"{better.kind.replace('_', ' ')} it."
+                )
+            kept.append(better)
+        out.append(replace(planned, relations=tuple(dict.fromkeys(kept))))
+    return out, list(dict.fromkeys(warnings))
+
+
+def _check_circles(objects: Sequence[PlannedObject]) -> None:
+    supports: dict[str, set[str]] = {}
+    lefts: dict[str, set[str]] = {}
+    fronts: dict[str, set[str]] = {}
+    for planned in objects:
+        for relation in planned.relations:
+            a, b = planned.name, relation.target
+            if a == b:
+                raise InputError(f"The text relates the {planned.noun} to itself.")
+            if relation.kind in _SUPPORTED and b != TABLE:
+                supports.setdefault(a, set()).add(b)
+            elif relation.kind in OPPOSITE and b != TABLE:
+                graph = lefts if relation.kind in ("left_of", "right_of") else fronts
+                first, last = (a, b) if relation.kind in ("left_of", "in_front_of") else (b, a)
+                graph.setdefault(first, set()).add(last)
+        if len(supports.get(planned.name, ())) > 1:
+            raise InputError(
+                f"The text puts one {planned.noun} on or in two things at once; choose one."
+            )
+    for graph, what in ((supports, "on"), (lefts, "left of"), (fronts, "in front of")):
+        circle = _circle(graph)
+        if circle:
+            raise InputError(
+                f"The relations contradict each other: {f' {what} '.join(circle)}. Change one."
+            )
+
+
+def _circle(graph: dict[str, set[str]]) -> list[str]:
+    """Return the names along a circle of a directed graph, or nothing."""
+    done: set[str] = set()
+
+    def visit(name: str, path: list[str]) -> list[str]:
+        if name in path:
+            return [*path[path.index(name) :], name]
+        if name in done:
+            return []
+        for following in sorted(graph.get(name, ())):
+            found = visit(following, [*path, name])
+            if found:
+                return found
+        done.add(name)
+        return []
+
+    return next((found for name in sorted(graph) if (found := visit(name, []))), [])
+
+
+def size_of(planned: PlannedObject) -> tuple[float, float, float]:
+    """Return the extent in metres expected of a planned object."""
+    if planned.size is not None:
+        return planned.size
+    return CATEGORIES[planned.category].size
+
+
+def _plausible(
+    planned: PlannedObject, relation: Relation, by_name: dict[str, PlannedObject]
+) -> Relation:
+    """Return the relation, or the nearest one that physics allows."""
+    if relation.target == TABLE:
+        return relation
+    target = by_name[relation.target]
+    if relation.kind in ("center", "edge"):
+        relation = Relation("on" if relation.kind == "center" else "next_to", target.name)
+    if relation.kind not in _SUPPORTED:
+        return relation
+    inner, outer = size_of(planned), size_of(target)
+    container = target.category != "generic" and CATEGORIES[target.category].container
+    if relation.kind == "in" and fits("in", inner, outer, container):
+        return relation
+    if fits("on", inner, outer, container) and not (relation.kind == "in" and container):
+        return Relation("on", target.name)
+    return Relation("next_to", target.name)
+
+
+def fits(
+    kind: str,
+    inner: tuple[float, float, float],
+    outer: tuple[float, float, float],
+    container: bool,
+) -> bool:
+    """Tell whether a thing of extent ``inner`` (metres) may be on or in one of extent ``outer``."""
+    narrow, middle, longest = sorted(inner)
+    if kind == "in":
+        mouth = 0.85 * min(outer[:2])
+        upright = inner[2] == longest or narrow < 0.5 * mouth
+        widest = middle if upright else max(inner[:2])
+        return container and widest <= mouth and longest < 2.6 * outer[2]
+    return min(inner[:2]) <= 1.25 * min(outer[:2]) and max(inner[:2]) <= 1.6 * max(outer[:2])

@@ -1,0 +1,151 @@
+"""From a foreign mesh to a model of the project: upright, repaired, light, in one texture."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+import trimesh
+from jaxtyping import Float
+
+from ..backends.embedded.modeler import known_category, metric
+from ..catalogue import Category
+from ..catalogue.build.matter import friction
+from ..errors import require
+from ..geometry import to_unit_box
+from ..scene import (
+    Instance,
+    Mesh,
+    Model,
+    Physics,
+    SizePrior,
+)
+from .coloring import (
+    best_size,
+    own_texture,
+    painted_faces,
+    painted_shape,
+)
+from .reading.surface import (
+    Axis,
+    Kind,
+    Surface,
+    read_surface,
+    surface_of,
+)
+from .reading.textures import MOST_TEXTURE
+from .reducing import reduced, volume
+from .repairing import (
+    check_surface,
+    cleaned,
+    filled,
+    inside_out,
+    tidied,
+    welded_shape,
+)
+
+_FILLED = 0.4  # share of its box that an open mesh is taken to fill
+
+
+@dataclass(frozen=True)
+class Normal:
+    """What foreign meshes are brought to.
+
+    Attributes:
+        faces: most triangles, 50 to 25,000; up to four times as many where the shape needs them.
+        texture: side of a texture made anew, texels, at most 2048; more where many faces need it.
+    """
+
+    faces: int = 6000
+    texture: int = 1024
+
+    def __post_init__(self) -> None:
+        require(self, "faces", least=50, most=25_000, whole=True)
+        require(self, "texture", least=16, most=MOST_TEXTURE, whole=True)
+
+
+def normal_mesh(
+    raw: bytes,
+    what: str,
+    *,
+    kind: Kind = "glb",
+    up: Axis = "y",
+    to: Normal | None = None,
+    beside: Mapping[str, bytes] = MappingProxyType({}),
+) -> Mesh:
+    """Return a GLB or OBJ file as one textured mesh with +z up, in the file's units.
+
+    All its faces look outwards as far as that can be told, and of its edges, taken across seams of
+    the texture, 99 % or more join two faces (or two pairs, where things touch) or run around an
+    opening: what was closed, or had small holes only, is closed; cups, tubes and leaves stay open,
+    and are solid by their convex parts alone. See ``repairing``. At most four times as many
+    triangles stay as are wanted, and a texture that all parts share, does not repeat, and needs no
+    other triangles stays as it is, of 2048 texels at most.
+
+    Args:
+        raw: the file's content.
+        what: how messages call it: backend, question, name.
+        kind: the format.
+        up: the file's upward axis.
+        to: how light it is to be.
+        beside: the files that an OBJ names, by name; see ``companions``.
+
+    Raises:
+        BackendError: it cannot be read (``inspection``), repaired (``repairing``) or reduced.
+    """
+    return normal_surface(read_surface(raw, what, kind, beside), what, up=up, to=to)
+
+
+def normal_trimesh(mesh: trimesh.Trimesh, what: str, *, up: Axis, to: Normal | None = None) -> Mesh:
+    """Return a mesh that a library made as ``normal_mesh`` does a file."""
+    return normal_surface(surface_of([mesh], what), what, up=up, to=to)
+
+
+def normal_surface(surface: Surface, what: str, *, up: Axis, to: Normal | None = None) -> Mesh:
+    """Return a surface as one textured mesh with +z up; see ``normal_mesh``."""
+    to = to or Normal()
+    surface = cleaned(surface.upright(up), what)
+    vertices, faces = welded_shape(surface.vertices, surface.faces)
+    if len(faces) > to.faces:
+        vertices, faces = reduced(vertices, faces, to.faces, what)
+        faces = tidied(vertices, faces)
+    own = len(faces) == len(surface.faces)
+    over = inside_out(vertices, faces)
+    faces = np.where(over[:, None], faces[:, ::-1], faces)
+    vertices, faces = filled(vertices, faces)
+    check_surface(faces, what)
+    size = best_size(surface, to.texture, len(faces))
+    if not own or len(faces) > len(surface.faces):
+        return painted_shape(vertices, faces, surface, size)
+    surface = surface.flipped(over)
+    return own_texture(surface) or painted_faces(surface, size)
+
+
+def foreign_model(mesh: Mesh, instance: Instance, size: SizePrior) -> Model:
+    """Return a normal mesh as the raw model of an instance.
+
+    Its proportions are its own, its size the prior's. A thing that the catalogue knows weighs and
+    slides as there; else it is as dense as light wood.
+    """
+    unit, _, extent = to_unit_box(mesh)
+    kind = known_category(instance, size)
+    return Model(
+        instance.name,
+        instance.label,
+        unit,
+        metric(extent, size),
+        physics_of(mesh, extent, kind),
+        category=kind.key if kind else "generic",
+        container=bool(kind and kind.container),
+    )
+
+
+def physics_of(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None) -> Physics:
+    """Return what a foreign mesh is made of: such that one of usual size has its kind's mass."""
+    if kind is None:
+        return Physics(density=500.0, friction=0.6)
+    share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED
+    density = kind.mass / (share * float(np.prod(kind.size)))
+    return Physics(float(np.clip(density, 20.0, 8000.0)), kind.friction or friction(kind.key))

@@ -1,0 +1,299 @@
+"""What is wrong with a foreign mesh file, found before any of it is decoded."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import hashlib
+import io
+import re
+import struct
+from collections import Counter
+from collections.abc import Iterable
+
+from PIL import Image
+
+from ...errors import BackendError
+from ...io.reading import parse_object
+from .bounds import (
+    CLAIMED,
+    MOST_BYTES,
+    MOST_COLUMNS,
+    MOST_FACES,
+    MOST_GROUPS,
+    MOST_HEADER,
+    MOST_LINE,
+    MOST_MATERIALS,
+    MOST_MESHES,
+    MOST_NODES,
+    MOST_OBJ_BYTES,
+    MOST_PARTS,
+    MOST_TEXELS,
+    MOST_TEXELS_TOGETHER,
+)
+from .flattening import (
+    FAN,
+    JSON_CHUNK,
+    STRIP,
+    TRIANGLES,
+    Crooked,
+    Header,
+    base_color,
+    picture_of,
+    placed,
+)
+
+_FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TGA")  # of a texture; others' readers are many
+_LONG_LINE = re.compile(rb"^[^\n]{%d}" % (MOST_LINE + 1), re.MULTILINE)
+_FACE = re.compile(rb"\nf[^\n]*+")
+_SCANS = 100  # of a JPEG; each goes over all of the picture, and takes next to no bytes
+_MOST = {
+    "nodes": MOST_NODES, "meshes": MOST_MESHES, "materials": MOST_MATERIALS,
+    "textures": MOST_MATERIALS, "images": MOST_MATERIALS, "scenes": MOST_MATERIALS,
+    "accessors": MOST_COLUMNS, "bufferViews": MOST_COLUMNS, "buffers": 100,
+}  # fmt: skip
+
+_COMPRESSED = {
+    "KHR_draco_mesh_compression",
+    "EXT_meshopt_compression",
+    "KHR_meshopt_compression",
+    "KHR_texture_basisu",
+}
+_UNDERSTOOD = ("KHR_materials_", "KHR_lights_punctual", "EXT_texture_webp", "KHR_texture_transform")
+_COLUMNS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
+_WIDTHS = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
+_DAMAGE = (KeyError, IndexError, TypeError, AttributeError, ValueError)
+
+
+def inspect_glb(
+    raw: bytes,
+    what: str,
+    most_faces: int = MOST_FACES,
+    most_texels: int = MOST_TEXELS_TOGETHER,
+) -> Header:
+    """Return the JSON header of a GLB file (glTF 2.0) that can be read without harm.
+
+    Args:
+        raw: the file's content.
+        what: how messages call it: the backend and the thing it was asked for.
+        most_faces: meshes of more triangles, repeated ones counted each time, are refused.
+        most_texels: colour textures of more pixels together, equal ones counted once, are refused.
+
+    Raises:
+        BackendError: no GLB, cut off, too large, compressed, with files outside itself, without
+            triangles, or with a picture that cannot be read or is too large.
+    """
+    header, data = _chunks(raw, what)
+    try:
+        reason = (
+            _counts(header)
+            or _extensions(header)
+            or _links(header)
+            or _amounts(header, len(raw))
+            or _faces(header, most_faces)
+            or _pictures(header, data, most_texels)
+        )
+    except Crooked as error:
+        reason = f"is damaged: {error}. Export it again."
+    except _DAMAGE as error:
+        reason = f"is damaged ({type(error).__name__}: {error}). Export it again."
+    if reason:
+        raise BackendError(f"{what} {reason}")
+    return header
+
+
+def inspect_obj(raw: bytes, what: str, most_faces: int = MOST_FACES) -> None:
+    """Check that an OBJ file is text with faces, and not too many: of each face its triangles.
+
+    Raises:
+        BackendError: it is none, or too large.
+    """
+    _check_size(raw, what, MOST_OBJ_BYTES)
+    if b"\0" in raw[:4096]:
+        raise BackendError(f"{what} is no OBJ file: it is not text. Export it again.")
+    text = b"\n" + raw.replace(b"\r\n", b"\n").replace(b"\\\n", b"")  # lines may be continued
+    count = text.count(b"\nf")
+    if not 0 < count <= most_faces:
+        raise BackendError(f"{what} has {count} faces; 1 to {most_faces} are read.")
+    for kind in (b"v", b"vt", b"vn"):
+        count = text.count(b"\n" + kind + b" ") + text.count(b"\n" + kind + b"\t")
+        if count > 3 * most_faces:
+            name = "vertices" if kind == b"v" else f"lines {kind.decode()!r}"
+            raise BackendError(f"{what} has {count} {name}; at most {3 * most_faces} are read.")
+    count = text.count(b"usemtl") + text.count(b"\no") + text.count(b"\ng")
+    if count > MOST_GROUPS:
+        raise BackendError(
+            f"{what} changes material, object or group {count} times; at most {MOST_GROUPS} are "
+            "read. Sort its faces by material."
+        )
+    check_lines(text, what)
+    count = sum(max(len(face[0].split()) - 3, 0) for face in _FACE.finditer(text))
+    if count > most_faces:
+        raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are read.")
+
+
+def check_lines(text: bytes, what: str) -> None:
+    """Check that no line of a file is longer than any program writes.
+
+    Raises:
+        BackendError: one is.
+    """
+    if _LONG_LINE.search(text):
+        raise BackendError(f"{what} has a line of more than the {MOST_LINE} bytes that are read.")
+
+
+def check_pictures(pictures: Iterable[bytes], most: int = MOST_TEXELS_TOGETHER) -> str | None:
+    """Return why pictures cannot be used, or None. Only their headers are read.
+
+    ``most`` bounds their pixels together; equal pictures count once.
+    """
+    sizes: dict[bytes, int] = {}
+    for raw in pictures:
+        try:
+            with Image.open(io.BytesIO(raw), formats=_FORMATS) as picture:
+                width, height = picture.size
+                scans = raw.count(b"\xff\xda") if picture.format == "JPEG" else 0
+        except (Image.DecompressionBombError, Image.DecompressionBombWarning):
+            return "has a texture that unpacks to more pixels than any needs. Make it smaller."
+        except Exception as error:  # whatever a decoder may stumble over in a foreign file
+            return f"has a texture that cannot be read ({error}). Use PNG or JPEG."
+        if scans > _SCANS:
+            return f"has a JPEG texture of {scans} scans; at most {_SCANS} are read."
+        if width * height > MOST_TEXELS:
+            return f"has a texture of {width} x {height} pixels; at most {MOST_TEXELS} are read."
+        sizes[hashlib.sha256(raw).digest()] = width * height
+        if sum(sizes.values()) > most:
+            return f"has textures of more than {most} pixels together. Make them smaller or fewer."
+    return None
+
+
+def _check_size(raw: bytes, what: str, most: int) -> None:
+    if len(raw) > most:
+        raise BackendError(
+            f"{what} takes {len(raw) / 2**20:.0f} MiB; at most {most // 2**20} are read."
+        )
+
+
+def _chunks(raw: bytes, what: str) -> tuple[Header, bytes]:
+    """Return the JSON header and the binary chunk (empty where there is none)."""
+    _check_size(raw, what, MOST_BYTES)
+    if raw[:4] != b"glTF" or len(raw) < 20:
+        raise BackendError(
+            f"{what} is no GLB file: its {len(raw)} bytes begin with {raw[:12]!r}. "
+            "Binary glTF 2.0 is read."
+        )
+    version, length, size, kind = struct.unpack("<4I", raw[4:20])
+    if version != 2 or kind != JSON_CHUNK:
+        raise BackendError(f"{what} is glTF version {version}; binary glTF 2.0 is read.")
+    if length > len(raw) or size > length - 20:
+        raise BackendError(f"{what} is cut off: {len(raw)} of {max(length, size)} bytes are there.")
+    text, told = raw[20 : 20 + size], f"{what} has a damaged header: it"
+    header = parse_object(text, told, BackendError, max_bytes=MOST_HEADER)
+    return header, raw[28 + size :]
+
+
+def _counts(header: Header) -> str | None:
+    for name, most in _MOST.items():
+        listed = header.get(name, [])
+        if not isinstance(listed, list) or not all(isinstance(entry, dict) for entry in listed):
+            return f"is damaged: its {name} are no list of objects. Export it again."
+        if len(listed) > most:
+            return f"has {len(listed)} {name}; at most {most} are read. Join them."
+    return None
+
+
+def _extensions(header: Header) -> str | None:
+    required = set(header.get("extensionsRequired", ()))
+    compressed = sorted(_COMPRESSED & (required | set(header.get("extensionsUsed", ()))))
+    if compressed:
+        return f"is compressed by {', '.join(compressed)}, not read. Export it uncompressed."
+    foreign = sorted(name for name in required if not name.startswith(_UNDERSTOOD))
+    if foreign:
+        return f"needs {', '.join(foreign)}, not read. Export plain glTF 2.0."
+    for material in header.get("materials", ()):
+        color = base_color(material).get("baseColorTexture", {})
+        if "KHR_texture_transform" in color.get("extensions", {}):
+            return "moves its texture by KHR_texture_transform, not read. Apply it to the UV map."
+    return None
+
+
+def _links(header: Header) -> str | None:
+    for entry in (*header.get("buffers", ()), *header.get("images", ())):
+        uri = entry.get("uri", "data:")
+        if not uri.startswith("data:"):
+            return f"names a file outside itself, {uri[:80]!r}. Export one GLB with all in it."
+    return None
+
+
+def _amounts(header: Header, size: int) -> str | None:
+    claimed = 0
+    for accessor in header.get("accessors", ()):
+        if "bufferView" not in accessor or "sparse" in accessor:
+            return "has sparse or empty accessors, not read. Export plain glTF 2.0."
+        count = int(accessor["count"])
+        if count < 0:
+            return f"is damaged (an accessor of {count} elements). Export it again."
+        claimed += count * _COLUMNS[accessor["type"]] * _WIDTHS[accessor["componentType"]]
+    if claimed > CLAIMED * size:
+        return f"is damaged: its accessors claim {claimed} bytes, the file has {size}."
+    lengths = [int(view["byteLength"]) for view in header.get("bufferViews", ())]
+    if sum(lengths) > CLAIMED * size or min(lengths, default=0) < 0:
+        return f"is damaged: its views claim {sum(lengths)} bytes, the file has {size}."
+    return None
+
+
+def _faces(header: Header, most: int) -> str | None:
+    """Count triangles as they would be drawn: a mesh at two nodes is there twice."""
+    per_mesh = [_mesh_amounts(header, mesh) for mesh in header.get("meshes", ())]
+    if sum(parts for *_, parts in per_mesh) > MOST_MESHES:
+        return f"has meshes of more than {MOST_MESHES} pieces. Join them."
+    drawn = Counter(mesh for mesh, _ in placed(header))
+    if drawn and not 0 <= min(drawn) <= max(drawn) < len(per_mesh):
+        return "is damaged: a node names a mesh that is not there. Export it again."
+    faces, vertices, parts = (
+        sum(times * per_mesh[mesh][k] for mesh, times in drawn.items()) for k in range(3)
+    )
+    if not 0 < faces <= most:
+        return f"has {faces} triangles; 1 to {most} are read."
+    if vertices > 3 * most:
+        return f"has {vertices} vertices; at most {3 * most} are read. Leave out unused ones."
+    if parts > MOST_PARTS:
+        return f"has {parts} pieces; at most {MOST_PARTS} are read. Join them."
+    return None
+
+
+def _mesh_amounts(header: Header, mesh: Header) -> tuple[int, int, int]:
+    """Return how many triangles, vertices and pieces a mesh has."""
+    faces = vertices = 0
+    for primitive in mesh["primitives"]:
+        place = primitive["attributes"].get("POSITION")
+        index = primitive.get("indices", place)
+        count = int(header["accessors"][index]["count"]) if index is not None else 0
+        mode = primitive.get("mode", 4)
+        faces += (
+            count // 3 if mode == TRIANGLES else max(count - 2, 0) if mode in (STRIP, FAN) else 0
+        )
+        vertices += int(header["accessors"][place]["count"]) if place is not None else 0
+    return faces, vertices, len(mesh["primitives"])
+
+
+def _pictures(header: Header, data: bytes, most: int) -> str | None:
+    """Check the pictures that base colours show; no others are decoded."""
+    seen = {picture_of(header, material) for material in header.get("materials", ())}
+    images = [header["images"][at] for at in seen if at is not None]
+    shown = {image.get("bufferView", image.get("uri")): image for image in images}
+    views = [header["bufferViews"][at] for at in shown if isinstance(at, int)]
+    if any(view.get("buffer", 0) != 0 or "uri" in header["buffers"][0] for view in views):
+        return "keeps a texture outside its binary chunk, not read. Export plain glTF 2.0."
+    try:
+        return check_pictures((_encoded(header, image, data) for image in shown.values()), most)
+    except binascii.Error as error:
+        return f"has a damaged texture ({error}). Export it again."
+
+
+def _encoded(header: Header, image: Header, data: bytes) -> bytes:
+    if "bufferView" not in image:
+        return base64.b64decode(image["uri"].partition("base64,")[2])
+    view = header["bufferViews"][image["bufferView"]]
+    start = view.get("byteOffset", 0)
+    return data[start : start + view["byteLength"]]

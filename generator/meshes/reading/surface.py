@@ -1,0 +1,250 @@
+"""A foreign mesh as it was read: pieces in one frame, each face with its own colours."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Any, Literal
+
+import numpy as np
+import trimesh
+from jaxtyping import Bool, Float, Int, UInt8
+from trimesh.resolvers import ZipResolver
+
+from ...errors import BackendError
+from ...render.shading import sample_texture
+from .bounds import MOST_FACES
+from .flattening import Header, flattened
+from .inspection import inspect_glb, inspect_obj
+from .textures import Pictures, light, shown
+
+Kind = Literal["glb", "obj"]
+Axis = Literal["y", "z"]
+
+_AT_ONCE = 100_000  # faces worked on together
+_GREY = (190, 190, 190, 255)
+_LINEAR = np.arange(256) / 255.0
+
+
+@dataclass(frozen=True, eq=False)
+class Surface:
+    """Triangles with colours. ``picture`` is each face's index into ``pictures``, or -1.
+
+    A face with a picture shows it at its vertices' ``uv`` (v upwards, repeating), others their
+    vertices' ``colors``. ``opacity`` below 1 says that all of it is see-through.
+    """
+
+    vertices: Float[np.ndarray, "n 3"]
+    faces: Int[np.ndarray, "m 3"]
+    uv: Float[np.ndarray, "n 2"]
+    colors: UInt8[np.ndarray, "n 3"]
+    picture: Int[np.ndarray, "m"]
+    pictures: tuple[UInt8[np.ndarray, "h w 3"], ...]
+    opacity: float = 1.0
+
+    def kept(self, which: Bool[np.ndarray, "m"]) -> Surface:
+        """Return some of the faces."""
+        return replace(self, faces=self.faces[which], picture=self.picture[which])
+
+    def flipped(self, which: Bool[np.ndarray, "m"]) -> Surface:
+        """Return the surface with some faces turned over."""
+        faces = np.where(which[:, None], self.faces[:, ::-1], self.faces)
+        return replace(self, faces=faces)
+
+    def upright(self, up: Axis) -> Surface:
+        """Return the surface with +z up, given which axis of the file is."""
+        if up == "z":
+            return self
+        x, y, z = self.vertices.T
+        return replace(self, vertices=np.column_stack([x, -z, y]))
+
+    def colors_at(
+        self, face: Int[np.ndarray, "t"], weights: Float[np.ndarray, "t 3"]
+    ) -> Float[np.ndarray, "t 3"]:
+        """Return the colours, 0 to 255, at places given by face and barycentric weights."""
+        corner = self.faces[face]
+        found = (self.colors[corner] * weights[:, :, None]).sum(1)
+        uv = (self.uv[corner] * weights[:, :, None]).sum(1)
+        uv = np.where((uv < 0) | (uv > 1), uv % 1.0, uv)
+        for k, picture in enumerate(self.pictures):
+            own = np.flatnonzero(self.picture[face] == k)
+            found[own] = 255.0 * sample_texture(picture, uv[own])
+        return found
+
+
+def areas(
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> Float[np.ndarray, "m"]:
+    """Return twice the area of each face."""
+    found = np.zeros(len(faces))
+    for first in range(0, len(faces), _AT_ONCE):
+        part = slice(first, first + _AT_ONCE)
+        a, b, c = vertices[faces[part]].transpose(1, 0, 2)
+        found[part] = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    return found
+
+
+def read_surface(
+    raw: bytes,
+    what: str,
+    kind: Kind,
+    beside: Mapping[str, bytes] = MappingProxyType({}),
+    most_faces: int = MOST_FACES,
+) -> Surface:
+    """Return everything in a GLB or OBJ file as one surface, node transforms applied.
+
+    Of a material the base colour counts: factor, texture, and alpha where it blends.
+
+    Args:
+        raw: the file's content.
+        what: how messages call it.
+        kind: the format.
+        beside: the files that an OBJ names, by name; see ``companions``.
+        most_faces: meshes of more triangles are refused.
+
+    Raises:
+        BackendError: see ``inspection``; or numbers that are not finite.
+    """
+    header: Header = {}
+    if kind == "glb":
+        header = inspect_glb(raw, what, most_faces)
+    else:
+        inspect_obj(raw, what, most_faces)
+    files = ZipResolver({name: io.BytesIO(b) for name, b in beside.items()})
+    try:
+        # An OBJ is made UTF-8: its encoding would be guessed at length.
+        plain = raw.decode("utf-8", "replace").encode() if kind == "obj" else flattened(raw, header)
+        loaded = trimesh.load_scene(
+            io.BytesIO(plain), file_type=kind, resolver=files, process=False
+        )
+        parts = _placed(loaded)
+        asset = header.get("asset")
+        maker = str(asset.get("generator", "")) if isinstance(asset, dict) else ""
+        return surface_of(parts, what, kind == "glb" and "trimesh" not in maker, most_faces)
+    except BackendError:
+        raise
+    except Exception as error:  # whatever a parser may stumble over in a foreign file
+        raise BackendError(
+            f"{what} cannot be read ({type(error).__name__}: {error}). Export it again."
+        ) from error
+
+
+def surface_of(
+    parts: list[trimesh.Trimesh], what: str, linear: bool = False, most_faces: int = MOST_FACES
+) -> Surface:
+    """Return meshes as one surface.
+
+    Args:
+        parts: the meshes, in one frame.
+        what: how messages call them.
+        linear: plain colours are linear, as glTF has them (trimesh writes them as they look).
+        most_faces: meshes of more triangles are refused.
+
+    Raises:
+        BackendError: none has faces, they have too many, or a vertex is not there, NaN or infinite.
+    """
+    count = sum(len(part.faces) for part in parts)
+    if not count:
+        raise BackendError(f"{what} has no triangles. Export a mesh with faces.")
+    if count > most_faces:
+        raise BackendError(f"{what} has {count} triangles; 1 to {most_faces} are read.")
+    for part in parts:
+        if part.vertices.shape[1:] != (3,) or part.faces.shape[1:] != (3,):
+            raise BackendError(f"{what} is damaged: its vertices are no points in space.")
+        if not np.isfinite(np.asarray(part.vertices, np.float32)).all():
+            raise BackendError(f"{what} holds NaN or infinity; every vertex must be finite.")
+        faces = np.asarray(part.faces)
+        if len(faces) and not 0 <= faces.min() <= faces.max() < len(part.vertices):
+            raise BackendError(f"{what} is damaged: faces name vertices that are not there.")
+    pictures = Pictures(what)
+    pieces = [_piece(part, pictures, linear) for part in parts]
+    shift = np.cumsum([0, *(len(part.vertices) for part in parts[:-1])])
+    alphas = [alpha for *_, alpha in pieces]
+    return Surface(
+        np.concatenate([np.asarray(p.vertices, np.float64) for p in parts]),
+        np.concatenate([np.asarray(p.faces) + s for p, s in zip(parts, shift, strict=True)]),
+        np.concatenate([uv for uv, *_ in pieces]),
+        np.concatenate([colors for _, colors, *_ in pieces]),
+        np.repeat([k for _, _, k, _ in pieces], [len(p.faces) for p in parts]),
+        tuple(pictures.kept),
+        float(np.clip(np.mean(alphas), 0.05, 1.0)) if max(alphas) < 1 else 1.0,
+    )
+
+
+def _placed(scene: trimesh.Scene) -> list[trimesh.Trimesh]:
+    """Return the meshes of a scene where its nodes have them, their materials shared.
+
+    trimesh's own ``dump`` copies, and so decodes, the pictures of each.
+    """
+    placed = []
+    for node in scene.graph.nodes_geometry:
+        transform, name = scene.graph[node]
+        geometry = scene.geometry[name]
+        if isinstance(geometry, trimesh.Trimesh) and len(geometry.faces):
+            part = geometry.copy(include_visual=False)
+            part.apply_transform(transform)
+            part.visual = geometry.visual
+            placed.append(part)
+    return placed
+
+
+def _piece(
+    part: trimesh.Trimesh, pictures: Pictures, linear: bool
+) -> tuple[np.ndarray, np.ndarray, int, float]:
+    """Return a mesh's uv, vertex colours, picture (added to ``pictures``) or -1, and alpha."""
+    visual: Any = part.visual
+    material: Any = getattr(visual, "material", None)
+    count = len(part.vertices)
+    uv = np.zeros((count, 2))
+    given = getattr(visual, "uv", None)
+    if given is not None and len(given) == count and given.ndim == 2 and given.shape[1] >= 2:
+        uv = np.nan_to_num(given)[:, :2]
+    factor, alpha = _factor(material), 1.0
+    if str(getattr(material, "alphaMode", "")) == "BLEND":
+        alpha = float(factor[3]) / 255
+    image = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
+    flat = _seen(factor, linear)
+    if image is not None and getattr(visual, "uv", None) is not None:
+        tint = factor[:3] / 255 if linear else light(factor[:3] / 255)
+        if hasattr(material, "image"):  # an OBJ's: programs write a grey beside the picture
+            tint = np.ones(3)
+        return uv, np.tile(flat, (count, 1)), pictures.place(image, tint), alpha
+    colors = getattr(visual, "vertex_attributes", {}).get("color", None)
+    if colors is None and material is None and visual.kind is not None:
+        colors = visual.vertex_colors
+    if colors is None or len(colors) != count:
+        return uv, np.tile(flat, (count, 1)), -1, alpha
+    return uv, _seen(_bytes(np.asarray(colors)), linear), -1, alpha
+
+
+def _factor(material: Any) -> UInt8[np.ndarray, "4"]:
+    """Return a material's plain colour, grey where there is no material at all."""
+    if material is None:
+        return np.array(_GREY, np.uint8)
+    plain = getattr(material, "baseColorFactor", None)
+    if plain is None:
+        plain = getattr(material, "diffuse", None)
+    found = np.full(4, 255, np.uint8)
+    if plain is not None:
+        given = _bytes(np.asarray(plain))[:4]
+        found[: len(given)] = given
+    return found
+
+
+def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
+    """Return colours as bytes, given as bytes, as 16-bit numbers or as shares of one."""
+    if values.dtype == np.uint8:
+        return values
+    if values.dtype == np.uint16:
+        return (values >> 8).astype(np.uint8)
+    if not np.issubdtype(values.dtype, np.floating):
+        return np.clip(values, 0, 255).astype(np.uint8)
+    return np.round(255 * np.clip(np.nan_to_num(values), 0, 1)).astype(np.uint8)
+
+
+def _seen(colors: UInt8[np.ndarray, "*k"], linear: bool) -> UInt8[np.ndarray, "*k"]:
+    """Return plain colours as they look (sRGB), without alpha."""
+    table = shown(_LINEAR) if linear else _LINEAR
+    return np.round(255 * table).astype(np.uint8)[colors[..., :3]]

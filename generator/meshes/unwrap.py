@@ -1,0 +1,113 @@
+"""Cut a triangle mesh into charts and pack them into one square texture without overlap."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from jaxtyping import Float, Int
+from scipy import sparse
+
+from ..render.scanlines import rasterise
+
+_GUTTER = 2.0  # texels between charts
+
+
+@dataclass(frozen=True, eq=False)
+class Atlas:
+    """A mesh with texture coordinates of its own, and what each texel shows.
+
+    ``source`` gives the original vertex of each vertex. Per covered texel: ``texel`` its flat
+    index (row 0 on top), ``face`` its triangle, ``weights`` its place on that triangle.
+    """
+
+    source: Int[np.ndarray, "n"]
+    faces: Int[np.ndarray, "m 3"]
+    uv: Float[np.ndarray, "n 2"]
+    size: int
+    texel: Int[np.ndarray, "t"]
+    face: Int[np.ndarray, "t"]
+    weights: Float[np.ndarray, "t 3"]
+
+
+def welded(vertices: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "n"]:
+    """Return one common index for vertices that share a position."""
+    span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
+    keys = np.round(vertices / span * 1e5).astype(np.int64)
+    x, y, z = (keys - keys.min(0)).T  # each below 2**17
+    return np.unique((x << 40) + (y << 20) + z, return_inverse=True)[1].reshape(-1)
+
+
+def face_normals(
+    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
+) -> Float[np.ndarray, "m 3"]:
+    """Return the unit normal of each face (zero for degenerate faces)."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+
+
+def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return per face its chart and its dominant direction (0..5: -x +x -y +y -z +z)."""
+    normal = face_normals(vertices, faces)
+    # A slight preference keeps the faces of a 45-degree bevel together.
+    axis = np.abs(normal * [1.0, 1.001, 1.002]).argmax(1)
+    side = axis * 2 + (np.take_along_axis(normal, axis[:, None], 1)[:, 0] > 0)
+    corner = welded(vertices)[faces]
+    pairs = np.sort(np.concatenate([corner[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
+    owner = np.tile(np.arange(len(faces)), 3)
+    order = np.lexsort((pairs[:, 1], pairs[:, 0]))
+    pairs, owner = pairs[order], owner[order]
+    same = (pairs[1:] == pairs[:-1]).all(1) & (side[owner[1:]] == side[owner[:-1]])
+    links = sparse.coo_matrix(
+        (np.ones(same.sum()), (owner[1:][same], owner[:-1][same])), shape=(len(faces),) * 2
+    )
+    return sparse.csgraph.connected_components(links, directed=False)[1], side
+
+
+def _pack(sizes: Float[np.ndarray, "c 2"], size: int) -> tuple[float, Float[np.ndarray, "c 2"]]:
+    """Return the largest scale at which rectangles fit a square on shelves, and their corners."""
+    order = np.argsort(-sizes[:, 1], kind="stable")
+    gutter = min(
+        _GUTTER, size / (4.0 * np.ceil(np.sqrt(len(sizes))))
+    )  # else they alone are too much
+    scale = float(np.sqrt(size * size / np.maximum((sizes[:, 0] * sizes[:, 1]).sum(), 1e-12)))
+    while True:
+        corners = np.zeros_like(sizes)
+        x = y = shelf = 0.0
+        for k in order:
+            w, h = sizes[k] * scale + 2 * gutter
+            if x + w > size:
+                x, y, shelf = 0.0, y + shelf, 0.0
+            corners[k] = x + gutter, y + gutter
+            x, shelf = x + w, max(shelf, h)
+            if w > size:
+                y = np.inf
+        if y + shelf <= size:
+            return scale, corners
+        scale *= 0.95
+
+
+def unwrap(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"], size: int) -> Atlas:
+    """Unwrap a mesh: connected faces of like direction become one chart, laid flat along it.
+
+    ``vertices`` are in true proportions; ``size`` is the texture's side in texels.
+    """
+    chart, side = _charts(vertices, faces)
+    count = int(chart.max()) + 1
+    planes = np.array([[1, 2], [0, 2], [0, 1]])[side // 2]
+    flat = np.take_along_axis(vertices[faces], planes[:, None, :].repeat(3, 1), axis=2)
+    low, high = np.full((count, 2), np.inf), np.full((count, 2), -np.inf)
+    np.minimum.at(low, chart, flat.min(1))
+    np.maximum.at(high, chart, flat.max(1))
+    scale, corner = _pack(high - low, size)
+    place = (flat - low[chart][:, None]) * scale + corner[chart][:, None]
+    key = np.column_stack([faces.ravel(), np.repeat(chart, 3)])
+    kept, index, inverse = np.unique(key, axis=0, return_index=True, return_inverse=True)
+    texels = place.reshape(-1, 2)[index]
+    triangles = inverse.reshape(-1, 3)
+    corners = np.concatenate([texels, np.ones((len(texels), 1))], 1)[triangles]
+    owner, weights, _ = rasterise(corners, size, size)
+    covered = np.flatnonzero(owner >= 0)
+    uv = np.column_stack([texels[:, 0], size - texels[:, 1]]) / size
+    return Atlas(kept[:, 0], triangles, uv, size, covered, owner[covered], weights[covered])

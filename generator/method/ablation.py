@@ -1,0 +1,64 @@
+"""Sec. 4.3, ablations: the reasoner asked for the numbers themselves, in place of a stage.
+
+Without DRO it says the rotations (here); without TSA it says places and sizes
+(``method.alignment.direct``).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from ..backends.protocols import PoseGuesser, Reasoner
+from ..errors import BackendError
+from ..geometry import wrap
+from ..scene import (
+    TABLE,
+    Instance,
+    Reference,
+    Rotation,
+    SizePrior,
+    View,
+)
+
+QUESTIONS = ("guess_rotations", "guess_layout")
+
+
+def pose_guesser(reasoner: Reasoner) -> PoseGuesser:
+    """Return the reasoner as one that can be asked for poses.
+
+    Raises:
+        BackendError: it cannot.
+    """
+    if isinstance(reasoner, PoseGuesser):
+        return reasoner
+    missing = [q for q in QUESTIONS if not callable(getattr(reasoner, q, None))]
+    raise BackendError(
+        f"{type(reasoner).__name__} does not answer {' and '.join(missing)}, which stand in for "
+        "DRO and TSA where they are left out. See generator.backends.protocols.PoseGuesser, or "
+        "leave nothing out."
+    )
+
+
+def ask_rotations(
+    reference: Reference,
+    instances: tuple[Instance, ...],
+    sizes: Mapping[str, SizePrior],
+    view: View,
+    guesser: PoseGuesser,
+) -> dict[str, Rotation]:
+    """Return the yaw of every instance but the table as the reasoner says it; no loss is known.
+
+    Raises:
+        BackendError: an answer is missing, or no finite angle.
+    """
+    told = guesser.guess_rotations(reference, instances, sizes, view)
+    rotations = {}
+    for name in (i.name for i in instances if i.name != TABLE):
+        if name not in told or not np.isfinite(told[name]):
+            raise BackendError(
+                f"guess_rotations: {type(guesser).__name__} gave no finite yaw for {name!r}."
+            )
+        rotations[name] = Rotation(name, wrap(float(told[name])), float("nan"))
+    return rotations

@@ -1,0 +1,278 @@
+"""A top view held against the reference picture: what an image model moved, dropped or invented.
+
+The picture tells where each thing's box from above lies on the tabletop's plane (``ground``). One
+scale and one shift carry all of these boxes into the top view, if it is true. Most of what it shows
+on the table tells them; where too few agree, the tabletop's own ends do, and where the frame cuts
+these off, how large things usually are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import combinations
+
+import numpy as np
+from jaxtyping import Float
+
+from ...geometry import rotated_extent
+from ...scene import (
+    TABLE,
+    Instance,
+    Model,
+    Rotation,
+    Stacking,
+    TopView,
+    View,
+)
+from .ground import boxes_on_ground, table_on_ground
+
+_ASTRAY = 0.05  # of the table's longer side: how far a box may be from where geometry has it
+_OWN = 0.15  # of a box's own length, which may be added to that
+_CLOSE = 0.5  # of that distance: what agrees on a scale and a shift
+_LOOSE = 1.5  # times that distance, where only the tabletop's ends tell scale and shift
+_VAGUE = 3.0  # or only usual sizes
+_GROWN = 1.6  # how many times too large or too small a box may be drawn
+_TINY = 0.02  # of the table's longer side: a difference of lengths that is none
+_ROOM = 0.15  # of its support's box: how far beyond it the middle of what stands there may be
+_FEWEST = 4  # things on the table from which a scale and a shift can be trusted
+_AGREE = 0.6  # share of them that must agree, three at least
+_SCALED = 1.6  # how many times larger than by the tabletop's ends that scale may be
+_SHIFTED = 0.3  # of the table's longer side: how far from there that shift may be
+
+_ELSEWHERE = "the top view has it elsewhere; geometry put it back"
+_MOST = (
+    "The top view has {} of {} things on the table elsewhere than the picture; "
+    "geometry placed all of them."
+)
+_LACKS = "the top view lacks it; geometry put it in"
+
+Box = Float[np.ndarray, "4"]
+
+
+@dataclass(frozen=True, eq=False)
+class _Carried:
+    """A scale and a shift from the ground into the top view, and how many limits it may be off."""
+
+    scale: float
+    shift: Float[np.ndarray, "2"]
+    slack: float = 1.0
+
+    def __call__(self, box: Box) -> Box:
+        return self.scale * box + np.tile(self.shift, 2)
+
+
+def check_top_view(
+    top: TopView,
+    instances: tuple[Instance, ...],
+    models: Mapping[str, Model],
+    rotations: Mapping[str, Rotation],
+    stacking: Mapping[str, Stacking],
+    view: View,
+    image_size: tuple[int, int],
+    only_missing: bool = False,
+) -> tuple[TopView, tuple[str, ...]]:
+    """Return the top view with a box for every instance, and a warning per repair.
+
+    A box that lies elsewhere or is far larger or smaller than geometry has it comes from geometry.
+    Where most boxes do, all do.
+
+    Args:
+        top: boxes as they were drawn and detected; some may be missing.
+        instances: the reference picture's, the table among them.
+        models: give the boxes their proportions.
+        rotations: and their yaws.
+        stacking: what stands on what; only what stands on the table tells scale and shift.
+        view: the reference picture's camera.
+        image_size: (width, height) of the reference picture.
+        only_missing: take what the top view shows as it is.
+    """
+    ground = boxes_on_ground(instances, models, rotations, stacking, view, image_size)
+    boxes = {name: np.asarray(box, float) for name, box in top.boxes.items()}
+    table, *things = sorted(instances, key=lambda i: i.name != TABLE)
+    on = {i.name: stacking[i.name].on if i.name in stacking else TABLE for i in things}
+    length = _length(top.table_box)
+    ends = _by_ends(table_on_ground(table, view, image_size), top)
+    drawn = {n: boxes[n] for n in ground if on[n] == TABLE and n in boxes}
+    guesses = {i.name: _guess(i, table, top, boxes, models, rotations) for i in things}
+    carried = _agreed(ground, drawn, ends, length) or ends or _by_sizes(ground, guesses)
+    placed = {n: carried(box) for n, box in ground.items()} if carried else {}
+    told: dict[str, str] = {}
+    warnings: tuple[str, ...] = ()
+    if carried and not only_missing:
+        told = _false(boxes, placed, drawn, carried.slack * length)
+        astray = sum(what == _ELSEWHERE for what in told.values())
+        if 2 * astray > len(drawn):
+            told = dict.fromkeys(placed, "")
+            warnings = (_MOST.format(astray, len(drawn)),)
+        boxes |= {name: placed[name] for name in told}
+    for thing in sorted(things, key=lambda i: stacking[i.name].order if i.name in stacking else 2):
+        name, below = thing.name, boxes.get(on[thing.name])
+        lost = name not in boxes
+        if lost or not (only_missing or below is None or _over(boxes[name], below)):
+            boxes[name] = _put([placed.get(name), boxes.get(name), guesses[name]], below)
+            told[name] = _LACKS if below is None else _on(on[name], lost)
+    warnings += tuple(f"{name}: {what}." for name, what in told.items() if what)
+    repaired = tuple(dict.fromkeys((*top.repaired, *told)))
+    return replace(top, boxes=boxes, repaired=repaired), warnings
+
+
+def _on(below: str, lost: bool) -> str:
+    shown = "lacks it" if lost else "has it elsewhere"
+    return f"it is on {below}, and the top view {shown}; it was put there"
+
+
+def _length(box: Box) -> float:
+    """Return a box's longer side."""
+    return float(np.max(box[2:] - box[:2]))
+
+
+def _size(box: Box) -> float:
+    """Return the root of a box's area."""
+    return float(np.sqrt(np.prod(np.maximum(box[2:] - box[:2], 1e-9))))
+
+
+def _middle(box: Box) -> Float[np.ndarray, "2"]:
+    return box.reshape(2, 2).mean(0)
+
+
+def _centred(box: Box, on: Box) -> Box:
+    return box + np.tile(_middle(on) - _middle(box), 2)
+
+
+def _put(tries: Sequence[Box | None], below: Box | None) -> Box:
+    """Return the first box that lies over what it should; if none does, the first, moved there."""
+    known = [b for b in tries if b is not None]
+    if below is None:
+        return known[0]
+    return next((b for b in known if _over(b, below)), _centred(known[0], below))
+
+
+def _over(box: Box, below: Box) -> bool:
+    """Tell whether the middle of a box lies over another, or nearly."""
+    middle, slack = _middle(box), _ROOM * (below[2:] - below[:2])
+    return bool((middle >= below[:2] - slack).all() and (middle <= below[2:] + slack).all())
+
+
+def _false(
+    boxes: Mapping[str, Box], placed: Mapping[str, Box], standing: Collection[str], unit: float
+) -> dict[str, str]:
+    """Tell of drawn boxes that are not where geometry has them, or not as large, what is wrong.
+
+    ``unit`` is the table's length in pixels, times how much more than usual may be off. Only what
+    stands on the table is held to its place.
+    """
+    told = {}
+    for name in placed:
+        if name not in boxes:
+            continue
+        box, there = boxes[name], placed[name]
+        grown = _size(box) / _size(there)
+        if name in standing and _off(box, there) > _limit(there, unit):
+            told[name] = _ELSEWHERE
+        elif abs(np.log(grown)) > np.log(_GROWN) and abs(_size(box) - _size(there)) > _TINY * unit:
+            told[name] = f"the top view draws it {grown:.2g} times as large; geometry resized it"
+    return told
+
+
+def _off(box: Box, there: Box) -> float:
+    return float(np.linalg.norm(_middle(box) - _middle(there)))
+
+
+def _limit(box: Box, length: float) -> float:
+    return _ASTRAY * length + _OWN * _size(box)
+
+
+def _agreed(
+    ground: Mapping[str, Box], drawn: Mapping[str, Box], ends: _Carried | None, length: float
+) -> _Carried | None:
+    """Return the scale and shift on which most drawn boxes agree; None if they do not."""
+    names = list(drawn)
+    if len(names) < _FEWEST:
+        return None
+    best: tuple[float, list[str]] = (0.0, [])
+    for pair in combinations(names, 2):
+        carried = _fitted([ground[n] for n in pair], [drawn[n] for n in pair])
+        if carried is None:
+            continue
+        off = {
+            n: _off(carried(ground[n]), drawn[n]) / _limit(carried(ground[n]), length)
+            for n in names
+        }
+        agree = [n for n in names if off[n] < _CLOSE]
+        worth = len(agree) - 0.5 * float(np.mean([off[n] for n in agree])) if agree else 0.0
+        if worth > best[0]:
+            best = worth, agree
+    if len(best[1]) < max(_FEWEST - 1, _AGREE * len(names)):
+        return None
+    carried = _fitted([ground[n] for n in best[1]], [drawn[n] for n in best[1]])
+    return carried if carried and _likely(carried, ends, ground, drawn, length) else None
+
+
+def _likely(
+    carried: _Carried,
+    ends: _Carried | None,
+    ground: Mapping[str, Box],
+    drawn: Mapping[str, Box],
+    length: float,
+) -> bool:
+    """Tell whether a scale and a shift are not quite other than what the tabletop's ends tell."""
+    if ends is None:
+        return True
+    middle = np.mean([ground[n] for n in drawn], axis=0)
+    scaled = abs(np.log(carried.scale / ends.scale)) < np.log(_SCALED)
+    return bool(scaled and _off(carried(middle), ends(middle)) < _SHIFTED * length)
+
+
+def _fitted(here: Sequence[Box], there: Sequence[Box]) -> _Carried | None:
+    """Return the scale and shift that carry middles onto others best; None if they turn them."""
+    a, b = (np.array([_middle(box) for box in boxes]) for boxes in (here, there))
+    x, y = a - a.mean(0), b - b.mean(0)
+    spread = float((x * x).sum())
+    scale = float((x * y).sum()) / spread if spread > 1e-12 else 0.0
+    return _Carried(scale, b.mean(0) - scale * a.mean(0)) if scale > 0 else None
+
+
+def _by_ends(ends: Float[np.ndarray, "3"] | None, top: TopView) -> _Carried | None:
+    """Return the scale and shift that carry the tabletop's left, right and far end into its box."""
+    if ends is None or ends[1] - ends[0] < 1e-6:
+        return None
+    left, far, right, _ = top.table_box
+    scale = float((right - left) / (ends[1] - ends[0]))
+    return _Carried(scale, np.array([left, far]) - scale * ends[[0, 2]], _LOOSE)
+
+
+def _by_sizes(ground: Mapping[str, Box], guesses: Mapping[str, Box]) -> _Carried | None:
+    """Return the scale and shift that carry things to where, and as large as, they are guessed."""
+    if not ground:
+        return None
+    scale = float(np.median([_size(guesses[n]) / _size(box) for n, box in ground.items()]))
+    shift = np.mean([_middle(guesses[n]) - scale * _middle(box) for n, box in ground.items()], 0)
+    return _Carried(scale, shift, _VAGUE)
+
+
+def _guess(
+    thing: Instance,
+    table: Instance,
+    top: TopView,
+    boxes: Mapping[str, Box],
+    models: Mapping[str, Model],
+    rotations: Mapping[str, Rotation],
+) -> Box:
+    """Return a box for what geometry cannot place: on the table as the two lie in the picture.
+
+    It is as large as its model, by the others' and the table's pixels per metre.
+    """
+
+    def extent(name: str) -> Float[np.ndarray, "2"]:
+        yaw = rotations[name].yaw if name in rotations else 0.0
+        return rotated_extent(np.asarray(models[name].size), yaw)
+
+    known = {n: box for n, box in {**boxes, TABLE: top.table_box}.items() if n in models}
+    pixels = [_size(np.asarray(box)) / np.sqrt(np.prod(extent(n))) for n, box in known.items()]
+    half = extent(thing.name) * float(np.median(pixels or [1.0])) / 2
+    frame = np.asarray(table.box)
+    share = (_middle(np.asarray(thing.box)) - frame[:2]) / np.maximum(frame[2:] - frame[:2], 1)
+    low, high = np.asarray(top.table_box).reshape(2, 2)
+    middle = low + np.clip(share, 0, 1) * (high - low)
+    return np.concatenate([middle - half, middle + half])

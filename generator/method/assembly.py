@@ -1,0 +1,365 @@
+"""3D scene assembly (Sec. 3.4): models with their poses and scales become bodies that rest.
+
+The paper imports the canonical models m_i with (r_i, t_i, s_i) into a simulator, gives each a
+collision shape by convex decomposition, and enables gravity and friction. Here that is: convex
+parts, volume-true inertia, least-displacement separation, seating by contact, settling in MuJoCo,
+and a gate that records whether the result is sound.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from jaxtyping import Float
+
+from ..errors import InputError, choices, require
+from ..geometry import convex_outline, yaw_quaternion
+from ..physics.gate import (
+    Limits,
+    fallen,
+    judge,
+    overturned,
+)
+from ..physics.inertia import (
+    MassProperties,
+    body_mass,
+    box_mass,
+    joined,
+)
+from ..physics.parts import body_parts, lowest, model_parts
+from ..physics.seating import (
+    carried,
+    relocate,
+    seat_on_table,
+    seat_stacked,
+)
+from ..physics.separation import ancestry, separate, with_poses
+from ..physics.settling import has_toppled, settle
+from ..physics.simulation import Simulation, shifted, turned
+from ..scene import (
+    TABLE,
+    ConvexPart,
+    Model,
+    Object,
+    Placement,
+    Pose,
+    Provenance,
+    Report,
+    Scene,
+    ScenePlan,
+    Table,
+    View,
+)
+
+_SHAKE = 1.5  # in leans of the gate
+_FOOT = 0.25, 0.75  # the least and the largest share of its weight that a thing has in its foot
+_STAYS = 1e-4, 1e-3  # metres, radians: what moves less as a scene settles again has not moved
+
+
+@dataclass(frozen=True)
+class AssemblyConfig:
+    """Settings of the assembly.
+
+    clearance: gap left between objects that had overlapped, metres.
+    settle_seconds: longest time given to come to rest.
+    topple: an object that leans more than this after settling (radians) has toppled; it is set up
+        again on a weighted foot.
+    attempts: how often settling is tried.
+    drop_failing: leave out objects that cannot be freed or made to stand, instead of recording a
+        failure.
+    limits: what the gate demands.
+    """
+
+    clearance: float = 1e-3
+    settle_seconds: float = 4.0
+    topple: float = float(np.deg2rad(30.0))
+    attempts: int = 4
+    drop_failing: bool = False
+    limits: Limits = field(default_factory=Limits)
+
+    def __post_init__(self) -> None:
+        require(self, "clearance", least=0)
+        require(self, "settle_seconds", above=0)
+        require(self, "topple", above=0, most=np.pi)
+        require(self, "attempts", least=1, whole=True)
+
+
+def assemble(
+    models: Mapping[str, Model],
+    placements: Sequence[Placement],
+    table_model: Model,
+    table_scale: Float[np.ndarray, "3"],
+    *,
+    provenance: Provenance,
+    name: str,
+    config: AssemblyConfig | None = None,
+    view: View | None = None,
+    plan: ScenePlan | None = None,
+) -> Scene:
+    """Assemble a scene from canonical models and their placements.
+
+    Args:
+        models: canonical models by object name.
+        placements: r_i, t_i, s_i and the support of each object, world frame.
+        table_model: canonical model of the table.
+        table_scale: the table's extent in metres.
+        provenance: where the scene comes from; warnings of this stage are added to it.
+        name: name of the scene.
+        config: settings.
+        view: the reference image's camera; None keeps the scene's default.
+        plan: what the text asked for, kept with the scene.
+
+    Returns:
+        The settled scene with its report. The report may have failed; publishing checks it.
+
+    Raises:
+        InputError: a placement without a model, or on something that is not there.
+        SceneError: a mesh has no convex parts and cannot be decomposed.
+    """
+    config = config or AssemblyConfig()
+    table = _table(table_model, np.asarray(table_scale, float))
+    objects = tuple(body(_model(models, p.name), p) for p in _checked(placements))
+    scene = Scene(name, table, objects, provenance, plan=plan)
+    if view is not None:
+        scene = scene.replace(view=view)
+
+    arranged, stuck = arrange(scene, config)
+    rested, unstable = rest(arranged, config)
+    failing = {*stuck, *unstable}
+    if config.drop_failing and failing:
+        scene, arranged, dropped = _without(scene, failing), _without(arranged, failing), failing
+        rested, unstable = rest(arranged, config)
+    else:
+        dropped = set()
+    return _recorded(scene, arranged, rested, stuck, unstable, dropped, config)
+
+
+def reassemble(
+    wanted: Scene, arranged: Scene, fresh: Collection[str], config: AssemblyConfig | None = None
+) -> Scene:
+    """Settle and judge a scene again of which some things are new, or elsewhere.
+
+    What is not new stays as it is: no foot is put under it, and where settling does not move it,
+    it keeps its pose to the bit.
+
+    Args:
+        wanted: the scene with everything where it was asked to be.
+        arranged: the same, free of overlaps, everything on or just above what it stands on.
+        fresh: the names of what is new.
+        config: settings.
+    """
+    config = config or AssemblyConfig()
+    rested, unstable = rest(arranged, config, fresh)
+    rested = _unmoved(arranged, rested, fresh)
+    scene = _recorded(wanted, arranged, rested, (), unstable, set(), config, fresh)
+    if scene.report is None or arranged.report is None:
+        return scene
+    return scene.replace(report=replace(scene.report, dropped=arranged.report.dropped))
+
+
+def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
+    """Free a scene of overlaps: stand, separate, stack, separate again, at last relocate.
+
+    Returns the scene and the names of objects for which there is no free place.
+    """
+    height = scene.table.height
+    standing = [o if o.placement.on != TABLE else seat_on_table(o, height) for o in scene.objects]
+    scene = scene.replace(objects=tuple(standing))
+    roots = tuple(o for o in scene.objects if o.placement.on == TABLE)
+    apart, _ = separate(scene.replace(objects=roots), config.clearance)
+    scene = seat_stacked(carried(scene, {o.name: o.pose for o in apart.objects}))
+    scene, stuck = separate(scene, config.clearance)
+    return relocate(scene, stuck, {o.name: o.pose for o in standing})
+
+
+def rest(
+    scene: Scene, config: AssemblyConfig, may: Collection[str] | None = None
+) -> tuple[Scene, tuple[str, ...]]:
+    """Settle a scene; what topples is stood up again on a weighted foot and settled once more.
+
+    ``may`` names what may get a foot; None is everything. Returns the scene at rest and the names
+    of objects that would not stand.
+    """
+    footed: set[str] = set()
+    while True:
+        poses = settle(scene, config.settle_seconds)
+        down = _toppled(scene, poses, config.topple)
+        able = _only(down, may)
+        if able <= footed or len(footed) >= len(scene.objects):
+            return scene.replace(objects=with_poses(scene.objects, poses)), tuple(sorted(down))
+        footed |= able
+        objects = tuple(on_foot(o) if o.name in able else o for o in scene.objects)
+        scene = scene.replace(objects=objects)
+
+
+def on_foot(thing: Object) -> Object:
+    """Return the object with a flat box under it that has a share of its weight.
+
+    The foot spans the object's box and is a thirtieth of its height, 2 mm at least. It has a
+    quarter of the weight, or as much (up to three) as draws the whole's centre down to a third of
+    the height; its own lies so that the whole's is over the middle, as far as the foot reaches.
+    """
+    height = float(thing.scale[2])
+    size = np.array([*thing.scale[:2], max(2e-3, height / 30)])
+    middle = np.array([0.0, 0.0, lowest(thing) + size[2] / 2])
+    rise = float(thing.com[2] - middle[2])
+    needed = 1 - (height / 3 - size[2] / 2) / rise if rise > 0 else 0.0
+    share = float(np.clip(needed, *_FOOT))
+    aside = np.clip((1 - 1 / share) * (thing.com * [1, 1, 0]), -size / 2, size / 2)
+    rest = MassProperties((1 - share) * thing.mass, thing.com, (1 - share) * thing.inertia)
+    whole = joined((rest, box_mass(share * thing.mass, middle + aside, size)))
+    corners = middle + size * (np.indices((2, 2, 2)).reshape(3, 8).T - 0.5)
+    parts = (*thing.parts, ConvexPart(corners, "box"))
+    return replace(thing, parts=parts, com=whole.com, inertia=whole.inertia)
+
+
+# ------------------------------------------------------------------------------------------ bodies
+
+
+def _table(model: Model, scale: Float[np.ndarray, "3"]) -> Table:
+    parts = model_parts(model, scale)
+    points = np.concatenate([p.vertices for p in parts])
+    top = points[points[:, 2] > points[:, 2].max() - 0.01]
+    return Table(model, scale, parts, convex_outline(top[:, :2]), model.physics.friction)
+
+
+def body(model: Model, placement: Placement) -> Object:
+    """Return a model as a body of its placement's scale, with convex parts, mass and inertia."""
+    parts = body_parts(model, placement.scale)
+    weighed = body_mass(model.mesh, placement.scale, model.physics, parts)
+    pose = Pose(placement.translation, yaw_quaternion(placement.yaw))
+    return Object(
+        placement.name, model, placement, parts, weighed.mass, weighed.com, weighed.inertia,
+        model.physics.friction, pose,
+    )  # fmt: skip
+
+
+def _model(models: Mapping[str, Model], name: str) -> Model:
+    if name not in models:
+        raise InputError(f"No model for the placed object {name!r}." + choices(name, models))
+    return models[name]
+
+
+def _checked(placements: Sequence[Placement]) -> Sequence[Placement]:
+    """Check that what things stand on is there, and that no thing stands on itself."""
+    on = {p.name: p.on for p in placements}
+    for name, below in on.items():
+        seen = {name}
+        while below != TABLE:
+            if below not in on:
+                raise InputError(f"{name!r} stands on unknown {below!r}." + choices(below, on))
+            if below in seen:
+                raise InputError(f"{name!r} stands on itself, by way of {sorted(seen)}.")
+            seen.add(below)
+            below = on[below]
+    return placements
+
+
+# -------------------------------------------------------------------------------------- the scene
+
+
+def _toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
+    """Return what leans too far, though it should stand, and what left the table."""
+    simulation = Simulation(scene)
+    simulation.place(poses)
+    simulation.contacts()
+    gone = set(fallen(simulation))
+    return {
+        thing.name
+        for k, (thing, pose) in enumerate(zip(scene.objects, poses, strict=True))
+        if k in gone or (not thing.placement.inside and has_toppled(thing, pose, limit))
+    }
+
+
+def _again(scene: Scene, config: AssemblyConfig) -> Scene:
+    """Let a scene settle on, shaken by more than the gate leans it unless that topples a thing."""
+    down = _toppled(scene, [o.pose for o in scene.objects], config.topple)
+    for shake in (_SHAKE * config.limits.lean, 0.0):
+        poses = settle(scene, config.settle_seconds, config.settle_seconds / 4, shake)
+        if _toppled(scene, poses, config.topple) <= down:
+            break
+    return scene.replace(objects=with_poses(scene.objects, poses))
+
+
+def _unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
+    """Return the scene at rest with what is not new, and has not moved, just as it was."""
+    poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
+    moved = (shifted(*poses) > _STAYS[0]) | (turned(*poses) > _STAYS[1])
+    triples = zip(arranged.objects, rested.objects, moved, strict=True)
+    objects = (b if b.name in fresh or far else a for a, b, far in triples)
+    return rested.replace(objects=tuple(objects))
+
+
+def _only(names: set[str], may: Collection[str] | None) -> set[str]:
+    return names if may is None else names & {*may}
+
+
+def _steadied(
+    arranged: Scene, rested: Scene, config: AssemblyConfig, may: Collection[str] | None
+) -> Scene:
+    """Return the scene at rest with a foot under what topples as the gate leans."""
+    if not config.limits.lean:
+        return rested
+    known = {*_footed(arranged, rested), *(o.name for o in rested.objects if o.placement.inside)}
+    down = _only(set(overturned(rested, config.limits, config.topple)) - known, may)
+    objects = tuple(on_foot(o) if o.name in down else o for o in rested.objects)
+    return rested.replace(objects=objects) if down else rested
+
+
+def _footed(arranged: Scene, rested: Scene) -> tuple[str, ...]:
+    """Return what :func:`rest` has put on a foot, in the scene's order."""
+    pairs = zip(arranged.objects, rested.objects, strict=True)
+    return tuple(after.name for before, after in pairs if len(after.parts) > len(before.parts))
+
+
+def _without(scene: Scene, names: set[str]) -> Scene:
+    """Return the scene without ``names`` and all that stands on them."""
+    objects = scene.objects
+    chains = ancestry(objects)
+    kept = [o for o, c in zip(objects, chains, strict=True)
+            if not any(objects[k].name in names for k in c)]  # fmt: skip
+    return scene.replace(objects=tuple(kept))
+
+
+def _recorded(
+    wanted: Scene,
+    arranged: Scene,
+    rested: Scene,
+    stuck: Sequence[str],
+    unstable: Sequence[str],
+    dropped: set[str],
+    config: AssemblyConfig,
+    may: Collection[str] | None = None,
+) -> Scene:
+    """Judge the scene; where something does not hold, let it settle on from there, shaken.
+
+    What stands, but topples as gravity leans, gets a weighted foot if it ``may``.
+    """
+    poses = [[o.pose for o in scene.objects] for scene in (wanted, arranged)]
+    moved = [np.linalg.norm((b.position - a.position)[:2]) for a, b in zip(*poses, strict=True)]
+    report = Report(
+        0.0, 0.0, 0.0, moved=float(max(moved, default=0.0)), dropped=tuple(sorted(dropped))
+    )
+    scene = rested
+    for _ in range(config.attempts):
+        settling = shifted(poses[1], [o.pose for o in scene.objects])
+        report = replace(report, settling=float(settling.max(initial=0.0)))
+        report = judge(scene.replace(report=report), config.limits)
+        if report.passed:
+            break
+        scene = _again(_steadied(arranged, scene, config, may), config)
+        if may is not None:
+            scene = _unmoved(arranged, scene, may)
+    else:
+        report = judge(scene.replace(report=report), config.limits)
+    warnings = (
+        *(f"{name} has no free place on the table" for name in stuck),
+        *(f"{name} would not stand" for name in unstable),
+        *(f"{name} stands on a weighted foot that the model does not have"
+          for name in _footed(arranged, scene)),
+        *(f"{name} was left out" for name in sorted(dropped)),
+    )  # fmt: skip
+    provenance = replace(scene.provenance, warnings=scene.provenance.warnings + warnings)
+    return scene.replace(report=report, provenance=provenance)

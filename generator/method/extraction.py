@@ -1,0 +1,151 @@
+"""Instance extraction (Sec. 3.1): list what is there, segment it, complete each thing."""
+
+from __future__ import annotations
+
+import contextlib
+import dataclasses
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..backends.protocols import (
+    Each,
+    Imager,
+    Reasoner,
+    Segmenter,
+    in_turn,
+)
+from ..errors import SceneError, require
+from ..geometry import fill_holes, main_parts, mask_box
+from ..scene import (
+    TABLE,
+    Detection,
+    Instance,
+    Reference,
+)
+
+SPECK = 1e-4
+"""A region below this share of the picture is dropped."""
+
+GAP = 0.02
+"""A hole below this share of its region is filled; larger ones (a handle) are real."""
+
+_APART = 1_000_003  # between the seeds of two drawings
+
+
+@dataclass(frozen=True)
+class ExtractionConfig:
+    """``drawings``: how often a plan is drawn at most, until all that it asks for shows.
+
+    Raises:
+        InputError: not a whole number from 1.
+    """
+
+    drawings: int = 3
+
+    def __post_init__(self) -> None:
+        require(self, "drawings", least=1, whole=True)
+
+
+def extract(
+    reference: Reference,
+    reasoner: Reasoner,
+    segmenter: Segmenter,
+    imager: Imager,
+    seed: int = 0,
+    config: ExtractionConfig | None = None,
+    *,
+    complete_each: Each = in_turn,
+) -> tuple[Reference, tuple[Instance, ...]]:
+    """Return the table, named "table", and then every thing on it, named ``<label>_<k>``.
+
+    Image models forget or hide some of what a plan asks for. If fewer things are found than
+    planned, the plan is drawn again with another seed; the drawing that shows most stays. The
+    reference returned is that drawing's; a picture's own is never changed.
+
+    Raises:
+        SceneError: no table in the picture, or nothing stands on it.
+    """
+    plan = reference.plan
+    best, found = reference, _found(reference, reasoner, segmenter)
+    for k in range(1, (config or ExtractionConfig()).drawings):
+        if plan is None or len(found.things) >= len(plan.objects):
+            break
+        with contextlib.suppress(SceneError):  # a drawing of no use; the one before stays
+            drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
+            again = _found(drawn, reasoner, segmenter)
+            if again.tables and len(again.things) > len(found.things):
+                best, found = drawn, again
+    return best, _completed(best, found.checked(), imager, complete_each)
+
+
+@dataclass(frozen=True, eq=False)
+class _Found:
+    """What a segmenter found, cleaned: tables and things."""
+
+    tables: tuple[Detection, ...]
+    things: tuple[Detection, ...]
+
+    def checked(self) -> tuple[Detection, ...]:
+        """Return the largest table and the things, or say what is missing."""
+        if not self.tables:
+            raise SceneError(
+                "No table found in the picture. Show the whole tabletop on a plain, light ground."
+            )
+        if not self.things:
+            raise SceneError(
+                "Nothing found on the table. Use a picture with at least one thing that differs in "
+                "colour from the tabletop."
+            )
+        return max(self.tables, key=lambda d: int(d.mask.sum())), *self.things
+
+
+def _found(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _Found:
+    labels = tuple(reasoner.list_objects(reference))
+    if TABLE not in labels:
+        labels = (TABLE, *labels)
+    image = np.asarray(reference.image)
+    found = segmenter.segment(image, labels, reference.depth, reference.intrinsics)
+    kept = tuple(c for d in found if (c := clean(d)) is not None)
+    return _Found(
+        tuple(d for d in kept if d.label == TABLE), tuple(d for d in kept if d.label != TABLE)
+    )
+
+
+def _completed(
+    reference: Reference, found: tuple[Detection, ...], imager: Imager, complete_each: Each
+) -> tuple[Instance, ...]:
+    """Return what was found (the table first), each cut out, whole, with a name of its own."""
+
+    def complete(detection: Detection) -> Instance:
+        others = tuple(d for d in found if d is not detection)
+        return imager.complete(reference, detection, others)
+
+    names = [TABLE, *unique_names([d.label for d in found[1:]])]
+    completed = zip(names, complete_each(complete, found), strict=True)
+    return tuple(dataclasses.replace(instance, name=name) for name, instance in completed)
+
+
+def clean(detection: Detection) -> Detection | None:
+    """Return the detection without specks and pin holes, or None if nothing is left.
+
+    Small islands (under a tenth of the largest) go, small holes (``GAP``) are filled; the box is
+    made tight.
+    """
+    mask = fill_holes(main_parts(np.asarray(detection.mask)), GAP)
+    if mask.sum() < SPECK * mask.size:
+        return None
+    return dataclasses.replace(detection, mask=mask, box=mask_box(mask))
+
+
+def unique_names(labels: Sequence[str]) -> list[str]:
+    """Return a file-safe unique name per label: "toy car" twice gives toy_car_1, toy_car_2."""
+    counts: dict[str, int] = {}
+    names = []
+    for label in labels:
+        stem = re.sub(r"[^0-9a-z]+", "_", label.lower()).strip("_") or "object"
+        counts[stem] = counts.get(stem, 0) + 1
+        names.append(f"{stem}_{counts[stem]}")
+    return names

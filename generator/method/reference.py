@@ -1,0 +1,354 @@
+"""Reference (Sec. 3, Fig. 8): a text becomes a plan and a drawing; a picture passes through."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+import struct
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float, UInt8
+
+from ..backends.protocols import Imager, Reasoner
+from ..errors import InputError
+from ..io.reading import read_regular
+from ..scene import Intrinsics, Reference, ScenePlan
+
+if TYPE_CHECKING:
+    from PIL import Image
+
+Source = str | Path | bytes | ScenePlan | np.ndarray
+"""A text, a plan, or a picture: a path, encoded bytes, or an array (h, w, 3 or 4) of uint8."""
+
+DepthSource = str | Path | bytes | np.ndarray
+"""A depth map as large as its picture: an array of metres (float) or millimetres (uint16), or a
+16-bit PNG of millimetres (a path, or its bytes). 0, NaN and infinity mean unknown."""
+
+FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF")
+"""What pictures may come as; nothing that starts another program to be read."""
+
+
+@dataclass(frozen=True)
+class ReferenceConfig:
+    """Limits on pictures: sides in pixels, file size in bytes, longest side worked at.
+
+    ``max_ratio`` is the longer side over the shorter; ``max_depth`` the farthest that a depth map's
+    middle may lie, metres, and ``min_known`` the share of its pixels that must be known.
+    """
+
+    min_side: int = 64
+    max_ratio: float = 8.0
+    max_pixels: int = 25_000_000
+    max_bytes: int = 50_000_000
+    work_side: int = 1280
+    max_depth: float = 30.0
+    min_known: float = 0.1
+
+
+def refer(
+    source: Source,
+    reasoner: Reasoner,
+    imager: Imager,
+    seed: int,
+    config: ReferenceConfig | None = None,
+    *,
+    depth: DepthSource | None = None,
+    intrinsics: Intrinsics | None = None,
+) -> Reference:
+    """Return the reference image I_ref of ``source``, with prompt and plan if it was a text.
+
+    A string is a text unless it names an existing file or ends like a picture's name. Pictures
+    are turned by their EXIF orientation, flattened onto white, and shrunk to ``work_side``; a
+    ``depth`` map and the ``intrinsics`` of the picture as passed are shrunk along with it.
+
+    Raises:
+        InputError: an empty text, a missing or broken picture, one too small or too large; a depth
+            map without intrinsics, of another size, or with nothing in it.
+    """
+    config = config or ReferenceConfig()
+    if depth is not None or intrinsics is not None:
+        return _refer_depth(source, depth, intrinsics, config)
+    if isinstance(source, str) and not is_picture_name(source):
+        plan = reasoner.plan_scene(source, seed)
+        return Reference(imager.draw(plan, seed), source, plan)
+    if isinstance(source, ScenePlan):
+        if not source.objects:
+            raise InputError("The plan holds no object; a scene needs at least one.")
+        return Reference(imager.draw(source, seed), source.prompt, source)
+    return Reference(read_image(source, config))
+
+
+def is_picture_name(text: str) -> bool:
+    """Tell whether a string means a picture file rather than a description."""
+    if "\n" in text or len(text) > 1024 or not text.strip():
+        return False
+    suffixes = {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".gif"}
+    path = Path(text)
+    try:
+        if path.suffix.lower() in suffixes:
+            return True
+        return " " not in text.strip() and (path.is_file() or ("/" in text and path.is_dir()))
+    except OSError:
+        return False
+
+
+def read_image(
+    source: str | Path | bytes | np.ndarray, config: ReferenceConfig | None = None
+) -> UInt8[np.ndarray, "h w 3"]:
+    """Decode a picture into sRGB on white, upright, at most ``config.work_side`` long."""
+    config = config or ReferenceConfig()
+    return _prepared(_decode(source, config), config)
+
+
+def _decode(source: str | Path | bytes | np.ndarray, config: ReferenceConfig) -> Image.Image:
+    """Return a loaded picture as it is stored, its size checked."""
+    from PIL import Image, UnidentifiedImageError
+
+    try:
+        if isinstance(source, np.ndarray):
+            picture = Image.fromarray(_as_uint8(source))
+        else:
+            with warnings.catch_warnings():  # our own limit on pixels comes next
+                warnings.simplefilter("ignore", Image.DecompressionBombWarning)
+                data = io.BytesIO(_read_bytes(source, config))
+                picture = Image.open(data, formats=FORMATS)
+        _check_size(picture.width, picture.height, config)
+        picture.load()
+    except UnidentifiedImageError as error:
+        raise InputError("Not a picture in a known format. Use PNG, JPEG or WebP.") from error
+    except Image.DecompressionBombError as error:
+        raise InputError(f"The picture is too large: {error}") from error
+    except (OSError, SyntaxError, EOFError, ValueError) as error:
+        if isinstance(error, InputError):
+            raise
+        raise InputError(f"The picture is damaged or truncated ({error}).") from error
+    return picture
+
+
+def _upright(picture: Image.Image) -> Image.Image:
+    """Return a picture turned as its EXIF data says; as it is, where they are damaged."""
+    from PIL import ImageOps
+
+    try:
+        return ImageOps.exif_transpose(picture)
+    except (SyntaxError, ValueError, OSError, EOFError, KeyError, TypeError, struct.error):
+        return picture
+
+
+def _prepared(picture: Image.Image, config: ReferenceConfig) -> UInt8[np.ndarray, "h w 3"]:
+    """Return a picture upright, in sRGB on white, at most ``config.work_side`` long."""
+    from PIL import Image
+
+    picture = _upright(picture)
+    if picture.mode.startswith("I;16"):  # Pillow would clip these to white; keep the upper byte
+        picture = Image.fromarray((np.asarray(picture) >> 8).astype(np.uint8))
+    if picture.mode in ("RGBA", "LA", "PA") or "transparency" in picture.info:
+        picture = picture.convert("RGBA")
+        white = Image.new("RGBA", picture.size, (255, 255, 255, 255))
+        picture = Image.alpha_composite(white, picture)
+    picture = picture.convert("RGB")
+    picture.thumbnail((config.work_side, config.work_side), Image.Resampling.LANCZOS)
+    return np.asarray(picture, np.uint8)
+
+
+# ----------------------------------------------------------------------------------------- RGB-D
+
+
+def _refer_depth(
+    source: Source,
+    depth: DepthSource | None,
+    intrinsics: Intrinsics | None,
+    config: ReferenceConfig,
+) -> Reference:
+    if isinstance(source, ScenePlan) or (isinstance(source, str) and not is_picture_name(source)):
+        raise InputError("Depth and intrinsics belong to a picture; a text or a plan has neither.")
+    if depth is None or intrinsics is None:
+        missing = "depth map" if depth is None else "intrinsics (fx, fy, cx, cy in pixels)"
+        raise InputError(f"An RGB-D picture needs its {missing} too. Pass both, or neither.")
+    picture = _decode(source, config)
+    if picture.getexif().get(_ORIENTATION, 1) != 1:
+        raise InputError(
+            "The picture is stored turned (EXIF orientation), so depth and intrinsics may not fit "
+            "it. Save it upright first."
+        )
+    size = picture.width, picture.height
+    _check_intrinsics(intrinsics, *size)
+    metres = read_depth(depth, size, config)
+    image = _prepared(picture, config)
+    height, width = image.shape[:2]
+    rows = ((np.arange(height) + 0.5) * size[1] / height).astype(int)
+    columns = ((np.arange(width) + 0.5) * size[0] / width).astype(int)
+    return Reference(
+        image,
+        depth=metres[np.ix_(rows, columns)],  # nearest: blending would invent surfaces
+        intrinsics=intrinsics.scaled(width / size[0], height / size[1]),
+    )
+
+
+def read_depth(
+    source: DepthSource, size: tuple[int, int], config: ReferenceConfig | None = None
+) -> Float[np.ndarray, "h w"]:
+    """Return a depth map in metres, 0 where unknown; it must have ``size`` (width, height).
+
+    Raises:
+        InputError: not a depth map, of another size, negative, hardly anything known, or in
+            other units than stated in ``DepthSource``.
+    """
+    config = config or ReferenceConfig()
+    raw = source if isinstance(source, np.ndarray) else _decode_depth(source, config)
+    if raw.shape != (size[1], size[0]):
+        raise InputError(
+            f"The depth map has shape {raw.shape}, the picture is {size[0]}x{size[1]}. Pass a map "
+            f"of shape {(size[1], size[0])}, aligned with the picture."
+        )
+    if raw.dtype != np.uint16 and not np.issubdtype(raw.dtype, np.floating):
+        raise InputError(
+            f"A depth array is float metres or uint16 millimetres, got {raw.dtype}. Convert it."
+        )
+    metres = raw.astype(np.float32) * (1e-3 if raw.dtype == np.uint16 else 1.0)
+    metres = np.where(np.isfinite(metres), metres, 0).astype(np.float32)
+    if metres.min() < 0:
+        raise InputError("The depth map holds negative distances; write 0 where it is unknown.")
+    known = metres > 0
+    if known.mean() < config.min_known:
+        raise InputError(
+            f"Only {known.mean():.0%} of the depth map is known (not 0); at least "
+            f"{config.min_known:.0%} is needed."
+        )
+    middle = float(np.median(metres[known]))
+    if not 0.05 < middle < config.max_depth:
+        raise InputError(
+            f"The depth map's median is {middle:g} m; a tabletop is seen from 0.05 to "
+            f"{config.max_depth:g} m. Float arrays are metres, 16-bit PNGs millimetres."
+        )
+    return metres
+
+
+def _decode_depth(source: str | Path | bytes, config: ReferenceConfig) -> np.ndarray:
+    try:
+        picture = _decode(source, config)
+    except InputError as error:
+        raise InputError(f"The depth map cannot be used. {error}") from error
+    if not picture.mode.startswith("I"):
+        raise InputError(
+            f"A depth file is a 16-bit grey PNG in millimetres; this picture is {picture.mode!r}."
+        )
+    return np.asarray(picture).clip(0, 65535).astype(np.uint16)
+
+
+def _check_intrinsics(intrinsics: Intrinsics, width: int, height: int) -> None:
+    i = intrinsics
+    if not (0 <= i.cx < width and 0 <= i.cy < height):
+        raise InputError(
+            f"The principal point ({i.cx:g}, {i.cy:g}) is outside the {width}x{height} picture. "
+            "Intrinsics are fx, fy, cx, cy in the picture's own pixels."
+        )
+    if abs(np.log(i.fx / i.fy)) > _SQUARE:
+        raise InputError(
+            f"Pixels must be square: fx {i.fx:g} and fy {i.fy:g} differ by more than "
+            f"{_SQUARE:.0%}. Resample picture and depth first."
+        )
+    if not width / 20 < i.fx < width * 20:
+        raise InputError(
+            f"A focal length of {i.fx:g} pixels cannot belong to a {width}x{height} picture."
+        )
+
+
+_ORIENTATION = 0x0112  # the EXIF tag
+_SQUARE = 0.03  # how far fx and fy may be apart
+
+
+# ----------------------------------------------------------------------------------------- files
+
+
+def fetch(source: Source, config: ReferenceConfig | None = None) -> Source:
+    """Return a picture file's bytes, read once; any other source as it is.
+
+    Raises:
+        InputError: no such file, or one too large or unreadable.
+    """
+    if isinstance(source, Path) or (isinstance(source, str) and is_picture_name(source)):
+        return _read_bytes(source, config or ReferenceConfig())
+    return source
+
+
+def source_digest(source: Source) -> str | None:
+    """Return the sha256 of a fetched picture's bytes; None for a text or a plan."""
+    if isinstance(source, np.ndarray):
+        return hashlib.sha256(np.ascontiguousarray(source).tobytes()).hexdigest()
+    return hashlib.sha256(source).hexdigest() if isinstance(source, bytes) else None
+
+
+def fetch_depth(
+    source: DepthSource | None, config: ReferenceConfig | None = None
+) -> np.ndarray | bytes | None:
+    """Return a depth file's bytes, read once; an array, or None, as it is.
+
+    Raises:
+        InputError: no such file, or one too large or unreadable.
+    """
+    if source is None or isinstance(source, np.ndarray):
+        return source
+    return _read_bytes(source, config or ReferenceConfig(), "depth map")
+
+
+def depth_digest(source: DepthSource) -> str | None:
+    """Return the sha256 of a fetched depth map's bytes."""
+    return None if isinstance(source, str | Path) else source_digest(source)
+
+
+def _read_bytes(
+    source: str | Path | bytes, config: ReferenceConfig, what: str = "picture"
+) -> bytes:
+    if isinstance(source, bytes):
+        data = source
+    elif not isinstance(source, str | Path):
+        raise InputError(
+            f"A text, a plan or a picture (path, bytes or array) is needed, got "
+            f"{type(source).__name__}."
+        )
+    else:
+        if not os.path.lexists(source):
+            raise InputError(
+                f"No {what} at {str(source)!r}."
+                + (" Pass a text, or a path to a file." if what == "picture" else "")
+            )
+        if Path(source).is_dir():
+            raise InputError(f"{str(source)!r} is a directory. Name the file of a {what}.")
+        data = read_regular(source, f"The {what}", InputError, max_bytes=config.max_bytes)
+    if not data or len(data) > config.max_bytes:
+        raise InputError(f"A {what} needs 1 to {config.max_bytes:,} bytes, got {len(data):,}.")
+    return data
+
+
+def _as_uint8(image: np.ndarray) -> np.ndarray:
+    if image.dtype != np.uint8 or image.ndim not in (2, 3):
+        raise InputError(
+            f"An image array must be uint8 of shape (h, w), (h, w, 3) or (h, w, 4), "
+            f"got {image.dtype} {image.shape}."
+        )
+    if image.ndim == 3 and image.shape[2] not in (3, 4):
+        raise InputError(f"An image array needs 3 or 4 channels, got {image.shape[2]}.")
+    return np.ascontiguousarray(image)
+
+
+def _check_size(width: int, height: int, config: ReferenceConfig) -> None:
+    if width * height > config.max_pixels:
+        raise InputError(
+            f"The picture has {width * height / 1e6:.0f} megapixels; the limit is "
+            f"{config.max_pixels / 1e6:.0f}. Shrink it first."
+        )
+    if min(width, height) < config.min_side:
+        raise InputError(
+            f"The picture is {width}x{height}; it needs at least {config.min_side} pixels a side."
+        )
+    if max(width, height) > config.max_ratio * min(width, height):
+        raise InputError(
+            f"The picture is {width}x{height}; the longer side may be at most "
+            f"{config.max_ratio:g} times the shorter. Crop it to the table."
+        )

@@ -1,0 +1,128 @@
+"""How well outlines agree, and the descent to where they agree best."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from .config import RefinementConfig
+from .problem import (
+    Posed,
+    Problem,
+    Seen,
+    standpoint,
+)
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+_HELD = 0.05  # weight of staying where DRO and TSA put things
+_APART = 20.0  # weight of a metre by which two things come too near, or one leaves the table
+_ROUNDS = 20  # of the search for the camera's place
+_REACH = 0.02  # of the things' mean distance: the unit of the camera's move
+
+
+def misfits(
+    seen: Seen, posed: Posed, config: RefinementConfig
+) -> tuple[Float[np.ndarray, "n"], Float[Tensor, "3"]]:
+    """Return one minus the overlap of each thing's outline with its mask, and the camera's place.
+
+    The camera looks from where the outlines agree best: nothing else tells its place.
+    """
+    import torch
+
+    middle = standpoint(seen, posed)
+    unit = _unit(posed, middle)
+    eye = torch.zeros(3, requires_grad=True)
+    optimiser = torch.optim.LBFGS(
+        [eye], lr=0.5, max_iter=_ROUNDS, tolerance_change=1e-5, line_search_fn="strong_wolfe"
+    )
+
+    def looked() -> Tensor:
+        return _misfit(seen, posed, middle + unit * eye, config.resolution)
+
+    def closure() -> float:
+        optimiser.zero_grad()
+        mean = looked().mean()
+        mean.backward()
+        return float(mean.detach())
+
+    optimiser.step(closure)
+    with torch.no_grad():
+        return looked().numpy(), middle + unit * eye
+
+
+def descend(
+    problem: Problem, camera: Float[Tensor, "3"], config: RefinementConfig
+) -> Float[np.ndarray, "n 4"]:
+    """Return each thing's turn, move and growth at the best step; they begin at none.
+
+    ``camera`` is where the camera begins; it moves too.
+    """
+    import torch
+
+    seen, posed, links = problem.seen, problem.posed, problem.links
+    units = torch.tensor([config.turn, config.move, config.move, config.grow])
+    body = torch.zeros(len(posed.yaw), 4, requires_grad=True)
+    unit = _unit(posed, camera)
+    eye = torch.zeros(3, requires_grad=True)
+    lowest, found = torch.inf, torch.zeros(len(posed.yaw), 4)
+
+    def loss() -> Tensor:
+        nonlocal lowest, found
+        steps = body * units
+        grow = steps[:, 3].exp()
+        across, up = links.carries @ steps[:, 1:3], links.lifts @ (grow - 1)
+        place = posed.place + torch.cat([across, up[:, None]], 1)
+        moved = Posed(posed.surface, posed.yaw + steps[:, 0], place)
+        misfit = _misfit(seen, moved, camera + unit * eye, config.resolution, grow).mean()
+        crowding = problem.crowd.cost(place[:, :2], moved.yaw, grow)
+        total = misfit + _HELD * body.square().mean() + _APART * crowding
+        if float(total.detach()) < lowest:
+            lowest, found = float(total.detach()), steps.detach().clone()
+        return total
+
+    optimiser = torch.optim.Adam([body, eye], config.learning_rate)
+    for step in range(config.steps):
+        optimiser.zero_grad()
+        loss().backward()
+        optimiser.step()
+        fall = 0.5 * (1 + np.cos(np.pi * (step + 1) / config.steps))
+        optimiser.param_groups[0]["lr"] = config.learning_rate * fall
+    with torch.no_grad():
+        loss()
+    return found.numpy().astype(float)
+
+
+def _unit(posed: Posed, camera: Float[Tensor, "3"]) -> float:
+    return _REACH * float((posed.place - camera).norm(dim=1).mean())
+
+
+def _misfit(
+    seen: Seen,
+    posed: Posed,
+    camera: Float[Tensor, "3"],
+    resolution: int,
+    grow: Float[Tensor, "n"] | None = None,
+) -> Float[Tensor, "n"]:
+    """Return one minus the overlap of each thing's outline with its mask.
+
+    ``grow`` is how many times as large as their surfaces things are.
+    """
+    import torch
+
+    from ...render import soft
+
+    count = len(posed.yaw)
+    rotation = soft.object_to_camera(posed.yaw, torch.zeros(count), seen.rotation)
+    away = (posed.place - camera)[:, None]
+    center = soft.turned(away, seen.rotation.expand(count, 3, 3))[:, 0]
+    if grow is not None:  # a thing twice as large at twice the distance looks the same
+        center = center / grow[:, None]
+    drawn = soft.render(
+        posed.surface, rotation, center, resolution, owner=torch.arange(count),
+        window=soft.Window(seen.middle, seen.scale),
+    )  # fmt: skip
+    return 1 - soft.soft_iou(drawn.silhouette, seen.mask, seen.weight)

@@ -1,0 +1,200 @@
+"""What the picture shows of things, and what moves them: the tensors of the joint refinement."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from ...geometry import Camera, view_rotation
+from ...scene import (
+    Instance,
+    Mesh,
+    Model,
+    Placement,
+    View,
+)
+from .config import RefinementConfig
+from .crowding import Crowd, make_crowd
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+    from ...render.soft import Surface
+
+
+@dataclass(frozen=True, eq=False)
+class Seen:
+    """What the picture shows of ``n`` things, in tight crops, and the camera's direction.
+
+    ``middle`` is the crops' in x/z, y/z of the camera; ``scale`` is in pixels per unit of those.
+    """
+
+    mask: Float[Tensor, "n r r"]
+    weight: Float[Tensor, "n r r"]
+    middle: Float[Tensor, "n 2"]
+    scale: Float[Tensor, "n 1"]
+    rotation: Float[Tensor, "3 3"]
+
+
+@dataclass(frozen=True, eq=False)
+class Posed:
+    """Where ``n`` things are: surface, yaw (radians), box centre (metres)."""
+
+    surface: Surface
+    yaw: Float[Tensor, "n"]
+    place: Float[Tensor, "n 3"]
+
+
+@dataclass(frozen=True, eq=False)
+class Links:
+    """How a thing's move and growth are its load's: rows are things, columns what moves them.
+
+    ``carries`` is 1 for a thing itself and all below it; ``lifts`` is by how much their growth
+    lifts its centre: half its own height, and the heights of what is below it and not around it.
+    """
+
+    carries: Float[Tensor, "n n"]
+    lifts: Float[Tensor, "n n"]
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Everything the loss needs of ``n`` things."""
+
+    seen: Seen
+    posed: Posed
+    links: Links
+    crowd: Crowd
+
+
+def make_seen(
+    things: Sequence[Instance],
+    all_things: Sequence[Instance],
+    view: View,
+    image_size: tuple[int, int],
+    config: RefinementConfig,
+) -> Seen:
+    """Return what the picture shows of things; any of ``all_things`` may hide them."""
+    from ...render.crop import (
+        MARGIN,
+        hiders,
+        in_reference,
+        mask_in_crop,
+        tight_box,
+        tight_crop,
+    )
+    from ...render.soft import smooth
+
+    size = config.resolution
+    tight = [tight_box(i) for i in things]
+    boxes = np.array([in_reference(i, t) for i, t in zip(things, tight, strict=True)])
+    eye = Camera(np.zeros(3), view_rotation(view), view.fov, *image_size)
+    masks, weights = [], []
+    for thing, box in zip(things, tight, strict=True):
+        masks.append(tight_crop(thing.crop, box, size)[..., 3])
+        hidden = hiders(thing, all_things)
+        sure = np.ones((size, size), np.float32)
+        if hidden is not None:
+            over = tight_crop(mask_in_crop(hidden, thing), box, size)[..., 3]
+            sure -= (1 - config.unsure) * over
+        weights.append(sure)
+    span = (boxes[:, 2:] - boxes[:, :2]).max(1) / eye.focal
+    return Seen(
+        smooth(tensor(masks)[:, None])[:, 0],
+        tensor(weights),
+        tensor(((boxes[:, :2] + boxes[:, 2:]) / 2 - eye.center) / eye.focal),
+        tensor(size * (1 - 2 * MARGIN) / span[:, None]),
+        tensor(view_rotation(view)),
+    )
+
+
+def make_problem(
+    seen: Seen,
+    moving: Sequence[Placement],
+    placements: Sequence[Placement],
+    models: Mapping[str, Model],
+    table_scale: Float[np.ndarray, "3"],
+    config: RefinementConfig,
+    seed: int,
+) -> Problem:
+    """Return the problem of ``moving`` things, some or all of what is placed."""
+    below = {p.name: p for p in placements}
+    chains = [[q.name for q in _chain(p, below)] for p in moving]
+    posed = make_posed(
+        [models[p.name].mesh for p in moving],
+        [np.asarray(p.scale) for p in moving],
+        [p.yaw for p in moving],
+        np.array([p.translation for p in moving]),
+        config,
+        seed,
+    )
+    return Problem(
+        seen,
+        posed,
+        make_links(moving, placements),
+        make_crowd(moving, chains, models, table_scale),
+    )
+
+
+def make_links(moving: Sequence[Placement], placements: Sequence[Placement]) -> Links:
+    """Return what of ``moving`` things, some or all of what is placed, moves with what."""
+    below = {p.name: p for p in placements}
+    rows = {p.name: k for k, p in enumerate(moving)}
+    carries, lifts = np.eye(len(moving)), np.diag([p.scale[2] / 2 for p in moving])
+    for k, thing in enumerate(moving):
+        inside = thing.inside
+        for p in _chain(thing, below):
+            if p.name in rows:
+                carries[k, rows[p.name]] = 1.0
+                lifts[k, rows[p.name]] = 0.0 if inside else p.scale[2]
+            inside = p.inside
+    return Links(tensor(carries), tensor(lifts))
+
+
+def make_posed(
+    meshes: Sequence[Mesh],
+    scales: Sequence[Float[np.ndarray, "3"]],
+    yaws: Sequence[float],
+    places: Float[np.ndarray, "n 3"],
+    config: RefinementConfig,
+    seed: int,
+) -> Posed:
+    """Return things where they are, with points drawn from their surfaces."""
+    from ...render.soft import sample_surface, stack
+
+    pairs = zip(meshes, scales, strict=True)
+    surfaces = [sample_surface(mesh, scale, config.points, seed) for mesh, scale in pairs]
+    return Posed(stack(surfaces), tensor(yaws), tensor(places))
+
+
+def standpoint(seen: Seen, posed: Posed) -> Float[Tensor, "3"]:
+    """Return where a camera of known direction stands that sees things in their crops' middles.
+
+    Least squares over the distances of the things' centres from their rays.
+    """
+    rays = np.column_stack([seen.middle.numpy(), np.ones(len(seen.middle))]) @ seen.rotation.numpy()
+    rays = rays.astype(float) / np.linalg.norm(rays, axis=1, keepdims=True)
+    across = np.eye(3) - rays[:, :, None] * rays[:, None]
+    points = posed.place.numpy().astype(float)
+    found = np.linalg.lstsq(across.sum(0), (across @ points[..., None]).sum(0)[:, 0], rcond=None)
+    return tensor(found[0])
+
+
+def tensor(array: object) -> Tensor:
+    """Return numbers as torch's, in single precision."""
+    import torch
+
+    return torch.as_tensor(np.asarray(array), dtype=torch.float32)
+
+
+def _chain(placement: Placement, below: Mapping[str, Placement]) -> list[Placement]:
+    """Return what a thing stands on, what that stands on, and so on down to the table."""
+    chain: list[Placement] = []
+    while placement.on in below and below[placement.on] not in chain:
+        placement = below[placement.on]
+        chain.append(placement)
+    return chain

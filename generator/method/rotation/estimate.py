@@ -1,0 +1,126 @@
+"""From a picture's instances to their rotations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+from jaxtyping import Bool
+
+from ...backends.protocols import Encoder
+from ...errors import InputError
+from ...render.crop import hiders
+from ...scene import (
+    TABLE,
+    Instance,
+    Model,
+    Reference,
+    Rotation,
+    View,
+)
+from ...threads import single_thread, threads
+from .config import RotationConfig
+from .found import Answer
+from .objective import make_objectives
+from .prior import prior_yaw
+from .search import search
+
+
+def estimate_rotations(
+    reference: Reference,
+    instances: tuple[Instance, ...],
+    models: Mapping[str, Model],
+    view: View,
+    encoder: Encoder,
+    config: RotationConfig | None = None,
+    seed: int = 0,
+    progress: Callable[[str], None] | None = None,
+) -> dict[str, Rotation]:
+    """Estimate r_i of every instance but the table, whose yaw is 0 by the view's definition.
+
+    The orientation that a model comes with, if any, decides where the picture cannot (``prior``).
+    On CUDA all instances are one batch; on a CPU each is searched by a thread of its own.
+    ``progress`` is called with each instance's name before its search begins.
+
+    Raises:
+        InputError: an instance has no model, or shows nothing.
+    """
+    config = config or RotationConfig()
+    height, width = reference.image.shape[:2]
+    things = [i for i in instances if i.name != TABLE]
+    for instance in things:
+        if instance.name not in models:
+            raise InputError(f"Instance {instance.name!r} has no model; make the models first.")
+    hidden = [hiders(instance, things) for instance in things]
+
+    def searched(group: Sequence[int]) -> list[Answer]:
+        for k in group:
+            if progress:
+                progress(things[k].name)
+        levels = make_objectives(
+            [models[things[k].name] for k in group],
+            [things[k] for k in group],
+            view, encoder, config, (width, height), seed,
+            [hidden[k] for k in group],
+        )  # fmt: skip
+        return search(levels, [prior_yaw(models[things[k].name]) for k in group])
+
+    with single_thread():
+        if config.device == "cpu":
+            with ThreadPoolExecutor(min(threads(), max(len(things), 1))) as pool:
+                found = [rows[0] for rows in pool.map(searched, [[k] for k in range(len(things))])]
+        else:
+            found = searched(range(len(things))) if things else []
+    return {t.name: _rotation(t.name, rows) for t, rows in zip(things, found, strict=True)}
+
+
+def optimise_rotation(
+    model: Model,
+    instance: Instance,
+    view: View,
+    encoder: Encoder,
+    config: RotationConfig,
+    image_size: tuple[int, int],
+    seed: int = 0,
+    hidden: Bool[np.ndarray, "h w"] | None = None,
+) -> Rotation:
+    """Find the yaw of one object: coarse search, then gradient descent on the candidates.
+
+    Args:
+        model: canonical model; its ``size`` gives the proportions, its ``orientation``, if any,
+            one more start, and the side where the picture cannot tell.
+        instance: the completed crop (its alpha is S) and its place in the image.
+        view: camera of the reference image.
+        encoder: appearance features Phi.
+        config: settings.
+        image_size: (width, height) of the reference image in pixels.
+        seed: of the surface samples.
+        hidden: where in the image something else may hide the object.
+
+    Returns:
+        The best yaw in [-pi, pi) with its loss, and every refined (yaw, loss), that one first.
+
+    Raises:
+        InputError: the crop is empty or the model has no surface.
+    """
+    with single_thread():
+        levels = make_objectives(
+            [model], [instance], view, encoder, config, image_size, seed, [hidden]
+        )
+        (found,) = search(levels, [prior_yaw(model)])
+    return _rotation(instance.name, found)
+
+
+def _rotation(name: str, answer: Answer) -> Rotation:
+    found = answer.looks[0]
+    candidates = tuple((f.yaw, f.loss) for f in found)
+    return Rotation(
+        name,
+        *candidates[0],
+        candidates,
+        answer.margin,
+        answer.width,
+        answer.symmetric,
+        answer.order,
+    )

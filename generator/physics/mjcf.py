@@ -1,0 +1,349 @@
+"""Scene to MJCF: one XML document and the files it names, loadable by plain MuJoCo.
+
+Names in the document: body and free joint of an object carry the object's name, the table's body
+is "table", the floor's geom "floor"; cameras are "reference" (the scene's view) and "top"; the
+keyframe "settled" holds every object's resting pose. Geom groups: 2 drawn, 3 collision.
+Meshes, textures and hulls are named by the digest of their content.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import xml.etree.ElementTree as ET
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from jaxtyping import Float
+
+from ..errors import SceneError
+from ..geometry import framing_camera, quaternion_matrix
+from ..io.png import encode_png
+from ..scene import (
+    TABLE,
+    ConvexPart,
+    Mesh,
+    Object,
+    Scene,
+    View,
+)
+
+if TYPE_CHECKING:
+    import mujoco
+
+FLOOR = "floor"
+"""Name of the floor's geom."""
+
+FRICTION_STIFFNESS = 10
+"""How much stiffer friction is than contact (MuJoCo's impratio). At 1, what leans in a mug or lies
+in a heap creeps by half a millimetre a second; that falls with this factor, at hardly any cost in
+time up to ten. The environments have the same."""
+
+ROUND = 0.02
+"""Cross-sections whose two diameters differ by more than this share are not round."""
+
+FLAT_SPOT = 0.1
+"""Rolling resistance of round things, in radii: they lie still on a table that leans by two
+degrees, with a margin of almost three, as fruit does, and roll away from six degrees on (its
+tangent is this). Small things have ``_LEAST_FLAT``, metres; glass marbles would roll at once."""
+
+_LEAST_FLAT = 0.002
+_FIRM = {"solimp": "0.98 0.99 0.001", "solmix": "100"}
+"""Contacts of what resists rolling are this much firmer than MuJoCo's usual (0.9 0.95). Resistance
+gives way by a creep that goes with the softness and with the inverse square of FLAT_SPOT: on that
+leaning table an orange turns by 1 degree in 5 s with these, by 5 with the usual."""
+
+SLENDER, THIN = 0.35, 0.04
+"""A thing is slender if it is thinner than this share of its length, and than this, metres."""
+
+_TINY = 1e-200
+"""MuJoCo refuses numbers that are too small for it; these are zero."""
+
+_TOP_VIEW = View(azimuth=0.0, elevation=np.pi / 2, fov=np.deg2rad(30.0))
+_AXIS_QUATERNION = {
+    0: (np.sqrt(0.5), 0.0, np.sqrt(0.5), 0.0),
+    1: (np.sqrt(0.5), -np.sqrt(0.5), 0.0, 0.0),
+}  # turns a cylinder's z onto x, y
+
+
+@dataclass(frozen=True)
+class Document:
+    """``scene.xml`` and the files it refers to, by path relative to it."""
+
+    xml: str
+    files: Mapping[str, bytes]
+
+
+def document(
+    scene: Scene,
+    *,
+    visuals: bool = True,
+    paths: Mapping[Mesh, tuple[str, str]] = MappingProxyType({}),
+) -> Document:
+    """Return the MJCF of a scene; without ``visuals`` only what the physics needs.
+
+    ``paths`` are those of meshes and textures that are there already: they are named, not written.
+    """
+    root = ET.Element("mujoco", model=scene.name)
+    _settings(root)
+    assets = _Assets(ET.SubElement(root, "asset"), visuals, paths)
+    world = ET.SubElement(root, "worldbody")
+    _floor(world)
+    if visuals:
+        _light_and_cameras(world, scene)
+    table = ET.SubElement(world, "body", name=TABLE, pos=_text([0, 0, scene.table.height / 2]))
+    assets.draw(table, scene.table.model.mesh, scene.table.scale)
+    for part in scene.table.parts:
+        assets.collide(table, part, scene.table.friction)
+    for thing in scene.objects:
+        _body(world, thing, assets)
+    if scene.objects:
+        keyframe = ET.SubElement(root, "keyframe")
+        poses = [np.concatenate([o.pose.position, o.pose.quaternion]) for o in scene.objects]
+        ET.SubElement(keyframe, "key", name="settled", qpos=_text(np.concatenate(poses)))
+    ET.indent(root)
+    return Document(ET.tostring(root, encoding="unicode") + "\n", dict(assets.files))
+
+
+def scene_spec(scene: Scene, *, visuals: bool = True) -> mujoco.MjSpec:
+    """Return the scene as an ``MjSpec``, ready to compile or to attach a robot to.
+
+    Raises:
+        SceneError: MuJoCo cannot read it.
+    """
+    return spec_of(document(scene, visuals=visuals), scene.name)
+
+
+def spec_of(made: Document, name: str) -> mujoco.MjSpec:
+    """Return the document of the scene called ``name`` as an ``MjSpec``.
+
+    Raises:
+        SceneError: MuJoCo cannot read it.
+    """
+    import mujoco
+
+    try:
+        return mujoco.MjSpec.from_string(made.xml, assets=dict(made.files))
+    except ValueError as error:
+        raise _unbuildable(name, error) from error
+
+
+def compiled(spec: mujoco.MjSpec, name: str) -> mujoco.MjModel:
+    """Compile the specification of the scene called ``name``.
+
+    Raises:
+        SceneError: MuJoCo refuses a body: a flat hull, an inertia that no solid can have.
+    """
+    try:
+        return spec.compile()
+    except ValueError as error:
+        raise _unbuildable(name, error) from error
+
+
+def _unbuildable(name: str, error: ValueError) -> SceneError:
+    said = " ".join(str(error).split())
+    return SceneError(
+        f"MuJoCo cannot build the scene {name!r}: {said!r}. Make the scene again, or give that "
+        "body a sound shape and inertia."
+    )
+
+
+# ------------------------------------------------------------------------------------- encoding
+
+
+def encode_obj(mesh: Mesh) -> bytes:
+    """Return a mesh as Wavefront OBJ: vertices to a millionth of the unit box, uv to 1e-5."""
+    lines = [f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in mesh.vertices.tolist()]
+    lines += [f"vt {u:.5f} {v:.5f}" for u, v in mesh.uv.tolist()]
+    lines += [f"f {a}/{a} {b}/{b} {c}/{c}" for a, b, c in (mesh.faces + 1).tolist()]
+    return ("\n".join(lines) + "\n").encode("ascii")
+
+
+def mesh_path(encoded: bytes) -> str:
+    """Return the path of an encoded mesh inside a bundle."""
+    return f"meshes/{_digest(encoded)}.obj"
+
+
+def texture_path(encoded: bytes) -> str:
+    """Return the path of an encoded texture inside a bundle."""
+    return f"textures/{_digest(encoded)}.png"
+
+
+# --------------------------------------------------------------------------------------- pieces
+
+
+def _settings(root: ET.Element) -> None:
+    ET.SubElement(root, "compiler", angle="radian", inertiafromgeom="false")
+    option = ET.SubElement(
+        root, "option", timestep="0.002", integrator="implicitfast", cone="elliptic",
+        impratio=_text([FRICTION_STIFFNESS]),
+    )  # fmt: skip
+    ET.SubElement(option, "flag", sleep="enable")
+    visual = ET.SubElement(root, "visual")
+    ET.SubElement(visual, "global", offwidth="2048", offheight="2048")
+    ET.SubElement(visual, "headlight", ambient=".45 .45 .45", diffuse=".3 .3 .3", specular="0 0 0")
+    ET.SubElement(visual, "quality", shadowsize="4096")
+    ET.SubElement(visual, "map", shadowclip="2")
+    default = ET.SubElement(root, "default")
+    drawn = ET.SubElement(default, "default", {"class": "visual"})
+    ET.SubElement(drawn, "geom", type="mesh", group="2", contype="0", conaffinity="0", mass="0")
+    solid = ET.SubElement(default, "default", {"class": "collision"})
+    ET.SubElement(solid, "geom", group="3", condim="4", solref="0.01 1", rgba=".3 .6 .9 .4")
+
+
+def _floor(world: ET.Element) -> None:
+    ET.SubElement(
+        world, "geom", name=FLOOR, type="plane", size="4 4 0.05", rgba=".93 .93 .92 1",
+        condim="4", solref="0.01 1",
+    )  # fmt: skip
+
+
+def _light_and_cameras(world: ET.Element, scene: Scene) -> None:
+    ET.SubElement(
+        world, "light", type="directional", pos=_text([0, 0, scene.table.height + 2]),
+        dir="0.3 0.4 -1", diffuse=".5 .5 .5", specular=".1 .1 .1",
+    )  # fmt: skip
+    points = _points(scene)
+    cameras = {
+        "reference": framing_camera(points, scene.view, 960, 720),
+        "top": framing_camera(points, _TOP_VIEW, 960, 720),
+    }
+    for name, camera in cameras.items():
+        right, down, _ = camera.rotation
+        ET.SubElement(
+            world, "camera", name=name, pos=_text(camera.position),
+            xyaxes=_text([*right, *-down]), fovy=_text([np.rad2deg(camera.fov)]),
+        )  # fmt: skip
+
+
+def _body(world: ET.Element, thing: Object, assets: _Assets) -> None:
+    body = ET.SubElement(
+        world, "body", name=thing.name, pos=_text(thing.pose.position),
+        quat=_text(thing.pose.quaternion),
+    )  # fmt: skip
+    ET.SubElement(body, "freejoint", name=thing.name)
+    i = thing.inertia
+    ET.SubElement(
+        body, "inertial", pos=_text(thing.com), mass=_text([thing.mass]),
+        fullinertia=_text([i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2]]),
+    )  # fmt: skip
+    assets.draw(body, thing.model.mesh, thing.scale)
+    across, along = np.sort(thing.scale)[1:]
+    slender = bool(across < min(SLENDER * along, THIN))
+    for part in thing.parts:
+        assets.collide(body, part, thing.friction, slender)
+
+
+class _Assets:
+    """Adds geoms to bodies, and to the document each mesh, texture and hull once."""
+
+    def __init__(
+        self, element: ET.Element, visuals: bool, paths: Mapping[Mesh, tuple[str, str]]
+    ) -> None:
+        self.files: dict[str, bytes] = {}
+        self._paths = dict(paths)
+        self._element = element
+        self._visuals = visuals
+        self._named: set[str] = set()
+
+    def _add(self, tag: str, name: str, **attributes: str) -> str:
+        if name not in self._named:
+            self._named.add(name)
+            ET.SubElement(self._element, tag, {"name": name, **attributes})
+        return name
+
+    def draw(self, body: ET.Element, mesh: Mesh, scale: Float[np.ndarray, "3"]) -> None:
+        """Add the textured mesh as a geom that touches nothing."""
+        if not self._visuals:
+            return
+        if mesh not in self._paths:
+            self._paths[mesh] = self._written(mesh)
+        shape, picture = self._paths[mesh]
+        size = _text(scale)
+        mesh_name = self._add(
+            "mesh", f"mesh_{_digest((shape + size).encode())}", file=shape, scale=size,
+            inertia="shell",
+        )  # fmt: skip
+        texture = self._add("texture", f"texture_{Path(picture).stem}", type="2d", file=picture)
+        alpha = _text([mesh.opacity])
+        material = self._add(
+            "material", f"material_{_digest((texture + alpha).encode())}", texture=texture,
+            rgba=f"1 1 1 {alpha}", specular="0.2", shininess="0.3",
+        )  # fmt: skip
+        ET.SubElement(body, "geom", {"class": "visual"}, mesh=mesh_name, material=material)
+
+    def _written(self, mesh: Mesh) -> tuple[str, str]:
+        obj, png = encode_obj(mesh), encode_png(mesh.texture)
+        shape, picture = mesh_path(obj), texture_path(png)
+        self.files[shape], self.files[picture] = obj, png
+        return shape, picture
+
+    def collide(
+        self, body: ET.Element, part: ConvexPart, friction: float, slender: bool = False
+    ) -> None:
+        """Add a convex part as a collision geom, a primitive where it is one.
+
+        What is round, or belongs to a ``slender`` thing, resists rolling: fruit has soft spots,
+        pens have clips and edges, and both stay where they are on a table that leans a little.
+        """
+        kind, attributes = primitive(part)
+        round_ = kind in ("sphere", "ellipsoid") or (kind == "cylinder" and part.axis != 2)
+        rolls = round_ or slender
+        if rolls:
+            attributes |= {"condim": "6", **_FIRM}
+        if kind == "mesh":
+            vertices = _text(part.vertices.round(6).ravel())
+            attributes["mesh"] = self._add(
+                "mesh", f"hull_{_digest(vertices.encode())}", vertex=vertices, inertia="convex"
+            )
+        low, high = part.bounds
+        flat = max(_LEAST_FLAT, FLAT_SPOT * float((high - low).min()) / 2)
+        resistance = flat if rolls else 0.0001
+        slide = _text([friction, 0.003, resistance])
+        always = {"class": "collision", "type": kind, "friction": slide}
+        ET.SubElement(body, "geom", always | attributes)
+
+
+def primitive(part: ConvexPart) -> tuple[str, dict[str, str]]:
+    """Return a part's geom type and attributes; "mesh" where no primitive fits."""
+    low, high = part.bounds
+    half = (high - low) / 2
+    attributes = {"pos": _text((low + high) / 2)}
+    if part.kind == "box":
+        return "box", attributes | {"size": _text(half)}
+    if part.kind == "ellipsoid":
+        if half.max() <= (1 + ROUND) * half.min():
+            return "sphere", attributes | {"size": _text([half.mean()])}
+        return "ellipsoid", attributes | {"size": _text(half)}
+    if part.kind == "cylinder":
+        across = np.delete(half, part.axis)
+        if across.max() <= (1 + ROUND) * across.min():
+            if part.axis != 2:
+                attributes["quat"] = _text(_AXIS_QUATERNION[part.axis])
+            return "cylinder", attributes | {"size": _text([across.mean(), half[part.axis]])}
+    return "mesh", {}
+
+
+def _points(scene: Scene) -> Float[np.ndarray, "n 3"]:
+    """Return every drawn vertex of a scene in the world frame."""
+    table = scene.table
+    points = [table.model.mesh.vertices * table.scale + [0, 0, table.height / 2]]
+    for thing in scene.objects:
+        turned = (thing.model.mesh.vertices * thing.scale) @ quaternion_matrix(
+            thing.pose.quaternion
+        ).T
+        points.append(turned + thing.pose.position)
+    return np.concatenate(points)
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:16]
+
+
+def _text(numbers: Iterable[Any]) -> str:
+    values = np.array(numbers if isinstance(numbers, np.ndarray) else [*numbers], np.float64) + 0.0
+    values[np.abs(values) < _TINY] = 0.0
+    return " ".join([f"{value:.7g}" for value in values.tolist()])

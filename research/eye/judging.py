@@ -1,0 +1,163 @@
+"""Train the judge of what the eye finds (``eye.judge``), on renders the eye never learned from.
+
+    python -m research.eye.pictures.renders --out DIR/judging --count 800 --split hard --seed 21
+    python -m research.eye.judging --data DIR/judging --work DIR/judged
+
+The eye looks at every picture first, a shard at a time, and what it finds is kept in ``--work``;
+an interrupted run goes on there. The networks are so small that they then learn in a minute.
+"""
+
+from __future__ import annotations
+
+import argparse
+import multiprocessing
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import torch
+from jaxtyping import Bool, Float, UInt8
+from rich.progress import track
+from torch.nn import functional
+
+from generator.backends.embedded.eye.judge import Judge, Panel, clues_of
+from generator.backends.embedded.eye.sight import glance_at
+from generator.backends.embedded.eye.weights import JUDGE_PATH, load_weights, save_weights
+from generator.errors import InputError
+
+from .sample import worth_finding
+from .shards import ShardReader
+
+_RIGHT = 0.5  # overlap (IoU) with a thing from which a find shows it
+_STEPS, _BATCH, _RATE, _DECAY = 3000, 512, 2e-3, 1e-2
+
+
+@dataclass(frozen=True, eq=False)
+class Lesson:
+    """Clues with their truths: finds that show a thing, and pairs that show two.
+
+    ``counts`` is False for finds of things that hardly show: they are neither right nor wrong.
+    """
+
+    alone: Float[np.ndarray, "n a"]
+    right: Bool[np.ndarray, "n"]
+    counts: Bool[np.ndarray, "n"]
+    both: Float[np.ndarray, "m b"]
+    apart: Bool[np.ndarray, "m"]
+
+    def save(self, path: Path) -> None:
+        """Write the lesson to ``path``; an interrupted write leaves none."""
+        partial = path.with_suffix(".partial")
+        with partial.open("wb") as file:
+            np.savez_compressed(file, **vars(self))
+        partial.replace(path)
+
+    @classmethod
+    def load(cls, path: Path) -> Lesson:
+        """Read a lesson that :meth:`save` wrote."""
+        with np.load(path, allow_pickle=False) as file:
+            return cls(**{key: file[key] for key in cls.__dataclass_fields__})
+
+    @classmethod
+    def joined(cls, lessons: list[Lesson]) -> Lesson:
+        """Return several lessons as one."""
+        parts = {k: [getattr(x, k) for x in lessons] for k in cls.__dataclass_fields__}
+        return cls(**{key: np.concatenate(part) for key, part in parts.items()})
+
+
+def lesson(
+    image: UInt8[np.ndarray, "h w 3"],
+    visible: UInt8[np.ndarray, "h w"],
+    full: Bool[np.ndarray, "n h w"],
+) -> Lesson:
+    """Return what one picture teaches: the eye looks at it, ``Sample`` says what there is to see.
+
+    Args:
+        image: sRGB.
+        visible: which thing each pixel shows, from 1; 0 none.
+        full: each thing's whole mask.
+    """
+    glance = glance_at(load_weights(), np.ascontiguousarray(image))
+    clues = clues_of(glance.finds, glance.region)
+    count = len(full)
+    area = np.bincount(visible.ravel(), minlength=count + 1)[1:]
+    shows = worth_finding(area, full.sum((1, 2)))
+    overlap = np.zeros((len(glance.finds), count + 1))  # the first column: no thing
+    for row, find in zip(overlap, glance.finds, strict=True):
+        shared = np.bincount(visible[find.visible], minlength=count + 1)[1:]
+        row[1:] = shared / (area + find.visible.sum() - shared)
+    thing, right = overlap.argmax(1), overlap.max(1) >= _RIGHT
+    counts = ~right | np.append(True, shows)[thing]
+    i, j = clues.pairs.T
+    apart = right[i] & right[j] & (thing[i] != thing[j])
+    return Lesson(clues.alone, right, counts, clues.both, apart)
+
+
+def taught(path: Path, work: Path) -> Path:
+    """Write the lesson of one shard into ``work``, unless it is there; return its path."""
+    target = work / f"{path.stem}.npz"
+    if not target.is_file():
+        torch.set_num_threads(1)
+        reader = ShardReader(path)
+        samples = (reader.read(k, depth=False) for k in range(len(reader)))
+        Lesson.joined([lesson(s.image, s.visible, s.full) for s in samples]).save(target)
+    return target
+
+
+def learned(told: Lesson, seed: int, steps: int = _STEPS) -> Judge:
+    """Return a judge that learned a lesson."""
+    torch.manual_seed(seed)
+    judge = Judge()
+    _fit(judge.alone, told.alone[told.counts], told.right[told.counts], steps)
+    _fit(judge.both, told.both, told.apart, steps)
+    return judge.eval()
+
+
+def _fit(
+    panel: Panel, clues: Float[np.ndarray, "n c"], truth: Bool[np.ndarray, "n"], steps: int
+) -> None:
+    x, wished = torch.from_numpy(clues), torch.from_numpy(truth).float()
+    panel.mean.copy_(x.mean(0))
+    panel.spread.copy_(x.std(0) + 1e-3)
+    optimizer = torch.optim.AdamW(panel.parameters(), lr=_RATE, weight_decay=_DECAY)
+    schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, steps)
+    for _ in track(range(steps), "learning"):
+        batch = torch.randint(len(x), (_BATCH,))
+        logits = panel(x[batch])
+        cost = functional.binary_cross_entropy_with_logits(logits, wished[batch].expand_as(logits))
+        optimizer.zero_grad()
+        cost.backward()
+        optimizer.step()
+        schedule.step()
+
+
+def main() -> None:
+    """Read the command line and train."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument(
+        "--data", type=Path, required=True, help="shards the eye never learned from"
+    )
+    parser.add_argument("--work", type=Path, required=True, help="folder of what the eye found")
+    parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--out", type=Path, default=JUDGE_PATH)
+    args = parser.parse_args()
+    shards = sorted(args.data.glob("*.shard"))
+    if not shards:
+        raise InputError(
+            f"No shards in {args.data}. Render some: python -m research.eye.pictures.renders --help"
+        )
+    args.work.mkdir(parents=True, exist_ok=True)
+    with ProcessPoolExecutor(args.workers, multiprocessing.get_context("spawn")) as pool:
+        paths = pool.map(partial(taught, work=args.work), shards)
+        told = Lesson.joined([Lesson.load(p) for p in track(paths, "looking", total=len(shards))])
+    judge = learned(told, args.seed)
+    notes = {"pictures": args.data.name, "finds": str(len(told.right)), "seed": str(args.seed)}
+    save_weights(args.out, judge.state_dict(), notes)
+    print(f"{args.out.name}: {len(told.right)} finds, {len(told.apart)} overlapping pairs")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,129 @@
+"""What the network is marked on: one function a term, and their weighted sum."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import torch
+from torch import Tensor
+from torch.nn import functional
+
+from generator.backends.embedded.eye.network import Eye, Maps
+
+WEIGHTS: Mapping[str, float] = {
+    "heat": 1.0, "box": 0.5, "mask": 2.0, "whole": 1.0, "quality": 1.0, "name": 0.6,
+    "region": 1.0, "top": 1.0, "latitude": 4.0,
+}  # fmt: skip
+_ASKED, _JUDGED = 0.1, 64  # certainty of cells whose masks are judged, and how many of a batch
+
+
+@dataclass(frozen=True, eq=False)
+class Batch:
+    """Crops side by side; fields as in ``targets.Crop``, ``owner`` (k,) the cells' pictures."""
+
+    image: Tensor
+    heat: Tensor
+    weight: Tensor
+    things: Tensor
+    region: Tensor
+    top: Tensor
+    latitude: Tensor
+    owner: Tensor
+    cells: Tensor
+    boxes: Tensor
+    masks: Tensor
+    looks: Tensor
+    shown: Tensor
+    hints: Tensor
+    category: Tensor
+
+    def to(self, device: str) -> Batch:
+        """Return the batch on another device."""
+        return Batch(**{name: value.to(device) for name, value in vars(self).items()})
+
+
+def heat_loss(logits: Tensor, wished: Tensor, weight: Tensor) -> Tensor:
+    """Quality focal loss (Li et al., "Generalized Focal Loss", NeurIPS 2020), per thing."""
+    certainty = logits.sigmoid()
+    cross = functional.binary_cross_entropy_with_logits(logits, wished, reduction="none")
+    things = (wished > 0.99).sum().clamp(min=1)
+    return ((wished - certainty).abs().square() * cross * weight).sum() / things
+
+
+def overlap_loss(logits: Tensor, wished: Tensor) -> Tensor:
+    """Cross entropy plus one minus the Dice overlap, per mask (k, h, w)."""
+    cross = functional.binary_cross_entropy_with_logits(logits, wished, reduction="none")
+    inside, area = logits.sigmoid(), wished.sum((1, 2))
+    size = (logits.shape[1] * logits.shape[2]) ** 0.5
+    cross = cross.sum((1, 2)) / (area + size)
+    both = (inside * wished).sum((1, 2))
+    dice = 1 - (2 * both + 1) / (inside.square().sum((1, 2)) + area + 1)
+    return (dice + 0.3 * cross).mean()
+
+
+def terms(eye: Eye, batch: Batch) -> dict[str, Tensor]:
+    """Return every term for a batch; their names are the keys of ``WEIGHTS``."""
+    maps = eye(batch.image)
+    wished_top = batch.top.float()[:, None]
+    found = {
+        "heat": heat_loss(maps.heat[:, 0].float(), batch.heat, batch.weight),
+        "region": functional.cross_entropy(maps.region.float(), batch.region.long()),
+        "top": overlap_loss(maps.top[:, 0].float(), wished_top[:, 0]),
+        "latitude": (maps.latitude[:, 0].float() - batch.latitude).abs().mean(),
+    }
+    found["quality"] = _quality_loss(eye, maps, batch)
+    found["name"] = _name_loss(eye, batch) if len(batch.looks) else maps.box.sum() * 0
+    if not len(batch.cells):
+        zero = maps.box.sum() * 0
+        return found | {"box": zero, "mask": zero, "whole": zero}
+    column, row = batch.cells[:, 0], batch.cells[:, 1]
+    box = maps.box[batch.owner, :, row, column].float()
+    found["box"] = functional.smooth_l1_loss(box, batch.boxes.log(), beta=0.2)
+    size = (batch.boxes[:, :2] + batch.boxes[:, 2:4]).amax(1)
+    drawn = eye.masks(maps, batch.owner, batch.cells, size)
+    wished = batch.masks.float()
+    fine = functional.interpolate(drawn.float(), size=wished.shape[2:], mode="bilinear")
+    found["mask"] = overlap_loss(fine[:, 0], wished[:, 0])
+    found["whole"] = overlap_loss(fine[:, 1], wished[:, 1])
+    return found
+
+
+def _quality_loss(eye: Eye, maps: Maps, batch: Batch) -> Tensor:
+    """Judge masks of cells that might be asked, good ones and bad ones."""
+    with torch.no_grad():
+        asked = ((maps.heat[:, 0].sigmoid() > _ASKED) | (batch.heat > 0.5)) & (batch.weight > 0)
+        owner, row, column = asked.nonzero(as_tuple=True)
+        chosen = torch.randperm(len(owner))[:_JUDGED].to(owner.device)
+        if not len(chosen):
+            return maps.heat.sum() * 0
+        owner, cells = owner[chosen], torch.stack([column, row], 1)[chosen]
+        box = maps.box[owner, :, cells[:, 1], cells[:, 0]].float().exp()
+        size = (box[:, :2] + box[:, 2:4]).amax(1)
+        drawn = eye.masks(maps, owner, cells, size)[:, 0].float().sigmoid()
+        overlap = best_overlap(drawn > 0.5, batch.things[owner])
+    logits = eye.quality(maps, owner, cells, drawn).float()
+    return functional.binary_cross_entropy_with_logits(logits, overlap)
+
+
+def best_overlap(drawn: Tensor, things: Tensor) -> Tensor:
+    """Return the largest IoU of masks (n, h, w) with any thing of maps of numbers (n, h, w)."""
+    most = int(things.max())
+    best = torch.zeros(len(drawn), device=drawn.device)
+    for number in range(1, most + 1):
+        thing = things == number
+        either = (drawn | thing).sum((1, 2))
+        best = torch.maximum(best, (drawn & thing).sum((1, 2)) / either.clamp(min=1))
+    return best
+
+
+def _name_loss(eye: Eye, batch: Batch) -> Tensor:
+    looks = batch.looks.contiguous(memory_format=torch.channels_last)
+    names = eye.names(looks, batch.shown, batch.hints)
+    category = torch.where(batch.category < 0, names.shape[1] - 1, batch.category)
+    return functional.cross_entropy(names.float(), category, label_smoothing=0.05)
+
+
+def total(found: Mapping[str, Tensor]) -> Tensor:
+    """Return the weighted sum of the terms."""
+    return torch.stack([WEIGHTS[name] * value for name, value in found.items()]).sum()

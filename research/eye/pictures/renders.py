@@ -1,0 +1,137 @@
+"""Render training shards.
+
+python -m research.eye.pictures.renders --out DIR --count N --seed S
+"""
+
+from __future__ import annotations
+
+import argparse
+import multiprocessing
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import get_args
+
+import numpy as np
+from PIL import Image
+
+from generator.errors import InputError
+
+from ..shards import ShardReader, ShardWriter
+from ..sheet import contact_sheet
+from .supply import (
+    KEYS,
+    SEEDS,
+    Split,
+    supply,
+)
+
+SIDE = 512
+"""Pixels a side of every picture."""
+
+PER_SHARD = 100
+"""Samples a shard; each shard has a supply of its own."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """A shard to make."""
+
+    out: Path
+    seed: int
+    split: Split
+    number: int
+    samples: int
+
+
+def shard_path(out: Path, split: Split, seed: int, number: int) -> Path:
+    """Return the file of a shard."""
+    return out / f"{split}-{seed}-{number:05d}.shard"
+
+
+def plan(out: Path, count: int, seed: int, split: Split) -> tuple[Job, ...]:
+    """Return what is left to render of ``count`` samples; finished shards are skipped."""
+    jobs = (
+        Job(out, seed, split, k, min(PER_SHARD, count - k * PER_SHARD))
+        for k in range(-(-count // PER_SHARD))
+    )
+    return tuple(j for j in jobs if _held(shard_path(out, split, seed, j.number)) < j.samples)
+
+
+def _held(path: Path) -> int:
+    """Return how many samples a shard holds, 0 where there is none."""
+    if not path.exists():
+        return 0
+    reader = ShardReader(path)
+    reader.close()
+    return len(reader)
+
+
+def render(job: Job) -> int:
+    """Render a shard and return how many samples it got.
+
+    Every sample depends on seed, split, its shard and its place alone.
+    """
+    from .gl import Painter
+    from .rendering import render_sample
+
+    origin = SEEDS[job.split][0]
+    kept = supply(job.seed * 100_003 + job.number, job.split)
+    painter = Painter(kept.stock, SIDE)
+    path = shard_path(job.out, job.split, job.seed, job.number)
+    try:
+        with ShardWriter(path, KEYS) as writer:
+            for k in range(job.samples):
+                rng = np.random.default_rng([origin, job.seed, job.number, k])
+                writer.add(render_sample(rng, kept, painter))
+    finally:
+        painter.close()
+    return job.samples
+
+
+def render_all(jobs: tuple[Job, ...], workers: int) -> Iterator[int]:
+    """Run jobs in ``workers`` processes (1: in this one); yields as they finish."""
+    os.environ.setdefault("LP_NUM_THREADS", "1")  # Mesa's software GL: one thread each
+    if workers <= 1:
+        yield from map(render, jobs)
+        return
+    context = multiprocessing.get_context("spawn")
+    with context.Pool(workers, maxtasksperchild=8) as pool:
+        yield from pool.imap_unordered(render, jobs)
+
+
+def main() -> None:
+    """Render shards, or a contact sheet of those there."""
+    parser = argparse.ArgumentParser(description="Render tabletops for training, as shards.")
+    parser.add_argument("--out", type=Path, required=True, help="folder of the shards")
+    parser.add_argument("--count", type=int, default=400, help="samples")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--split", choices=get_args(Split), default="train")
+    parser.add_argument("--workers", type=int, default=2, help="processes")
+    parser.add_argument("--sheet", type=Path, help="PNG: draw the first samples with their masks")
+    chosen = parser.parse_args()
+    if chosen.count < 1 or chosen.workers < 1 or not 0 <= chosen.seed < 10_000:
+        raise InputError("--count and --workers must be at least 1, --seed in 0 to 9999.")
+    jobs = plan(chosen.out, chosen.count, chosen.seed, chosen.split)
+    _run(jobs, chosen.workers, chosen.count)
+    if chosen.sheet:
+        with_masks = ShardReader(shard_path(chosen.out, chosen.split, chosen.seed, 0))
+        samples = [with_masks[k] for k in range(min(len(with_masks), 30))]
+        Image.fromarray(contact_sheet(samples)).save(chosen.sheet)
+
+
+def _run(jobs: tuple[Job, ...], workers: int, count: int) -> None:
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
+
+    left = sum(job.samples for job in jobs)
+    with Progress(
+        "rendering", BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
+    ) as progress:
+        bar = progress.add_task("rendering", total=count, completed=count - left)
+        for done in render_all(jobs, workers):
+            progress.advance(bar, done)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,171 @@
+"""What scenes are set with: a seeded choice of models, tables and textures, compiled once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from generator.catalogue.build.solids import box
+from generator.catalogue.build.styles import STYLES
+from generator.catalogue.registry import CATEGORIES, build
+from generator.catalogue.surfaces.colors import COLORS
+from generator.catalogue.surfaces.look import METALS, WOODS
+from generator.catalogue.tables import LEGS, OUTLINES, build_table
+from generator.geometry import convex_outline
+from generator.scene import Mesh, Model, PlannedTable
+
+from ..sample import UNKNOWN
+from . import patterns
+from .pool import Stock, stock
+from .strangers import stranger
+
+Split = Literal["train", "eval", "hard"]
+SEEDS: dict[str, tuple[int, int]] = {
+    "train": (0, 1_000),
+    "eval": (10_000, 20_000),
+    "hard": (20_000, 30_000),
+}
+"""Catalogue seeds of each split: what is evaluated on was never trained on.
+
+In "eval" all things are the catalogue's and look as it makes them; in the others a sixth belong to
+no category, many wear borrowed colours and textures, and some scenes are white or dark all over.
+"""
+
+KEYS = tuple(sorted(CATEGORIES))
+"""Category keys that a sample's ``category`` indexes."""
+
+_TABLE_MESHES = 3
+
+REPEATS = (1, 3, 9)
+"""How often the unit boxes repeat their texture."""
+
+
+@dataclass(frozen=True, eq=False)
+class Supply:
+    """Models and tables with the numbers of their meshes in the stock.
+
+    The first meshes are unit boxes, one for each of ``REPEATS``; then come the tables, three meshes
+    each (what is under the top, the top, the top with one picture laid flat over it), then the
+    models. ``surfaces``, ``cloths`` and ``prints`` number textures. With ``borrows``, things may
+    wear other colours and textures than their own.
+    """
+
+    stock: Stock
+    tables: tuple[Model, ...]
+    outlines: tuple[Float[np.ndarray, "k 2"], ...]
+    models: tuple[Model, ...]
+    categories: tuple[int, ...]
+    surfaces: tuple[int, ...]
+    cloths: tuple[int, ...]
+    prints: tuple[int, ...]
+    borrows: bool = True
+
+    def table_mesh(self, index: int) -> int:
+        """Return the number of a table's first mesh."""
+        return len(REPEATS) + _TABLE_MESHES * index
+
+    def model_mesh(self, index: int) -> int:
+        """Return the mesh number of a model."""
+        return len(REPEATS) + _TABLE_MESHES * len(self.tables) + index
+
+
+def supply(seed: int, split: Split, models: int = 170, tables: int = 16) -> Supply:
+    """Build a supply: ``models`` of all categories and (not in "eval") of none, and ``tables``."""
+    rng = np.random.default_rng([seed, 11, SEEDS[split][0]])
+    low, high = SEEDS[split]
+    strangers = 0 if split == "eval" else models // 6
+    order = np.concatenate([rng.permutation(len(KEYS)) for _ in range(1 + models // len(KEYS))])
+    chosen = [int(k) for k in order[: models - strangers]]
+    made = [_built(rng, KEYS[k], low, high) for k in chosen]
+    made += [stranger(int(rng.integers(low, high)) + 7919 * seed) for _ in range(strangers)]
+    categories = chosen + [UNKNOWN] * strangers
+    stands = [_table(rng, low, high) for _ in range(tables)]
+    loose = [patterns.surface(rng) for _ in range(14)]
+    loose += [patterns.cloth(rng) for _ in range(8)]
+    loose += [patterns.clutter(rng, 128, 30) for _ in range(6)]
+    boxes = [_unit_box(repeat) for repeat in REPEATS]
+    kept = stock(
+        [*boxes, *(part for t in stands for part in _halves(t)), *(m.mesh for m in made)], loose
+    )
+    numbers = [kept.texture(k) for k in range(len(loose))]
+    return Supply(
+        kept,
+        tuple(stands),
+        tuple(_outline(t) for t in stands),
+        tuple(made),
+        tuple(categories),
+        tuple(numbers[:14]),
+        tuple(numbers[14:22]),
+        tuple(numbers[22:]),
+        split != "eval",
+    )
+
+
+def _built(rng: np.random.Generator, key: str, low: int, high: int) -> Model:
+    """Return a variant of a category, now and then in one of the catalogue's styles."""
+    style = _pick(rng, sorted(STYLES)) if rng.random() < 0.15 else ""
+    return build(key, int(rng.integers(low, high)), attributes={"style": style})
+
+
+def _unit_box(repeat: int) -> Mesh:
+    solid = box(1, 1, 1).moved(z=-0.5)
+    white = np.full((8, 8, 3), 255, np.uint8)
+    return Mesh(solid.vertices, solid.faces, solid.uv * repeat, white)
+
+
+def _outline(table: Model) -> Float[np.ndarray, "k 2"]:
+    """Return the top's convex outline in the unit box, from the mesh itself."""
+    vertices = table.mesh.vertices
+    return convex_outline(vertices[vertices[:, 2] > 0.4999, :2])
+
+
+def _halves(table: Model) -> tuple[Mesh, Mesh, Mesh]:
+    """Return what is under the top, the top, and the top with its texture laid flat from above."""
+    mesh = table.mesh
+    slab = 0.5 - 0.036 / float(table.size[2])
+    upper = (mesh.vertices[mesh.faces, 2] > slab).all(1)
+    flat = mesh.vertices[:, :2] + 0.5
+
+    def part(faces: Int[np.ndarray, "m 3"], uv: Float[np.ndarray, "n 2"]) -> Mesh:
+        used, index = np.unique(faces, return_inverse=True)
+        return Mesh(mesh.vertices[used], index.reshape(-1, 3), uv[used], mesh.texture)
+
+    top = mesh.faces[upper]
+    return part(mesh.faces[~upper], mesh.uv), part(top, mesh.uv), part(top, flat)
+
+
+def _pick(rng: np.random.Generator, options: Sequence[str]) -> str:
+    return str(options[int(rng.integers(len(options)))])
+
+
+def _table(rng: np.random.Generator, low: int, high: int) -> Model:
+    """Return a random table; white, wooden, stone, metal or coloured."""
+    outline = _pick(rng, (*OUTLINES, "rectangle", "rectangle", "rectangle"))
+    length = float(rng.uniform(0.6, 1.6))
+    depth = length * float(rng.uniform(0.45, 0.8))
+    if outline in ("square", "round"):
+        length = depth = float(rng.uniform(0.55, 1.1))
+    kind = rng.random()
+    material, color = "oak", None
+    if kind < 0.3:
+        material = "white"
+    elif kind < 0.65:
+        material = _pick(rng, sorted(WOODS))
+    elif kind < 0.75:
+        material = _pick(rng, ("marble", "glass", *sorted(METALS)))
+    else:
+        material = _pick(rng, sorted(COLORS))
+        color = material
+    height = float(rng.uniform(0.3, 0.85))
+    plan = PlannedTable(
+        outline,  # type: ignore[arg-type]
+        material,
+        _pick(rng, sorted(LEGS)),
+        (length, depth, height),
+        color,
+    )
+    return build_table(plan, int(rng.integers(low, high)))

@@ -1,0 +1,1 @@
+"""What the expert has been seen to solve at a bundle's table."""

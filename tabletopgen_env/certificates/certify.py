@@ -1,0 +1,296 @@
+"""Certificates: what the scripted expert has been seen to do at a table.
+
+For each *instance* (a task, its preset, target and goal) that a bundle's scene offers, up to a
+bound, the expert plays one episode from where the scene has things, as environments do by default,
+and others from perturbed starts (``randomization="starts"``), each from one of its own: arm and
+things are off as ``randomization.starting`` says. What it solves from all of at least ``STARTS``
+starts is certified; after a failure an instance is played no further. ``certificate.json``, beside
+the bundle's own files, keeps how many it solved, with the digest of the scene, the terms and the
+versions it was made with. Bundles do not list it, so that they stay what they were.
+
+A success is ``info["success"]`` held for ``episodes.HOLD`` steps within the time limit of the
+task's id.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import closing
+from dataclasses import replace
+from importlib import metadata
+from itertools import chain, repeat
+from multiprocessing import get_context
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from generator.errors import BundleError, SceneError, TabletopError, require_number
+
+from ..episodes import Held
+from ..robot.panda import Panda
+from ..scenes.fixed import bundle_ref
+from ..tasks import NAMES, TaskName, task_named
+from ..tasks.goals.goal import SPOT
+from ..world.worlds import Masters
+from .certificate import (
+    Certificate,
+    Instance,
+    Terms,
+    read_certificate,
+    scene_digest,
+    write_certificate,
+)
+from .certificate import certified_instances as certified_instances
+
+if TYPE_CHECKING:
+    from ..env import TabletopEnv
+    from ..tasks.task import Episode, Task
+    from ..world.world import World
+
+DEFAULT = Terms()
+"""The terms of the certificates that are shipped."""
+
+_STARTS = "starts"
+_DRAWS = 40
+_FAILURES = 8  # draws in a row that find nothing, after which nothing is looked for
+_VERSIONS = ("tabletopgen", "mujoco", "numpy")
+
+
+def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certificate:
+    """Let the expert play what a bundle's scene offers, write the certificate and return it.
+
+    Args:
+        path: the bundle.
+        terms: tasks, episodes, instances and seed.
+        workers: processes; they do not change what is written.
+
+    Raises:
+        InputError: ``workers`` is out of range.
+        BundleError: the bundle cannot be read.
+        StorageError: the certificate cannot be written.
+        SceneError: a process has ended abruptly.
+    """
+    [(_, made)] = certify_all([Path(path)], terms, workers)
+    if isinstance(made, TabletopError):
+        raise made
+    return made
+
+
+def certify_all(
+    paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1
+) -> Iterator[tuple[Path, Certificate | TabletopError]]:
+    """Certify bundles, and yield each with its certificate once that is written.
+
+    One that cannot be certified comes with the error that says why, and the others follow. What
+    is written stays when it is interrupted.
+
+    Args:
+        paths: the bundles.
+        terms: see ``certify``.
+        workers: see ``certify``.
+
+    Raises:
+        InputError: ``workers`` is out of range.
+        SceneError: a process has ended abruptly.
+    """
+    require_number("certify needs workers", workers, least=1, most=1024, whole=True)
+    jobs = [(path, task, terms) for path in paths for task in terms.tasks]
+    listed = iter(_in_turn(jobs, workers))
+    for path in paths:
+        yield path, _written(path, terms, [next(listed) for _ in terms.tasks])
+
+
+def _written(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate | TabletopError:
+    """Write what the jobs of a bundle gave as its certificate; return it, or why there is none."""
+    instances: list[Instance] = []
+    for found in listed:
+        if isinstance(found, TabletopError):
+            return found
+        instances += found
+    versions = {name: metadata.version(name) for name in _VERSIONS}
+    try:
+        made = Certificate(scene_digest(path), terms, versions, tuple(instances))
+        write_certificate(path, made)
+    except TabletopError as error:
+        return error
+    return made
+
+
+def is_certified(path: Path, terms: Terms = DEFAULT) -> bool:
+    """Return whether a bundle has a sound certificate of its own, made on these terms.
+
+    With which versions does not matter.
+    """
+    try:
+        found = read_certificate(path)
+    except BundleError:
+        return False
+    return found is not None and found.terms == terms
+
+
+_Job = tuple[Path, str, Terms]
+_Listed = tuple[Instance, ...] | TabletopError
+
+
+def _in_turn(jobs: Sequence[_Job], workers: int) -> Iterator[_Listed]:
+    """Yield what each job gives, in their order."""
+    if workers == 1 or len(jobs) < 2:
+        yield from map(_played, jobs)
+        return
+    pool = ProcessPoolExecutor(min(workers, len(jobs)), get_context("spawn"))
+    try:
+        begun: list[Future[_Listed]] = [pool.submit(_played, job) for job in jobs]
+        for future in begun:
+            yield future.result()
+    except BrokenProcessPool as error:
+        raise SceneError(
+            "A process that played episodes has ended abruptly: killed, or out of memory. Use "
+            "fewer workers. A script calls certify under `if __name__ == '__main__':`."
+        ) from error
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+# ------------------------------------------------------------------------------------- instances
+
+
+def names(task: str) -> tuple[TaskName, ...]:
+    """Return a task by its name, followed by its presets."""
+    from ..tasks.sequence import PRESETS
+
+    presets = PRESETS if task == "Sequence" else ()
+    return (TaskName(task), *(TaskName(task, preset) for preset in presets))
+
+
+def offered(world: World, task: Task, seed: int, most: int) -> tuple[Instance, ...]:
+    """Return up to ``most`` different instances of a task that its sampling draws at a table."""
+    found: dict[tuple[Any, ...], Instance] = {}
+    failures = 0
+    for number in range(_DRAWS):
+        world.reset()
+        try:
+            drawn = task.sample(world, np.random.default_rng((seed, number)))
+        except SceneError:
+            failures += 1
+            if failures == _FAILURES:
+                break
+            continue
+        failures = 0
+        instance = instance_of(task, drawn)
+        found.setdefault((instance.target, instance.goal), instance)
+        if len(found) == most or not instance.options:  # as drawn: there are no others
+            break
+    return tuple(found.values())
+
+
+def instance_of(task: Task, episode: Episode) -> Instance:
+    """Return the instance of a task of this package that an episode plays."""
+    assert task.listed_as is not None
+    name, preset = task.listed_as
+    first = episode.goals[0]
+    if name == "Sequence":
+        return Instance(name, None, None, preset=preset)
+    if name == "Tidy":
+        return Instance(name, None, first.reference)
+    if name == "Swap":  # its goals: the second aside, the first there, the second here
+        return Instance(name, episode.goals[1].target, first.target)
+    if first.reference is not None:
+        return Instance(name, first.target, first.reference)
+    drawn = None if first.spot is None or name == "Reach" else SPOT
+    return Instance(name, first.target, drawn)
+
+
+# --------------------------------------------------------------------------------------- playing
+
+
+def _played(job: _Job) -> _Listed:
+    """Return what ``_instances`` does, or the bundle's error."""
+    try:
+        return _instances(*job)
+    except TabletopError as error:
+        return error
+
+
+def _instances(folder: Path, task: str, terms: Terms) -> tuple[Instance, ...]:
+    """Return the instances of a task at a table, with how often the expert solved them."""
+    masters = Masters(Panda(), 1)
+    world = masters.twin(bundle_ref(folder))
+    found: list[Instance] = []
+    for name in names(task):
+        instances = offered(world, task_named(*name), terms.seed, terms.most)
+        if not instances:
+            continue
+        with (
+            closing(_env(folder, name, masters, None)) as own,
+            closing(_env(folder, name, masters, _STARTS)) as perturbed,
+        ):
+            for instance in instances:
+                rng = np.random.default_rng((terms.seed, NAMES.index(task), len(found)))
+                starts = chain([own], repeat(perturbed, terms.episodes - 1))
+                found.append(_tried(starts, instance, rng))
+    return tuple(found)
+
+
+def played_again(
+    folder: Path, instances: Sequence[Instance], episodes: int, seed: int
+) -> Iterator[Instance]:
+    """Yield instances of a bundle with how many of ``episodes`` the expert solves from new starts.
+
+    All episodes are played, from perturbed starts alone. ``seed`` draws these: one other than the
+    certificate's draws others.
+
+    Raises:
+        BundleError: the bundle cannot be read.
+    """
+    masters = Masters(Panda(), 1)
+    for number, instance in enumerate(instances):
+        rng = np.random.default_rng((seed, len(NAMES), number))
+        with closing(_env(folder, instance.name, masters, _STARTS)) as env:
+            solved = sum(_solved(env, instance, rng) for _ in range(episodes))
+        yield replace(instance, successes=solved, episodes=episodes)
+
+
+def _tried(starts: Iterable[TabletopEnv], instance: Instance, rng: np.random.Generator) -> Instance:
+    """Play an instance once in each of ``starts``, until it fails."""
+    solved = played = 0
+    for env in starts:
+        played += 1
+        if not _solved(env, instance, rng):
+            break
+        solved += 1
+    return replace(instance, successes=solved, episodes=played)
+
+
+def _solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> bool:
+    """Play one episode; return whether it was a success."""
+    from ..expert.run import TaskExpert
+
+    try:
+        env.reset(seed=int(rng.integers(2**31)), options=instance.options)
+        expert = TaskExpert(env)
+        expert.reset()
+    except SceneError:
+        return False
+    held = Held()
+    return any(held.after(env.step(expert.act())[4]) for _ in range(_limit(instance.task)))
+
+
+def _env(folder: Path, name: TaskName, masters: Masters, randomization: str | None) -> TabletopEnv:
+    from ..env import make_env
+
+    task, preset = name
+    return make_env(
+        folder, task=task, preset=preset, certified=False, masters=masters,
+        randomization=randomization,
+    )  # fmt: skip
+
+
+def _limit(task: str) -> int:
+    import gymnasium
+
+    limit = gymnasium.spec(f"TabletopGen/{task}-v0").max_episode_steps
+    assert limit is not None
+    return limit

@@ -1,0 +1,1 @@
+"""Where and how to take, put down and push, before anything moves."""

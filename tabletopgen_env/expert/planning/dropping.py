@@ -1,0 +1,137 @@
+"""Where the tool has to be for what it holds to be let go, followed until the fingers open."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.geometry import rotation_z
+
+from ...tasks.goals.goal import RAISED, Raised, at_rest
+from ..arm import turn_left
+from .grasps import TIP, Grasp
+from .placing import Placer, plan_place
+
+if TYPE_CHECKING:
+    from ...tasks.goals.goal import Goal, Region
+    from ...world.world import World
+
+ABOVE = 0.04
+"""Metres above the place at which what is held is brought into line with it."""
+
+_FINE, _FUNNEL = 0.006, 0.008  # metres aside that are good, and beyond which it stays ABOVE
+_TURNED = 0.05  # radians, both
+_LIFT = 0.06
+_LET_GO = 0.024  # metres by which the fingers open wider than what they held
+_TURNING = 0.35  # radians left beyond which what is held sweeps a circle
+_BESIDE = 0.015  # metres kept beside what is held
+_PUSHED = 0.02  # metres above the place below which a goal that moves is being pushed
+
+
+class Drop:
+    """The way of a held object to the place that was planned for it in its goal's region.
+
+    Args:
+        world: live poses count.
+        goal: what is asked for; its target is in the hand.
+        yaw: the hand's, now, in the base frame, radians.
+        opening: how far the fingers will open to let go, metres.
+        plan: says where.
+    """
+
+    def __init__(
+        self,
+        world: World,
+        goal: Goal,
+        yaw: float,
+        opening: float,
+        plan: Placer = plan_place,
+    ) -> None:
+        assert goal.target is not None
+        self._target, self._goal = goal.target, goal
+        self._place = plan(world, goal, yaw, opening)
+        self._shift = np.zeros(3)
+        self.opening = opening
+        self.tool = self._place.tool
+        """Where the tool lets go, world frame, metres, as of the last ``follow``."""
+        self.follow(world)
+
+    def follow(self, world: World) -> None:
+        """Let what has shifted in the hand, and the goal's own way, count.
+
+        What is let go no longer counts, nor does a goal that moves when the hand is down there.
+        """
+        left, right, _ = world.touched(self._target)
+        if not (left and right):
+            return
+        place, tool = self._place, world.data.site_xpos[world.tcp]
+        if tool[2] > self.tool[2] + _PUSHED:
+            self._shift = self._goal.region(world).center - place.seen
+        offset = rotation_z(self.turn(world))[:2, :2] @ (world.position(self._target) - tool)[:2]
+        sunk = tool[2] - world.lowest(self._target) - place.hanging
+        self.tool = np.array([*(place.target - offset), place.tool[2] + sunk]) + self._shift
+
+    def turn(self, world: World) -> float:
+        """Return how far the hand has yet to turn, radians."""
+        return turn_left(world, self._place.yaw, self._place.tool)
+
+    def hover(self, world: World) -> float:
+        """Return how far above the place the hand still has to be: it comes down as it is aimed."""
+        aside = float(np.linalg.norm((world.data.site_xpos[world.tcp] - self.tool)[:2])) - _FINE
+        turn = abs(self.turn(world)) - _TURNED
+        return ABOVE * float(np.clip(max(aside / _FUNNEL, turn / _TURNED), 0.0, 1.0))
+
+
+def let_go_at(grasp: Grasp) -> float:
+    """Return how far the fingers open to let go, metres: neighbours may be near."""
+    return min(grasp.opening, grasp.width + _LET_GO)
+
+
+def lift_of(goal: Goal) -> float:
+    """Return how high above its grasp the tool lifts a thing before it goes elsewhere, metres."""
+    return sum(RAISED) / 2 if isinstance(goal, Raised) else _LIFT
+
+
+def hanging(world: World, target: str) -> float:
+    """Return how far the held object, or the fingertips, reach below the tool, metres."""
+    return max(float(world.data.site_xpos[world.tcp][2] - world.lowest(target)), TIP)
+
+
+def load(world: World, target: str, turn: float) -> tuple[Float[np.ndarray, "3"], float]:
+    """Return where from the tool the middle of the held object is, and how far it reaches about it.
+
+    Metres, along the table, world frame. With much ``turn`` (radians) left the middle may come to
+    be anywhere around the tool.
+    """
+    if abs(turn) > _TURNING:
+        return np.zeros(3), breadth(world, target)
+    size = np.abs(world.rotation(target)) @ world.scene.object(target).scale / 2
+    away = world.position(target) - world.data.site_xpos[world.tcp]
+    return np.array([away[0], away[1], 0.0]), float(size[:2].max()) + _BESIDE
+
+
+def breadth(world: World, target: str) -> float:
+    """Return how far the held object reaches from the tool along the table, metres."""
+    size = np.abs(world.rotation(target)) @ world.scene.object(target).scale / 2
+    away = (world.position(target) - world.data.site_xpos[world.tcp])[:2]
+    return float(np.linalg.norm(away) + size[:2].max())
+
+
+def met(world: World, goal: Goal) -> bool:
+    """Return whether the goal's target is where it asks for, and as it asks."""
+    assert goal.target is not None
+    return goal.settled(world) and _within(goal.region(world), world.position(goal.target))
+
+
+def lost(world: World, goal: Goal) -> bool:
+    """Return whether the goal's target lies still and let go, but not as the goal asks."""
+    assert goal.target is not None
+    still = not world.touched(goal.target)[2] and at_rest(world, goal.target)
+    return still and not met(world, goal)
+
+
+def _within(region: Region, point: Float[np.ndarray, "3"]) -> bool:
+    local = rotation_z(region.yaw).T @ (point - region.center) / region.semi
+    return bool(np.linalg.norm(local[:2]) <= 1.0 and abs(local[2]) <= 1.0)

@@ -1,0 +1,224 @@
+"""Where to put two fingers: top grasps found on the collision shapes as they stand.
+
+For each turn of the hand and each strip of a finger's breadth across the object, the object's
+cross-section at the fingers' height is cut into solid runs: a can gives one run, a mug its two
+walls, a handle one of its own. A run narrow enough to be straddled, whose sides face each other
+(antipodal within the friction cone), is a grasp if there is room beside it: a gripper that comes
+straight down meets the rest of the world as a height map.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from generator.geometry import rotation_yaw, rotation_z
+
+from ...robot import franka
+from .heights import (
+    HeightMap,
+    Solid,
+    moved,
+    solid,
+    surroundings,
+)
+from .runs import (
+    FINGER_HALF,
+    PAD_HEIGHT,
+    RISE,
+    STEP_U,
+    STEP_V,
+    Slabs,
+    find_runs,
+    slabs,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from ...world.world import World
+
+TIP = 0.0088
+"""How far the fingertips reach beyond the tool centre point, metres."""
+
+_TURNS = 12
+_PAD_DEPTH, _SHAFT = 0.0125, (0.007, 0.0265)
+_PALM_U, _PALM_V, _PALM_Z = 0.112, 0.042, 0.042
+_TIGHT_U, _TIGHT_V = 0.106, 0.036  # where there is no room for more
+_TIGHT = 2.0  # by which such a grasp is worse
+_PALM_REACH = 0.13
+_MARGIN = 0.011
+
+
+@dataclass(frozen=True, eq=False)
+class Grasp:
+    """Where to close the fingers, in the world frame.
+
+    ``point`` is the tool centre point (m), ``angle`` the direction of opening about +z (radians,
+    equal modulo pi), ``opening`` how far to open before going down and ``width`` what will be
+    between the fingers (m). A higher ``score`` is better.
+    """
+
+    point: Float[np.ndarray, "3"]
+    angle: float
+    opening: float
+    width: float
+    score: float
+
+
+def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
+    """Return top grasps of ``target`` where it is now, best first.
+
+    Args:
+        world: the world; live poses count.
+        target: an object's name.
+        avoid: grasps that failed; those like them rank last.
+    """
+    candidates = grasps_along(world, target, _angles(world, target))
+    found = [_demoted(grasp, avoid) for grasp in candidates]
+    return sorted(found, key=lambda grasp: -grasp.score)
+
+
+def _angles(world: World, target: str) -> list[float]:
+    facing = rotation_yaw(world.rotation(target))
+    return (facing + np.arange(_TURNS) * np.pi / _TURNS).tolist()
+
+
+def grasps_along(world: World, target: str, angles: Iterable[float]) -> Iterator[Grasp]:
+    """Yield grasps of ``target`` where it is now, by the ``angles`` of their fingers' opening."""
+    position, rotation = world.position(target), world.rotation(target)
+    own = moved(world.scene.object(target).parts, position, rotation)
+    bounds = np.stack([part.bounds[:, :2] for part in own])
+    low, high = bounds[:, 0].min(0), bounds[:, 1].max(0)
+    others = surroundings(world, target, low - _PALM_REACH, high + _PALM_REACH, STEP_V)
+    com = position + rotation @ world.scene.object(target).com
+    floor = world.scene.table.height
+    # Cut in the object's own heading, so that what fits stays so wherever it is moved and turned.
+    heading = rotation_z(rotation_yaw(rotation))
+    shape = solid(moved(own, -_level(position) @ heading, heading.T), STEP_U, RISE)
+    cut = slabs(shape, floor)
+    for angle in angles:
+        yield from _along(
+            _Seen(shape, cut, position[:2], heading[:2, :2]), others, com, angle, floor
+        )
+
+
+def _level(point: Float[np.ndarray, "3"]) -> Float[np.ndarray, "3"]:
+    return np.array([point[0], point[1], 0.0])
+
+
+def _demoted(grasp: Grasp, avoid: tuple[Grasp, ...]) -> Grasp:
+    for failed in avoid:
+        if is_like(grasp, failed):
+            grasp = Grasp(grasp.point, grasp.angle, grasp.opening, grasp.width, grasp.score - 4.0)
+    return grasp
+
+
+def is_like(grasp: Grasp, other: Grasp) -> bool:
+    """Return whether two grasps are within 1.5 cm and 20 degrees of each other."""
+    turn = (grasp.angle - other.angle + np.pi / 2) % np.pi - np.pi / 2
+    near = np.linalg.norm(grasp.point - other.point) < 0.015
+    return bool(near and abs(turn) < np.deg2rad(20.0))
+
+
+@dataclass(frozen=True, eq=False)
+class _Seen:
+    """An object's voxels in its own heading, and where they are: ``center`` is their origin.
+
+    ``heading`` turns from their frame into the world's, along the table.
+    """
+
+    shape: Solid
+    cut: Slabs
+    center: Float[np.ndarray, "2"]
+    heading: Float[np.ndarray, "2 2"]
+
+    @property
+    def middle(self) -> Float[np.ndarray, "2"]:
+        """The middle of the voxels (x, y, world)."""
+        return self.center + self.heading @ (self.shape.origin + self.size / 2)
+
+    @property
+    def size(self) -> Float[np.ndarray, "2"]:
+        """The extent of the voxels, metres."""
+        return np.array(self.shape.filled.shape[:2]) * self.shape.cell
+
+    def columns(self, points: Float[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
+        """Return the column nearest to each point (x, y, world); see ``Solid.nearest``."""
+        return self.shape.nearest((points - self.center) @ self.heading)
+
+
+def _along(
+    seen: _Seen,
+    others: HeightMap,
+    com: Float[np.ndarray, "3"],
+    angle: float,
+    floor: float,
+) -> Iterator[Grasp]:
+    """Yield grasps whose fingers open along ``angle``."""
+    from scipy.ndimage import maximum_filter1d
+
+    across = np.array([np.cos(angle), np.sin(angle)])
+    along = np.array([-across[1], across[0]])
+    shape, cut, middle = seen.shape, seen.cut, seen.middle
+    half = float(np.linalg.norm(seen.size)) / 2
+    u = np.arange(-half - 0.11, half + 0.11, STEP_U)
+    v = np.arange(-half - 0.04, half + 0.04, STEP_V)
+    points = middle + u[None, :, None] * across + v[:, None, None] * along
+    columns = seen.columns(points)
+    runs = find_runs(cut, columns)
+    if not len(runs.row):
+        return
+    own = shape.levels[0] - RISE / 2 + RISE * cut.tops[columns]
+    both = np.maximum(np.maximum(own, others.at(points)), floor)
+    beside, above, under = (
+        maximum_filter1d(both, 2 * int(np.ceil(h / STEP_V)) + 1, axis=0)[runs.row]
+        for h in (FINGER_HALF, _PALM_V, _TIGHT_V)
+    )
+    center, width = (u[runs.left] + u[runs.right]) / 2, u[runs.right] - u[runs.left] + STEP_U
+    room = _room(u, beside, center, width, runs.tip)
+    distance = np.abs(u - center[:, None])
+    wide, tight = (
+        np.where(distance <= far, surface, -np.inf).max(1) <= runs.tip + _PALM_Z
+        for surface, far in ((above, _PALM_U), (under, _TIGHT_U))
+    )
+    at = middle + center[:, None] * across + v[runs.row, None] * along
+    away = np.sqrt(np.vecdot(at - com[:2], at - com[:2]))
+    score = runs.quality - 12.0 * away + 40.0 * np.minimum(room - width, 0.02) - _TIGHT * ~wide
+    free = ~np.isnan(room) & tight
+    points = np.column_stack([at, runs.tip + TIP])[free]
+    values = np.column_stack([room, width, score])[free].tolist()
+    for point, (opening, between, rating) in zip(points, values, strict=True):
+        yield Grasp(point, angle, opening, between, rating)
+
+
+def _room(
+    u: Float[np.ndarray, "n"],
+    beside: Float[np.ndarray, "r n"],
+    center: Float[np.ndarray, "r"],
+    width: Float[np.ndarray, "r"],
+    tip: Float[np.ndarray, "r"],
+) -> Float[np.ndarray, "r"]:
+    """Return the widest openings (m) whose fingers come down free, NaN where none does.
+
+    ``beside`` are the highest surfaces in the fingers' strips.
+    """
+    distance = np.abs(u - center[:, None])
+
+    def free(
+        near: Float[np.ndarray, "r"], far: Float[np.ndarray, "r"], limit: Float[np.ndarray, "r"]
+    ) -> Bool[np.ndarray, "r"]:
+        under = (distance >= near[:, None]) & (distance <= far[:, None])
+        return np.where(under, beside, -np.inf).max(1) <= limit
+
+    room = np.full_like(center, np.nan)
+    for margin in (0.6 * _MARGIN, _MARGIN, 1.5 * _MARGIN, 2.0 * _MARGIN):
+        opening = np.minimum(width + 2 * margin, 2 * franka.FINGER_STROKE - 0.001)
+        inner = opening / 2
+        pads = free(inner - 0.001, inner + _PAD_DEPTH, tip - 0.001)
+        shafts = free(inner + _SHAFT[0], inner + _SHAFT[1], tip + PAD_HEIGHT - 0.002)
+        room = np.where(pads & shafts, opening, room)
+    return room

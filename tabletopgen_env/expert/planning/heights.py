@@ -1,0 +1,142 @@
+"""Scenes as height maps, all that a gripper from above can hit, and objects as voxels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Bool, Float, Int
+
+from generator.scene import ConvexPart
+
+from ...world.affordance import part_span, top_surface
+
+if TYPE_CHECKING:
+    from ...world.world import World
+
+
+@dataclass(frozen=True, eq=False)
+class HeightMap:
+    """Heights of the highest surface over a grid, world frame, -inf where nothing is.
+
+    ``origin`` is the centre of cell (0, 0), ``cell`` the spacing (metres); ``heights[i, j]`` is at
+    ``origin + cell * (i, j)``.
+    """
+
+    origin: Float[np.ndarray, "2"]
+    cell: float
+    heights: Float[np.ndarray, "nx ny"]
+
+    def at(self, points: Float[np.ndarray, "*n 2"]) -> Float[np.ndarray, "*n"]:
+        """Return the height at the cell nearest to each point, -inf outside the grid."""
+        i, j = _nearest(points, self.origin, self.cell)
+        nx, ny = self.heights.shape
+        inside = (i >= 0) & (i < nx) & (j >= 0) & (j < ny)
+        return np.where(inside, self.heights.take(np.where(inside, i * ny + j, 0)), -np.inf)
+
+
+def moved(
+    parts: Iterable[ConvexPart],
+    position: Float[np.ndarray, "3"],
+    rotation: Float[np.ndarray, "3 3"],
+) -> tuple[ConvexPart, ...]:
+    """Return convex parts carried from the body frame into the world."""
+    return tuple(ConvexPart(part.vertices @ rotation.T + position) for part in parts)
+
+
+def height_map(
+    parts: Iterable[ConvexPart],
+    low: Float[np.ndarray, "2"],
+    high: Float[np.ndarray, "2"],
+    cell: float,
+) -> HeightMap:
+    """Scan world-frame ``parts`` from above between the corners ``low`` and ``high``."""
+    axes = [np.arange(low[k], high[k] + cell, cell) for k in (0, 1)]
+    heights = np.full((len(axes[0]), len(axes[1])), -np.inf)
+    for part, cells, points in _over(parts, axes):
+        window = heights[cells]
+        np.maximum(window, top_surface((part,), points).reshape(window.shape), out=window)
+    return HeightMap(np.array([axis[0] for axis in axes]), cell, heights)
+
+
+def _over(
+    parts: Iterable[ConvexPart], axes: list[Float[np.ndarray, "_"]]
+) -> Iterator[tuple[ConvexPart, tuple[slice, slice], Float[np.ndarray, "n 2"]]]:
+    """Yield each part over a grid with the cells within its bounds, and where they are."""
+    for part in parts:
+        low, high = part.bounds
+        i, j = (
+            slice(int(axis.searchsorted(low[k])), int(axis.searchsorted(high[k], "right")))
+            for k, axis in enumerate(axes)
+        )
+        if i.start < i.stop and j.start < j.stop:
+            x, y = np.meshgrid(axes[0][i], axes[1][j], indexing="ij")
+            yield part, (i, j), np.column_stack([x.ravel(), y.ravel()])
+
+
+def surroundings(
+    world: World,
+    target: str,
+    low: Float[np.ndarray, "2"],
+    high: Float[np.ndarray, "2"],
+    cell: float,
+) -> HeightMap:
+    """Return the height map of every object but ``target``, where they are now."""
+    parts = [
+        part
+        for obj in world.scene.objects
+        if obj.name != target
+        for part in moved(obj.parts, world.position(obj.name), world.rotation(obj.name))
+    ]
+    return height_map(parts, low, high, cell)
+
+
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """An object as voxels, world frame.
+
+    ``filled[i, j, k]`` is at (``origin`` + ``cell`` * (i, j), ``levels[k]``), metres; ``levels``
+    rise by equal steps. The columns on the grid's border are empty.
+    """
+
+    origin: Float[np.ndarray, "2"]
+    cell: float
+    levels: Float[np.ndarray, "nz"]
+    filled: Bool[np.ndarray, "nx ny nz"]
+
+    def nearest(self, points: Float[np.ndarray, "*n 2"]) -> Int[np.ndarray, "*n"]:
+        """Return the column nearest to each point as a flat index i * ny + j.
+
+        Outside the grid that is one on its border, an empty one.
+        """
+        i, j = _nearest(points, self.origin, self.cell)
+        nx, ny, _ = self.filled.shape
+        return np.clip(i, 0, nx - 1) * ny + np.clip(j, 0, ny - 1)
+
+
+def _nearest(
+    points: Float[np.ndarray, "*n 2"], origin: Float[np.ndarray, "2"], cell: float
+) -> tuple[Int[np.ndarray, "*n"], Int[np.ndarray, "*n"]]:
+    """Return the indices of the grid's cell nearest to each point, also of those outside it."""
+    x, y = points[..., 0], points[..., 1]
+    i, j = (x - origin[0]) / cell, (y - origin[1]) / cell
+    return np.rint(i).astype(int), np.rint(j).astype(int)
+
+
+def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> Solid:
+    """Return world-frame ``parts`` as voxels of ``cell`` by ``cell`` by ``rise`` metres."""
+    bounds = np.stack([part.bounds for part in parts])
+    first, last = bounds[:, 0].min(0), bounds[:, 1].max(0)
+    axes = [np.arange(first[k] - cell, last[k] + 2 * cell, cell) for k in (0, 1)]
+    levels = np.arange(first[2] + rise / 2, last[2], rise)
+    filled = np.zeros((len(axes[0]), len(axes[1]), len(levels)), bool)
+    for part, cells, points in _over(parts, axes):
+        hit, ground, ceiling = part_span(part, points)
+        # What is thinner than a voxel fills the one in whose middle it lies.
+        spare = np.maximum(rise - (ceiling - ground), 0.0)[:, None] / 2
+        low, high = ground[:, None] - spare, ceiling[:, None] + spare
+        window = filled[cells]
+        window[np.unravel_index(hit, window.shape[:2])] |= (levels >= low) & (levels <= high)
+    return Solid(np.array([axis[0] for axis in axes]), cell, levels, filled)

@@ -1,0 +1,244 @@
+"""Where to let go of what the hand holds: place and turn, with room for it and for the fingers.
+
+What is held, and the fingers that open around it, come straight down on the height map of all
+else: their undersides say how deep they go. Of many places and turns in the goal's region that one
+is best where the thing comes to lie low, near the middle and well supported, and falls least.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, NamedTuple, Protocol
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.geometry import rotation_z, wrap
+
+from ...tasks.goals.goal import (
+    INSIDE,
+    Goal,
+    Into,
+    OnTop,
+    Region,
+)
+from ..arm import knuckle_is_free, stretch, wrist_is_free
+from .grasps import TIP
+from .heights import (
+    HeightMap,
+    moved,
+    solid,
+    surroundings,
+)
+
+if TYPE_CHECKING:
+    from ...world.world import World
+
+RELEASE = 0.004
+"""Height from which a thing is let go, metres."""
+
+_TURNS = np.arange(-6, 6) * np.pi / 6
+_CELL = 0.005
+_MOST_COLUMNS = 160
+_INSIDE = 0.006  # metres that a place keeps from the region's edge
+_LEVEL = 0.005  # metres above a flat place at which a thing lies on something else
+_ABOVE = 0.06
+_TRIED = 10  # places for which the arm is asked
+_PAD, _SHAFT, _SHAFT_Z = 0.0125, 0.0265, 0.017
+_FINGER_HALF = 0.0105
+_PALM, _PALM_Z = (0.106, 0.036), 0.043
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """Where the tool lets go: its point (m, world), the hand's yaw (base frame, radians).
+
+    ``target`` is where the held thing's centre is then (x, y, world), ``hanging`` how far it
+    reached below the tool and ``seen`` where the goal's region was when this was planned.
+    """
+
+    tool: Float[np.ndarray, "3"]
+    yaw: float
+    target: Float[np.ndarray, "2"]
+    hanging: float
+    seen: Float[np.ndarray, "3"]
+
+
+class Placer(Protocol):
+    """Says where to let go: the expert's planner (``plan_place``), or ``middle_place``."""
+
+    def __call__(self, world: World, goal: Goal, yaw: float, opening: float) -> Place:
+        """Return a place; see ``plan_place``."""
+        ...
+
+
+class Underside(NamedTuple):
+    """Columns below the tool: (x, y) and lowest height of each, relative to the tool."""
+
+    at: Float[np.ndarray, "n 2"]
+    low: Float[np.ndarray, "n"]
+
+
+def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
+    """Return the best place in a goal's region for its target, held as it is now.
+
+    Args:
+        world: the world; live poses count.
+        goal: what is asked for; its target is in the hand.
+        yaw: the hand's, now, in the base frame, radians.
+        opening: how far the fingers open to let go, metres.
+    """
+    assert goal.target is not None
+    tool = world.data.site_xpos[world.tcp].copy()
+    held = _held(world, goal.target, tool)
+    hand = _hand(opening, yaw + world.mount.yaw)
+    offset = (world.position(goal.target) - tool)[:2]
+    lever = np.zeros(2)
+    if isinstance(goal, OnTop):  # there it has to balance
+        lever = (world.rotation(goal.target) @ world.scene.object(goal.target).com)[:2]
+    region = goal.region(world)
+    points = _points(goal, region)
+    others = _room(world, goal.target, region, held)
+    base = _base(world, goal, region)
+    found: list[tuple[float, float, Float[np.ndarray, "3"], Float[np.ndarray, "2"]]] = []
+    for turn in _TURNS:
+        spin = rotation_z(float(turn))[:2, :2].T
+        tools = points - offset @ spin
+        touching = _touching(others, tools, Underside(held.at @ spin, held.low))
+        rest = touching.max(1)
+        support = (touching >= rest[:, None] - 2 * _CELL).mean(1)
+        free = _touching(others, tools, Underside(hand.at @ spin, hand.low)).max(1)
+        height = np.maximum(rest, free)
+        above = rest + float(held.low.min()) - base
+        middles = points + lever @ spin - region.center[:2]
+        away = np.linalg.norm(middles / region.semi[:2], axis=1)
+        cost = 15.0 * (height - rest) + 25.0 * np.maximum(above, 0.0) + 0.3 * away
+        cost += 0.02 * abs(turn)
+        if isinstance(goal, Into):
+            cost += 10.0 * (above > goal.opening.depth - INSIDE)
+        else:
+            cost += 100.0 * (above > _LEVEL) + 1.0 * (1.0 - support)
+        for k in np.argsort(cost)[:3]:
+            at = np.array([*tools[k], height[k] + RELEASE])
+            found.append((float(cost[k]), float(turn), at, points[k]))
+    found.sort(key=lambda place: place[0])
+    hanging = -float(held.low.min())
+    reached = (f for f in found[:_TRIED] if _reached(world, others, f[2], yaw + f[1]))
+    chosen = next(reached, found[0])
+    return Place(chosen[2], wrap(yaw + chosen[1]), chosen[3], hanging, region.center)
+
+
+def middle_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
+    """Return the middle of a goal's region, for its target as the hand holds it.
+
+    The hand is not turned, or by half a turn where its arm reaches the place only so. It
+    takes the height map of all else, and the box of what is held with its lowest point.
+    The arguments are those of ``plan_place``.
+    """
+    assert goal.target is not None
+    tool = world.data.site_xpos[world.tcp].copy()
+    held, hand = _boxed(world, goal.target, tool), _hand(opening, yaw + world.mount.yaw)
+    offset = (world.position(goal.target) - tool)[:2]
+    region = goal.region(world)
+    others = _room(world, goal.target, region, held)
+    hanging = -float(held.low.min())
+    places = []
+    for turn in (0.0, np.pi):
+        spin = rotation_z(turn)[:2, :2].T
+        at = (region.center[:2] - offset @ spin)[None]
+        undersides = (Underside(under.at @ spin, under.low) for under in (held, hand))
+        height = max(float(_touching(others, at, under).max()) for under in undersides)
+        place = np.array([*at[0], height + RELEASE])
+        places.append(Place(place, wrap(yaw + turn), region.center[:2], hanging, region.center))
+    return next((place for place in places if _stretched(world, place.tool, place.yaw)), places[0])
+
+
+def _reached(world: World, others: HeightMap, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
+    tip = float(tool[2]) - TIP
+    if not wrist_is_free(world, others, tool[None, :2], tip):
+        return False
+    if not knuckle_is_free(world, others, tool[:2], tip, yaw):
+        return False
+    return _stretched(world, tool, yaw)
+
+
+def _stretched(world: World, tool: Float[np.ndarray, "3"], yaw: float) -> bool:
+    above = tool + np.array([0.0, 0.0, _ABOVE])
+    return stretch(world, (tool, above), wrap(yaw)) is not None
+
+
+def _points(goal: Goal, region: Region) -> Float[np.ndarray, "n 2"]:
+    """Return places (x, y, world) for the target's centre, the middle first."""
+    rings = (0.0, 0.3, 0.6, 0.95) if isinstance(goal, Into | OnTop) else (0.0, 0.3, 0.6)
+    angles = np.arange(12) * np.pi / 6
+    ring = np.column_stack([np.cos(angles), np.sin(angles)])
+    unit = np.concatenate([r * ring if r else np.zeros((1, 2)) for r in rings])
+    semi = np.maximum(region.semi[:2] - _INSIDE, 0.0)
+    return region.center[:2] + (unit * semi) @ rotation_z(region.yaw)[:2, :2].T
+
+
+def _base(world: World, goal: Goal, region: Region) -> float:
+    """Return the height on which the target is to rest, world frame."""
+    if isinstance(goal, Into):
+        return float(world.position(goal.reference)[2]) + goal.opening.floor
+    if isinstance(goal, OnTop):
+        return float(region.center[2]) - goal.rest
+    return world.scene.table.height if goal.spot is None else float(goal.spot[2])
+
+
+def _room(world: World, target: str, region: Region, held: Underside) -> HeightMap:
+    from scipy import ndimage
+
+    reach = float(region.semi[:2].max() + 2 * np.linalg.norm(held.at, axis=1).max() + 0.15)
+    low, high = region.center[:2] - reach, region.center[:2] + reach
+    found = surroundings(world, target, low, high, _CELL)
+    # Each surface is taken a cell wider: so much room is left beside it.
+    heights = ndimage.maximum_filter(found.heights, 3)
+    return HeightMap(found.origin, _CELL, np.maximum(heights, world.scene.table.height))
+
+
+def _held(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
+    """Return the underside of the target as it hangs in the hand."""
+    own = moved(world.scene.object(target).parts, world.position(target), world.rotation(target))
+    shape = solid(own, _CELL, _CELL)
+    i, j = np.nonzero(shape.filled.any(-1))
+    low = shape.levels[shape.filled[i, j].argmax(-1)] - _CELL / 2
+    at = shape.origin + _CELL * np.column_stack([i, j])
+    low[int(low.argmin())] = world.lowest(target)
+    step = max(1, len(at) // _MOST_COLUMNS)
+    kept = np.unique(np.append(np.arange(0, len(at), step), low.argmin()))
+    return Underside(at[kept] - tool[:2], np.maximum(low[kept], world.lowest(target)) - tool[2])
+
+
+def _boxed(world: World, target: str, tool: Float[np.ndarray, "3"]) -> Underside:
+    """Return the underside of the target as if it filled its box as it hangs in the hand."""
+    rotation, half = world.rotation(target), world.scene.object(target).scale / 2
+    across = np.linspace(-1.0, 1.0, 9)
+    unit = np.stack(np.meshgrid(across, across, across), -1).reshape(-1, 3)
+    at = ((unit * half) @ rotation.T + world.position(target) - tool)[:, :2]
+    return Underside(at, np.full(len(at), world.lowest(target) - tool[2]))
+
+
+def _hand(opening: float, yaw: float) -> Underside:
+    """Return the underside of the hand with its fingers opened; ``yaw`` in the world frame."""
+    inner = opening / 2
+    boxes = (
+        ((inner, inner + _PAD), _FINGER_HALF, -TIP),
+        ((inner + _PAD, inner + _SHAFT), _FINGER_HALF, -TIP + _SHAFT_Z),
+        ((0.0, _PALM[0]), _PALM[1], -TIP + _PALM_Z),
+    )
+    at, low = [], []
+    for (near, far), half, height in boxes:
+        out = np.linspace(near, far, max(int((far - near) / 0.01), 1) + 2)
+        aside = np.linspace(-half, half, max(int(2 * half / 0.012), 1) + 2)
+        grid = np.stack(np.meshgrid(aside, np.concatenate([-out, out])), -1).reshape(-1, 2)
+        at.append(grid)
+        low.append(np.full(len(grid), height))
+    return Underside(np.concatenate(at) @ rotation_z(yaw)[:2, :2].T, np.concatenate(low))
+
+
+def _touching(
+    others: HeightMap, tools: Float[np.ndarray, "k 2"], under: Underside
+) -> Float[np.ndarray, "k n"]:
+    """Return at what height the tool stands when each column of ``under`` touches, by place."""
+    return others.at(tools[:, None] + under.at) - under.low

@@ -1,0 +1,1 @@
+"""The expert's demonstrations: recorded, cloned, put into replay buffers."""

@@ -1,0 +1,131 @@
+"""Episodes of the expert, or of a policy with the expert's advice, as arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+from jaxtyping import Float
+
+from generator.errors import SceneError
+
+from ...episodes import Held
+from ...expert.run import TaskExpert
+
+PATIENCE = 4.0
+"""How patient the expert is with a learner."""
+
+Policy = Callable[[Any], Float[np.ndarray, "a"]]
+"""Who acts on what is seen."""
+
+
+@dataclass(frozen=True, eq=False)
+class Demonstration:
+    """One episode: what was seen, what the expert would do there, what was done, and what came.
+
+    ``observations`` is an array (t + 1, o), one row more than the others have, or a dict of such
+    arrays where the environment's observations are dicts; ``solved`` says how it ended.
+    """
+
+    observations: Any
+    advice: Float[np.ndarray, "t a"]
+    actions: Float[np.ndarray, "t a"]
+    rewards: Float[np.ndarray, "t"]
+    solved: bool
+    instruction: str
+
+    def seen(self, step: int) -> Any:
+        """Return what was seen before a step, or after the last one (``step`` = t)."""
+        if isinstance(self.observations, dict):
+            return {name: part[step] for name, part in self.observations.items()}
+        return self.observations[step]
+
+
+def demonstrate(
+    env: gym.Env[Any, np.ndarray],
+    seed: int,
+    policy: Policy | None = None,
+    noise: float = 0.0,
+    told: Callable[[dict[str, Any]], None] | None = None,
+    to_the_limit: bool = False,
+) -> Demonstration | None:
+    """Play one episode with the expert watching; None if it knows no way.
+
+    It ends when success has held (``episodes.Held``), or at the time limit.
+
+    Args:
+        env: an environment in the action mode "ee_delta".
+        seed: of the episode, and of the noise.
+        policy: who acts; None for the expert itself.
+        noise: standard deviation of what is added to the expert's motion (not to the gripper), so
+            that it shows how to come back.
+        told: called with the info of ``reset`` and of each step.
+        to_the_limit: go on to the time limit in any case; solved is then what ends in a success
+            that has held.
+    """
+    rng = np.random.default_rng((seed, 1))
+    seen, info = env.reset(seed=seed)
+    if told:
+        told(info)
+    expert = TaskExpert(env, 1.0 if policy is None else PATIENCE)
+    try:
+        expert.reset()
+    except SceneError:
+        return None
+    shown, advised, done, earned = [seen], [], [], []
+    held, over, solved = Held(), False, False
+    while not over and (to_the_limit or not solved):
+        advice = expert.act()
+        action = advice if policy is None else policy(seen)
+        if policy is None and noise:
+            shaken = advice[:-1] + rng.normal(0.0, noise, len(advice) - 1)
+            action = np.append(np.clip(shaken, -1, 1), advice[-1]).astype(np.float32)
+        seen, reward, ended, cut, info = env.step(action)
+        over, solved = ended or cut, held.after(info)
+        if told:
+            told(info)
+        shown.append(seen)
+        advised.append(advice)
+        done.append(action)
+        earned.append(reward)
+    return Demonstration(
+        stacked(shown), np.asarray(advised, np.float32), np.asarray(done, np.float32),
+        np.asarray(earned, np.float32), solved, info["instruction"],
+    )  # fmt: skip
+
+
+def stacked(seen: Sequence[Any]) -> Any:
+    """Return observations as one array with a row for each, or a dict of such arrays."""
+    if isinstance(seen[0], Mapping):
+        return {name: stacked([each[name] for each in seen]) for name in seen[0]}
+    return np.stack(seen)
+
+
+def demonstrations(
+    env: gym.Env[Any, np.ndarray],
+    seeds: Iterator[int],
+    count: int,
+    policy: Policy | None = None,
+    noise: float = 0.0,
+) -> Iterator[Demonstration]:
+    """Yield ``count`` demonstrations with seeds drawn from ``seeds``; those without are skipped.
+
+    Raises:
+        SceneError: of a hundred seeds in a row the expert knew a way with none.
+    """
+    missed = 0
+    while count:
+        found = demonstrate(env, next(seeds), policy, noise)
+        if found is None:
+            missed += 1
+            if missed == 100:
+                raise SceneError(
+                    "The expert finds nothing it can do in 100 episodes; use other scenes."
+                )
+            continue
+        missed = 0
+        count -= 1
+        yield found

@@ -1,0 +1,171 @@
+"""Replay buffers: filled by the expert, and kept on disk without a pickle."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import gymnasium as gym
+import numpy as np
+from stable_baselines3 import HerReplayBuffer
+from stable_baselines3.common.buffers import ReplayBuffer
+
+from generator.errors import InputError, SceneError
+from generator.io.npz import read_arrays
+
+from ...episodes import episode_seeds
+from .recorded import Demonstration, demonstrate, stacked
+
+MISSES = 100
+"""After so many episodes in a row that the expert does not solve, filling ends in an error."""
+
+_MAX_REST = 2**20  # bytes of a buffer's file besides its arrays
+_ARRAYS = ("actions", "rewards", "dones", "timeouts")
+_EPISODES = ("ep_start", "ep_length")
+
+
+def fill(
+    buffer: ReplayBuffer,
+    env: gym.Env[Any, np.ndarray],
+    episodes: int,
+    seed: int,
+    between: Callable[[], None] | None = None,
+) -> int:
+    """Put episodes of the expert that end in success into a buffer; return how many.
+
+    Episodes go on to the time limit, so that the buffer shows what staying there is worth; their
+    last transitions are marked as timeouts, not as ends. A buffer of several environments takes
+    as many episodes at a time, so the number is rounded up to a multiple of theirs.
+
+    Args:
+        buffer: the buffer, of "ee_delta" actions.
+        env: where the expert acts; it observes what the buffer holds.
+        episodes: how many.
+        seed: of the episodes.
+        between: called before each episode, and may raise to end it.
+
+    Raises:
+        InputError: the buffer has no room for them.
+        SceneError: the expert solves none of ``MISSES`` episodes in a row.
+    """
+    wide = buffer.n_envs
+    rounds = -(-episodes // wide)
+    solved = _solved(env, seed, between or (lambda: None))
+    for _ in range(rounds):
+        together = [next(solved) for _ in range(wide)]
+        length = len(together[0].actions)
+        if rounds * length > buffer.buffer_size:
+            raise InputError(
+                f"{rounds * wide} demonstrations of {length} steps do not fit into a buffer of "
+                f"{buffer.buffer_size * wide}; make it larger (options.buffer_size)."
+            )
+        if any(len(d.actions) != length for d in together):
+            raise InputError("Demonstrations need a task whose episodes are all as long.")
+        for step in range(length):
+            _add(buffer, together, step)
+    return rounds * wide
+
+
+def _solved(
+    env: gym.Env[Any, np.ndarray], seed: int, between: Callable[[], None]
+) -> Iterator[Demonstration]:
+    """Yield episodes that end in success, without end."""
+    seeds = episode_seeds(seed, 4)
+    missed = 0
+    while missed < MISSES:
+        between()
+        shown = demonstrate(env, next(seeds), to_the_limit=True)
+        if shown is not None and shown.solved:
+            missed = 0
+            yield shown
+        else:
+            missed += 1
+    raise SceneError(
+        f"The expert solves none of {MISSES} episodes here; use other scenes, or no demonstrations."
+    )
+
+
+def _add(buffer: ReplayBuffer, together: Sequence[Demonstration], step: int) -> None:
+    last = step == len(together[0].actions) - 1
+    buffer.add(
+        stacked([d.seen(step) for d in together]), stacked([d.seen(step + 1) for d in together]),
+        np.stack([d.actions[step] for d in together]),
+        np.stack([d.rewards[step] for d in together]),
+        np.full(len(together), last), [{"TimeLimit.truncated": last}] * len(together),
+    )  # fmt: skip
+
+
+def write_buffer(buffer: ReplayBuffer, path: Path) -> None:
+    """Write what a buffer holds as arrays."""
+    held = buffer.buffer_size if buffer.full else buffer.pos
+    arrays = {name: array[:held] for name, array in _arrays(buffer).items()}
+    arrays["position"] = np.array([buffer.pos, buffer.full, buffer.buffer_size])
+    if isinstance(buffer, HerReplayBuffer):
+        arrays["began"] = buffer._current_ep_start
+    with path.open("wb") as file:
+        np.savez(file, allow_pickle=False, **arrays)
+
+
+def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
+    """Put into a new buffer what one of the same size held; unfinished episodes end there.
+
+    Raises:
+        InputError: the file is damaged, or of another buffer.
+    """
+    own = _arrays(buffer)
+    most = sum(array.nbytes for array in own.values()) + _MAX_REST
+    try:
+        file = read_arrays(path, "The replay buffer", InputError, max_bytes=most)
+        position, full, size = (int(v) for v in file["position"])
+        held = size if full else position
+        if size != buffer.buffer_size or not 0 <= position <= size:
+            raise ValueError(f"it is of a buffer of {size}, not {buffer.buffer_size}")
+        for name, array in own.items():
+            array[:held] = _like(file[name], array[:held])
+        buffer.pos, buffer.full = position, bool(full)
+        if isinstance(buffer, HerReplayBuffer):
+            began = buffer._current_ep_start
+            began[:] = _like(file["began"], began)
+            if ((began < 0) | (began >= size)).any():
+                raise ValueError("an episode begins outside the buffer")
+        _end_episodes(buffer)
+    except (ValueError, KeyError, TypeError, IndexError, OverflowError) as error:
+        raise InputError(
+            f"{path} is no replay buffer of this run ({error}). Delete it to go on without."
+        ) from error
+
+
+def _like(kept: np.ndarray, own: np.ndarray) -> np.ndarray:
+    """Return an array that is of the kind and shape of another.
+
+    Raises:
+        ValueError: it is not.
+    """
+    if kept.shape != own.shape or kept.dtype.kind != own.dtype.kind:
+        raise ValueError(f"{kept.dtype} of {kept.shape} stands for {own.dtype} of {own.shape}")
+    return kept
+
+
+def _end_episodes(buffer: ReplayBuffer) -> None:
+    """End unfinished episodes as by a time limit, as the environments begin anew."""
+    if not (buffer.pos or buffer.full):
+        return
+    last = (buffer.pos - 1) % buffer.buffer_size
+    running = np.flatnonzero(buffer.dones[last] == 0)
+    buffer.dones[last, running] = buffer.timeouts[last, running] = 1.0
+    if isinstance(buffer, HerReplayBuffer):
+        for k in np.flatnonzero(buffer._current_ep_start != buffer.pos):
+            buffer._compute_episode_length(int(k))
+
+
+def _arrays(buffer: ReplayBuffer) -> dict[str, np.ndarray]:
+    """Return a buffer's own arrays by name."""
+    found = {name: getattr(buffer, name) for name in _ARRAYS}
+    for name in ("observations", "next_observations"):
+        held: Any = getattr(buffer, name)
+        parts = held.items() if isinstance(held, dict) else [("", held)]
+        found |= {f"{name}.{part}": array for part, array in parts}
+    if isinstance(buffer, HerReplayBuffer):
+        found |= {name: getattr(buffer, name) for name in _EPISODES}
+    return found

@@ -1,0 +1,270 @@
+"""What to do with the active target next, as part of the state: where to grasp it, where to let go.
+
+A box and a pose do not say where a mug's handle is, or on which side a neighbour leaves room for a
+finger. With ``grasp_hint`` eight entries more do. When a goal becomes active a grasp is asked for,
+which then moves with the object, and when both fingers have raised the object, a place.
+
+=====  =============================================================================  ==========
+entry  meaning                                                                        unit
+=====  =============================================================================  ==========
+0-2    where the tool is to go, minus where it is, base frame                         m
+3      the turn of the hand about the vertical that is left, as its last joint allows rad
+4      how far to open the fingers before going down, or to let go                    m
+5      what will be, or is, between the fingers                                       m
+6      how much higher the tool has to be to pass over what lies on its way           m
+7      1 on the way to a grasp, -1 with the target in the hand, 0 (as all others) if
+       no grasp is known
+=====  =============================================================================  ==========
+
+Who is asked:
+
+==============  ================================================================================
+``"detected"``  a small network that was taught where to grasp (``detection``) and sees height
+                maps, as a depth camera above the table has them. Of what it finds, the first is
+                taken that the arm can reach. The place is the middle of the goal's region, with
+                the hand turned as it is or half round, as high as the height map there asks for.
+``"planned"``   (or True) the expert's planners, which know the collision shapes, and which turn
+                what is held, or let go of it beside the middle, where there is more room
+==============  ================================================================================
+
+A robot would have to perceive what the simulator gives ``"detected"``, too: the maps are without
+noise, without the arm, and of each thing also where another hides it; each thing's centre, heading
+and box are true, as in the rest of the state, and so are its lowest point, where it is in the hand,
+and whether it lies still. Targets that the planner finds no grasp of are not drawn for an episode.
+
+Either has the way; what is left to a policy is to go it.
+
+With the target between both fingers the way leads straight up, and once it is raised, unless that
+is all the goal asks for, to where it is to be let go. That place is shown until the object lies
+still, let go, elsewhere; the grasp that lost it is not shown again if there are others. Within 2 cm
+of the vertical over the end of the way entry 6 is 0.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Literal, NamedTuple
+
+import numpy as np
+from jaxtyping import Float
+
+from generator.errors import InputError, choices
+from generator.geometry import rotation_yaw, rotation_z, wrap
+
+from ..expert.arm import turn_left
+from ..expert.driver import NEAR
+from ..expert.path import ROOM, clear_height
+from ..expert.planning.choosing import Chooser, Plan, choose
+from ..expert.planning.dropping import (
+    Drop,
+    breadth,
+    hanging,
+    let_go_at,
+    lift_of,
+    lost,
+)
+from ..expert.planning.grasps import TIP, Grasp
+from ..expert.planning.placing import Placer, middle_place, plan_place
+from ..tasks.goals.goal import Pushed, Raised
+
+if TYPE_CHECKING:
+    from ..tasks.goals.goal import Goal
+    from ..world.world import World
+
+HintKind = Literal["planned", "detected"]
+"""Who says where to grasp and where to let go."""
+
+HINT_BOUNDS = np.array([3.0] * 3 + [7.0] + [0.1] * 2 + [3.0] + [1.0])
+"""Largest magnitude of each entry."""
+
+HINT_BOUNDS.setflags(write=False)
+
+_MOVED, _TILTED, _STILL = 0.015, 0.97, 0.05  # metres, cosine, metres a second
+_HIGHER = 0.3  # metres that entry 6 is at most
+_OFF = 0.01  # metres above where it lay at which an object that lies still again was lost
+_HIGH = 0.035  # the same, at which its place is planned
+
+
+def _planned() -> tuple[Chooser, Placer]:
+    return choose, plan_place
+
+
+def _detected() -> tuple[Chooser, Placer]:
+    from ..detection.detector import read_detector
+
+    return read_detector(), middle_place
+
+
+_ANSWERS = {"planned": _planned, "detected": _detected}
+
+
+def misread(
+    entries: Float[np.ndarray, "8"],
+    target: Float[np.ndarray, "3"],
+    tool: Float[np.ndarray, "3"],
+    yaw: float,
+) -> Float[np.ndarray, "8"]:
+    """Return the entries as sensors that err give them.
+
+    Args:
+        entries: as things are.
+        target: by how much the reading of its place errs, base frame, metres.
+        tool: the same of the tool centre point.
+        yaw: by how much that of the hand's yaw does, radians.
+    """
+    if not entries[-1]:
+        return entries
+    read = entries.copy()
+    if entries[-1] > 0:
+        read[:3] += target - tool
+    else:  # where the object is in the hand turns with it
+        read[:3] -= rotation_z(float(entries[3])) @ (target - tool) + tool
+    read[3] -= yaw
+    read[6] = max(read[6] - tool[2], 0.0)
+    return read
+
+
+class GraspHint:
+    """The grasp of the active target, carried along with the object, and then its place.
+
+    Args:
+        kind: whether the expert's planners are asked, or the detector.
+
+    A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
+    was lost. ``drop`` is the place while there is one, ``planned`` the grasp as it was planned,
+    ``choose`` who is asked for one.
+    """
+
+    def __init__(self, kind: HintKind = "planned") -> None:
+        self.kind: HintKind = kind
+        self.choose, self._place = _ANSWERS[kind]()
+        self.planned: Plan | None = None
+        self.drop: Drop | None = None
+        self._target: str | None = None
+        self._lost: tuple[Plan, ...] = ()
+        self._raised = False
+        # How the target lay when ``_take`` was last called, and the height of its grasp.
+        self._rotation: Float[np.ndarray, "3 3"] = np.eye(3)
+        self._seen: Float[np.ndarray, "3"] = np.zeros(3)
+        self._low = 0.0
+
+    def __reduce__(self) -> tuple[type[GraspHint], tuple[HintKind]]:
+        """Return what a copy is made of: a hint of the same kind, without an episode."""
+        return GraspHint, (self.kind,)
+
+    def begin(self, world: World, goal: Goal) -> None:
+        """Plan for a goal that has just become active."""
+        self._target, self.planned, self.drop, self._lost = goal.target, None, None, ()
+        if goal.target is not None:
+            self._take(world, goal.target)
+
+    def plan(self, world: World, name: str) -> Plan | None:
+        """Return the grasp of an object where it is now; None if it is not the active target."""
+        if self.planned is None or self._target != name:
+            return None
+        return self._carried(world, name, self.planned)
+
+    def entries(self, world: World, goal: Goal) -> Float[np.ndarray, "8"]:
+        """Return the entries as things are, after planning anew if need be."""
+        name = self._target
+        if name is None:
+            return np.zeros(8)
+        left, right, any_part = world.touched(name)
+        if self._raised and lost(world, goal):
+            self._take(world, name, blamed=True)
+        elif not self._raised and not any_part and self._is_elsewhere(world, name):
+            self._take(world, name)
+        plan = self.plan(world, name)
+        if plan is None:
+            return np.zeros(8)
+        grasp, held = plan.grasp, left and right and not isinstance(goal, Pushed)
+        if held and self.drop is None:
+            risen = float(world.position(name)[2] - self._seen[2])
+            self._raised = self._raised or risen > _OFF
+            if risen > _HIGH and not isinstance(goal, Raised):
+                yaw = rotation_yaw(world.hand)
+                self.drop = Drop(world, goal, yaw, let_go_at(grasp), self._place)
+        if self.drop is not None:
+            self.drop.follow(world)
+            depth, broad = hanging(world, name), breadth(world, name)
+            way = _Way(self.drop.tool, self.drop.turn(world), depth, broad)
+            return _entries(world, name, way, self.drop.opening, grasp.width, -1.0)
+        turn = turn_left(world, plan.yaw, grasp.point)
+        if held:
+            tool = world.data.site_xpos[world.tcp]
+            end = np.array([*tool[:2], self._low + lift_of(goal)])
+            return _entries(
+                world, name, _Way(end, turn, TIP, 0.0), let_go_at(grasp), grasp.width, -1.0
+            )
+        way = _Way(grasp.point, turn, TIP, 0.0)
+        return _entries(world, name, way, grasp.opening, grasp.width, 1.0)
+
+    def _take(self, world: World, name: str, blamed: bool = False) -> None:
+        """Plan a grasp; the last one, if it is to be ``blamed``, and those before rank last."""
+        lost = (*self._lost, self.planned) if blamed and self.planned else self._lost
+        self._lost = tuple(self._carried(world, name, plan) for plan in lost)
+        started = world.data.time > 0
+        failed = tuple(plan.grasp for plan in self._lost)
+        if started:
+            self.planned = self.choose(world, name, failed)
+        else:
+            self.planned = world.first_plan(name, self.choose)
+        self.drop, self._raised = None, False
+        self._rotation, self._seen = world.rotation(name), world.position(name)
+        self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])
+
+    def _carried(self, world: World, name: str, plan: Plan) -> Plan:
+        """Return a grasp of the object as it lay when ``_take`` was last called as it is now."""
+        turned = world.rotation(name) @ self._rotation.T
+        at, turn, old = world.position(name), rotation_yaw(turned), plan.grasp
+        point = at + turned @ (old.point - plan.seen)
+        grasp = Grasp(point, old.angle + turn, old.opening, old.width, old.score)
+        return Plan(grasp, wrap(plan.yaw + turn), at)
+
+    def _is_elsewhere(self, world: World, name: str) -> bool:
+        """Return whether the object rests at another place, or tilted, since the last plan."""
+        speed = world.velocity(name)[:3]
+        if float(speed @ speed) > _STILL**2:
+            return False
+        moved = world.position(name) - self._seen
+        if float(moved @ moved) > _MOVED**2:
+            return True
+        return float((world.rotation(name) @ self._rotation.T)[2, 2]) < _TILTED
+
+
+def grasp_hint_of(asked: bool | HintKind) -> GraspHint | None:
+    """Return the hint that is asked for, None for none.
+
+    Raises:
+        InputError: there is no such hint.
+        StorageError: the detector's weights cannot be read.
+    """
+    if isinstance(asked, bool | np.bool_):
+        return GraspHint() if asked else None
+    if not isinstance(asked, str) or asked not in _ANSWERS:
+        raise InputError(
+            f"grasp_hint must be True, False, 'planned' or 'detected', got {asked!r}."
+            + choices(str(asked), _ANSWERS)
+        )
+    return GraspHint(asked)
+
+
+class _Way(NamedTuple):
+    """The end of the tool's way (world), the turn left, and how far what is held reaches."""
+
+    end: Float[np.ndarray, "3"]
+    turn: float
+    depth: float
+    broad: float
+
+
+def _entries(
+    world: World, name: str, way: _Way, opening: float, width: float, kind: float
+) -> Float[np.ndarray, "8"]:
+    tool = world.data.site_xpos[world.tcp]
+    left = way.end - tool
+    rise = 0.0
+    if math.hypot(left[0], left[1]) > NEAR:
+        high = clear_height(world, name, tool, way.end, max(ROOM, way.broad)) + way.depth
+        rise = min(max(high - float(tool[2]), 0.0), _HIGHER)
+    return np.array([*(world.base_rotation.T @ left), way.turn, opening, width, rise, kind])

@@ -1,0 +1,1 @@
+"""Pictures of a world: cameras, renderers, point clouds, a window."""

@@ -1,0 +1,317 @@
+"""Pictures of a world: through OpenGL where there is any, in software everywhere.
+
+MuJoCo draws through OpenGL, which needs a display, EGL or OSMesa. ``Drawer`` looks for one of
+them, once; without any, ``renderer="auto"`` draws with the project's own software renderer
+(slower, plainer, the same cameras), while ``renderer="gl"`` says what to install.
+
+A process that was forked after GL was used cannot use it, for the threads of a GL driver are not
+forked: in it, "auto" draws in software, with a warning, and "gl" is an error.
+
+Two profiles: "fast" leaves out shadows, reflections and antialiasing and is meant for
+learning; "full" is for people.
+"""
+
+from __future__ import annotations
+
+import atexit
+import importlib
+import os
+import threading
+import warnings
+import weakref
+from collections import OrderedDict
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from functools import partial
+from typing import TYPE_CHECKING, Any, Literal, Protocol
+
+import numpy as np
+from jaxtyping import Float, Int, Shaped, UInt8
+
+from generator.errors import BackendError, InputError, choices
+
+from .window import has_display
+
+if TYPE_CHECKING:
+    import mujoco
+
+    from ..world.world import World
+
+RendererChoice = Literal["auto", "gl", "software"]
+RENDERERS: tuple[RendererChoice, ...] = ("auto", "gl", "software")
+Profile = Literal["fast", "full"]
+Kind = Literal["rgb", "depth", "segmentation"]
+
+
+@dataclass
+class _GlUse:
+    """How this process uses GL.
+
+    Attributes:
+        lock: GL bindings set themselves up on first use, one thread at a time.
+        process: the id of the process that used GL first: this one, or one it was forked from;
+            None before.
+    """
+
+    lock: threading.Lock = field(default_factory=threading.Lock)
+    process: int | None = None
+
+    def is_forked(self) -> bool:
+        """Tell whether this process was forked after GL was used."""
+        return self.process not in (None, os.getpid())
+
+
+_GL_USE = _GlUse()
+_KEPT = 4  # worlds whose meshes and textures stay on the graphics side
+_STACKS = 2  # rings of faces of what is round; MuJoCo's 16 take a sixth of a small picture's time
+_NO_GL = (
+    "No OpenGL could be had for rendering ({reason}). On Debian or Ubuntu install "
+    "'libegl1 libgl1 libgl1-mesa-dri' (EGL) or 'libosmesa6' (MUJOCO_GL=osmesa), "
+    "or pass renderer='software'."
+)
+_FORKED = (
+    "OpenGL cannot be used in this process: it was forked from one that had used it. Start it "
+    "with multiprocessing's method 'spawn' or 'forkserver' (vector_kwargs={'context': 'spawn'} of "
+    "gymnasium.make_vec), or pass renderer='software'."
+)
+
+
+class Drawer(Protocol):
+    """Draws worlds at one picture size."""
+
+    def draw(
+        self, world: World, camera: str, kinds: Collection[Kind]
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+        """Return the pictures of some kinds, drawn together.
+
+        "rgb" and "depth" are as ``rgb`` and ``depth`` return them; "segmentation" holds the id of
+        the geom that each pixel shows, -1 where nothing is.
+        """
+        ...
+
+    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
+        """Return what ``camera`` sees."""
+        ...
+
+    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
+        """Return the distance along the optical axis in metres (inf where nothing is)."""
+        ...
+
+    def forget(self, world: World) -> None:
+        """Free what is held for ``world``."""
+        ...
+
+    def close(self) -> None:
+        """Free everything."""
+        ...
+
+
+def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> Drawer:
+    """Return a drawer for pictures of ``height`` x ``width``.
+
+    Args:
+        choice: "gl", "software", or "auto": GL if it can be had, else software; with a warning
+            where a fork is what is in the way.
+        height: rows.
+        width: columns.
+        profile: "fast" or "full"; the software renderer draws shadows in "full".
+
+    Raises:
+        InputError: unknown choice.
+        BackendError: "gl" was asked for and there is none, or none after a fork.
+    """
+    if choice not in RENDERERS:
+        raise InputError(f"Unknown renderer {choice!r}." + choices(str(choice), RENDERERS))
+    if choice == "auto" and _GL_USE.is_forked():
+        warnings.warn(f"{_FORKED} Drawing in software.", RuntimeWarning, stacklevel=2)
+    elif choice != "software":
+        try:
+            return GlDrawer(height, width, profile)
+        except BackendError:
+            if choice == "gl":
+                raise
+    from .software import SoftwareDrawer
+
+    return SoftwareDrawer(height, width, profile)
+
+
+class GlDrawer:
+    """Draws with MuJoCo's OpenGL renderer: one GL context, a few worlds' worth of meshes.
+
+    A forked copy neither draws nor frees anything.
+    """
+
+    def __init__(self, height: int, width: int, profile: Profile) -> None:
+        self._size, self._profile = (height, width), profile
+        self._gl = _gl_context(width, height)
+        self._process = os.getpid()
+        self._at_exit = partial(_close, weakref.ref(self))
+        atexit.register(self._at_exit)  # GL contexts must go before the interpreter does
+        self._held: OrderedDict[int, tuple[World, mujoco.MjrContext, mujoco.MjvScene]] = (
+            OrderedDict()
+        )
+
+    def draw(
+        self, world: World, camera: str, kinds: Collection[Kind]
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+        """Return the pictures of some kinds: colours in one pass, depth and ids in another."""
+        import mujoco
+
+        context, scene, rect = self._prepare(world, camera)
+        drawn: dict[Kind, Shaped[np.ndarray, "h w *c"]] = {}
+        picture = np.empty((*self._size, 3), np.uint8)
+        if "rgb" in kinds:
+            mujoco.mjr_render(rect, scene, context)
+            mujoco.mjr_readPixels(picture, None, rect, context)
+            drawn["rgb"] = np.flipud(picture).copy()
+        if "depth" in kinds or "segmentation" in kinds:
+            depth = np.empty(self._size, np.float32)
+            with _ids_for_colors(scene):
+                mujoco.mjr_render(rect, scene, context)
+            mujoco.mjr_readPixels(picture, depth, rect, context)
+            drawn["depth"] = np.flipud(_metres(world.model, depth))
+            drawn["segmentation"] = np.flipud(_geoms(scene, picture))
+        return {kind: drawn[kind] for kind in kinds}
+
+    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
+        """Return what ``camera`` sees."""
+        return self.draw(world, camera, ("rgb",))["rgb"]
+
+    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
+        """Return the distance along the optical axis in metres (inf where nothing is)."""
+        return self.draw(world, camera, ("depth",))["depth"]
+
+    def forget(self, world: World) -> None:
+        """Free the meshes and textures of ``world``."""
+        if self._process != os.getpid():
+            return
+        held = self._held.pop(id(world), None)
+        if held is not None and self._gl is not None:
+            self._gl.make_current()
+            held[1].free()
+
+    def close(self) -> None:
+        """Free meshes, textures and the GL context."""
+        if self._process != os.getpid():
+            return
+        try:
+            for world, _, _ in list(self._held.values()):
+                self.forget(world)
+        finally:
+            if self._gl is not None:
+                self._gl.free()
+                self._gl = None
+                atexit.unregister(self._at_exit)
+
+    def _prepare(
+        self, world: World, camera: str
+    ) -> tuple[mujoco.MjrContext, mujoco.MjvScene, mujoco.MjrRect]:
+        """Make the world's context current and bring its scene up to date."""
+        import mujoco
+
+        if self._gl is None:
+            raise InputError("This environment is closed; make a new one to render.")
+        if self._process != os.getpid():
+            raise BackendError(_FORKED)
+        self._gl.make_current()
+        context, scene = self._hold(world)
+        mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, context)
+        view = mujoco.MjvCamera()
+        view.type = mujoco.mjtCamera.mjCAMERA_FIXED
+        view.fixedcamid = world.model.camera(camera).id
+        option = mujoco.MjvOption()
+        mujoco.mjv_updateScene(
+            world.model, world.data, option, None, view, mujoco.mjtCatBit.mjCAT_ALL.value, scene
+        )
+        return context, scene, mujoco.MjrRect(0, 0, self._size[1], self._size[0])
+
+    def _hold(self, world: World) -> tuple[mujoco.MjrContext, mujoco.MjvScene]:
+        """Return the context and scene of ``world``, made on first use."""
+        import mujoco
+
+        if id(world) not in self._held:
+            while len(self._held) >= _KEPT:
+                self.forget(next(iter(self._held.values()))[0])
+            model, fast = world.model, self._profile == "fast"
+            model.vis.global_.offheight, model.vis.global_.offwidth = self._size
+            model.vis.quality.offsamples = 0 if fast else 4
+            model.vis.quality.numstacks = _STACKS  # cylinders are all that is drawn by stacks
+            context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
+            context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR.value
+            scene = mujoco.MjvScene(model, maxgeom=2000)
+            for flag in ("SHADOW", "REFLECTION", "HAZE"):
+                if fast:
+                    scene.flags[getattr(mujoco.mjtRndFlag, f"mjRND_{flag}")] = 0
+            scene.flags[int(mujoco.mjtRndFlag.mjRND_FOG)] = 1  # the floor's way into the haze
+            self._held[id(world)] = (world, context, scene)
+        self._held.move_to_end(id(world))
+        return self._held[id(world)][1:]
+
+
+@contextmanager
+def _ids_for_colors(scene: mujoco.MjvScene) -> Iterator[None]:
+    """Draw geoms flat, each in the colour that spells its number in the scene."""
+    import mujoco
+
+    rnd = mujoco.mjtRndFlag
+    flags = [int(rnd.mjRND_SEGMENT), int(rnd.mjRND_IDCOLOR)]
+    scene.flags[flags] = 1
+    try:
+        yield
+    finally:
+        scene.flags[flags] = 0
+
+
+def _metres(model: mujoco.MjModel, buffer: Float[np.ndarray, "h w"]) -> Float[np.ndarray, "h w"]:
+    """Return a depth buffer in metres, inf where nothing is."""
+    extent, planes = model.stat.extent, model.vis.map
+    near, far = planes.znear * extent, planes.zfar * extent
+    z = buffer.astype(np.float64)
+    distance = near * far / (near + z * (far - near))  # reversed depth: 1 is near, 0 is far
+    return np.where(z <= 0, np.inf, distance).astype(np.float32)
+
+
+def _geoms(scene: mujoco.MjvScene, picture: UInt8[np.ndarray, "h w 3"]) -> Int[np.ndarray, "h w"]:
+    """Return the geom that each pixel's colour spells, -1 where none is."""
+    import mujoco
+
+    geom = np.full(scene.ngeom + 1, -1, np.int32)
+    for shown in scene.geoms[: scene.ngeom]:
+        if shown.segid >= 0 and shown.objtype == mujoco.mjtObj.mjOBJ_GEOM:
+            geom[shown.segid + 1] = shown.objid
+    return geom[picture.astype(np.int32) @ (1, 1 << 8, 1 << 16)]
+
+
+def _close(reference: weakref.ref[GlDrawer]) -> None:
+    if (held := reference()) is not None:
+        with suppress(Exception):  # of a thread that is gone: the process's end frees it
+            held.close()
+
+
+def _gl_context(width: int, height: int) -> Any:
+    """Return a GL context: the kind ``MUJOCO_GL`` names, else the display's, else EGL, OSMesa.
+
+    Raises:
+        BackendError: there is none; says what to install. Or this process was forked from one
+            that had used it.
+    """
+    if _GL_USE.is_forked():
+        raise BackendError(_FORKED)
+    failures = []
+    for module in _gl_modules():
+        try:
+            with _GL_USE.lock:
+                context = importlib.import_module(module).GLContext(width, height)
+                _GL_USE.process = os.getpid()
+                return context
+        except Exception as error:  # each GL binding fails in its own way
+            failures.append(f"{module}: {type(error).__name__}: {error}")
+    raise BackendError(_NO_GL.format(reason="; ".join(failures)))
+
+
+def _gl_modules() -> tuple[str, ...]:
+    """Return the modules to try for a ``GLContext``, best first."""
+    if os.environ.get("MUJOCO_GL") or has_display():
+        return ("mujoco.gl_context",)
+    return ("mujoco.egl", "mujoco.osmesa")

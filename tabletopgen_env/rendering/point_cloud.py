@@ -1,0 +1,96 @@
+"""Points on what stands on the table, from the depth of cameras.
+
+=================  =========================================================================
+``points``         ``float32`` (n, 3): base frame, metres
+``point_ids``      ``uint8`` (n,): what each lies on, numbered as in a segmentation (``views``):
+                   1 the robot, 3 and up the objects in slot order
+``point_mask``     ``uint8`` (n,): 1 a point, 0 padding, whose other entries are 0
+=================  =========================================================================
+
+The points are those in the arm's workspace that lie 3 mm or more above the table top, so that
+the top itself is left out. Where the cameras see more than there is room for, every k-th is
+taken, row by row and camera by camera: the same pictures always give the same points.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from gymnasium import spaces
+from jaxtyping import Float, Shaped
+
+from ..actions import WORKSPACE
+from .views import (
+    CAMERAS,
+    LAST_LABEL,
+    ObservationConfig,
+    geom_labels,
+)
+
+if TYPE_CHECKING:
+    from generator.geometry import Camera
+
+    from ..world.world import World
+    from .drawer import Drawer
+
+ABOVE = 0.003
+"""How far above the table top points begin, metres."""
+
+
+def point_cloud_spaces(count: int) -> dict[str, spaces.Space[Any]]:
+    """Return the space of each part of a cloud of ``count`` points."""
+    low, high = (np.tile(np.array(bound, np.float32), (count, 1)) for bound in WORKSPACE)
+    return {
+        "points": spaces.Box(low, high, dtype=np.float32),
+        "point_ids": spaces.Box(0, LAST_LABEL, (count,), np.uint8),
+        "point_mask": spaces.Box(0, 1, (count,), np.uint8),
+    }
+
+
+def point_cloud(
+    config: ObservationConfig, world: World, drawer: Drawer, order: Sequence[str]
+) -> dict[str, Shaped[np.ndarray, "n *c"]]:
+    """Return the cloud that the cameras of ``config`` see; arguments as for ``views.pictures``."""
+    from .software import model_camera
+
+    labels, points, ids = geom_labels(world, order), [], []
+    low, high = np.array(WORKSPACE)
+    low[2] = max(low[2], world.scene.table.height + ABOVE - world.base_position[2])
+    for name in config.cameras:
+        drawn = drawer.draw(world, CAMERAS[name], ("depth", "segmentation"))
+        camera = model_camera(world, CAMERAS[name], *config.size)
+        seen = world.to_base(unprojected(camera, drawn["depth"]))
+        inside = ((seen >= low) & (seen <= high)).all(1)
+        points.append(seen[inside])
+        ids.append(labels[drawn["segmentation"]].ravel()[inside])
+    return _fitted(np.concatenate(points), np.concatenate(ids), config.points)
+
+
+def unprojected(camera: Camera, depth: Float[np.ndarray, "h w"]) -> Float[np.ndarray, "hw 3"]:
+    """Return the world points that a camera's pixels show, row by row; NaN where nothing is."""
+    rows, columns = np.indices(depth.shape) + 0.5
+    across = (columns - camera.center[0]) / camera.focal
+    down = (rows - camera.center[1]) / camera.focal
+    rays = np.stack([across, down, np.ones_like(down)], -1).reshape(-1, 3)
+    z = depth.astype(np.float64).reshape(-1, 1)
+    return np.where(np.isfinite(z), z, np.nan) * rays @ camera.rotation + camera.position
+
+
+def _fitted(
+    points: Float[np.ndarray, "m 3"], ids: Shaped[np.ndarray, "m"], count: int
+) -> dict[str, Shaped[np.ndarray, "n *c"]]:
+    """Return evenly chosen points, padded to ``count``."""
+    kept = np.arange(len(points))
+    if len(points) > count:
+        kept = np.arange(count) * len(points) // count
+    cloud = {
+        "points": np.zeros((count, 3), np.float32),
+        "point_ids": np.zeros(count, np.uint8),
+        "point_mask": np.zeros(count, np.uint8),
+    }
+    cloud["points"][: len(kept)] = points[kept]
+    cloud["point_ids"][: len(kept)] = ids[kept]
+    cloud["point_mask"][: len(kept)] = 1
+    return cloud

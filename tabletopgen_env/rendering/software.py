@@ -1,0 +1,230 @@
+"""The drawer without OpenGL: the model's visible geoms as triangles, drawn in software."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from jaxtyping import Float, Int, Shaped, UInt8
+
+from generator.geometry import Camera
+
+from ..world.composition import MARKER
+from ..world.room import backdrop
+
+if TYPE_CHECKING:
+    import mujoco
+
+    from generator.render.raster import Item, Rendered
+    from generator.render.shading import Light
+
+    from ..world.world import World
+    from .drawer import Kind, Profile
+
+_ROUND = 24  # sides of a drawn cylinder
+_FACING = 0.7  # how much of the headlight what is seen gets on average
+_VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
+
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """One visible geom: a triangle mesh in its own frame, uv, and its texture times ``tint``."""
+
+    geom: int
+    vertices: Float[np.ndarray, "n 3"]
+    faces: Int[np.ndarray, "m 3"]
+    uv: Float[np.ndarray, "n 2"]
+    texture: UInt8[np.ndarray, "th tw 3"]
+    tint: Float[np.ndarray, "3"]
+
+
+class SoftwareDrawer:
+    """Draws with ``generator.render.raster``; needs no graphics library at all."""
+
+    def __init__(self, height: int, width: int, profile: Profile) -> None:
+        self._size, self._full = (height, width), profile == "full"
+        self._shapes: WeakKeyDictionary[World, list[Shape]] = WeakKeyDictionary()
+
+    def draw(
+        self, world: World, camera: str, kinds: Collection[Kind]
+    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
+        """Return the pictures of some kinds, drawn together."""
+        samples = 2 if self._full and "rgb" in kinds else 1
+        made = self._render(world, camera, samples)
+        drawn: dict[Kind, Shaped[np.ndarray, "h w *c"]] = {
+            "rgb": made.image,
+            "depth": made.depth,
+            "segmentation": made.ids,
+        }
+        return {kind: drawn[kind] for kind in kinds}
+
+    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
+        """Return what ``camera`` sees."""
+        return self.draw(world, camera, ("rgb",))["rgb"]
+
+    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
+        """Return the distance along the optical axis in metres (inf where nothing is)."""
+        return self.draw(world, camera, ("depth",))["depth"]
+
+    def forget(self, world: World) -> None:
+        """Free the triangles of ``world``."""
+        self._shapes.pop(world, None)
+
+    def close(self) -> None:
+        """Free all triangles."""
+        self._shapes.clear()
+
+    def _render(self, world: World, camera: str, samples: int) -> Rendered:
+        from generator.render.raster import render
+
+        if world not in self._shapes:
+            self._shapes[world] = visible_shapes(world.model)
+        shapes = self._shapes[world] = [_painted(world.model, s) for s in self._shapes[world]]
+        items = [item for shape in shapes if (item := _item(world, shape))]
+        view = model_camera(world, camera, *self._size)
+        return render(
+            items,
+            view,
+            light=_light(world.model),
+            supersample=samples,
+            shadows=self._full,
+            backdrop=backdrop(world.model),
+        )
+
+
+def _painted(model: mujoco.MjModel, shape: Shape) -> Shape:
+    """Return the shape in its geom's present colour."""
+    tint = _color(model, shape.geom)[:3]
+    if np.array_equal(tint, shape.tint):
+        return shape
+    return replace(shape, texture=_texture(model, shape.geom), tint=tint.copy())
+
+
+def _light(model: mujoco.MjModel) -> Light:
+    """Return the first sun, and the room's light and the headlight as one light from the sky."""
+    from generator.render.shading import Light
+
+    head, sun = model.vis.headlight, model.light_diffuse[0]
+    sky = head.ambient + _FACING * head.diffuse
+    tint = (sun + sky) / max(float((sun + sky).mean()), 1e-9)
+    return Light(
+        -model.light_dir[0], float(sun.mean()), float(sky.mean()), tint=tuple(tint.tolist())
+    )
+
+
+def _item(world: World, shape: Shape) -> Item | None:
+    """Return the shape at its present world pose, or None if it is fully transparent."""
+    from generator.render.raster import Item
+
+    model, data, k = world.model, world.data, shape.geom
+    rgba = _color(model, k)
+    if rgba[3] <= 0.01:
+        return None
+    vertices = shape.vertices
+    if model.geom(k).name == MARKER:
+        vertices = vertices * model.geom_size[k][[0, 0, 1]]
+    placed = vertices @ data.geom_xmat[k].reshape(3, 3).T + data.geom_xpos[k]
+    return Item(placed, shape.faces, shape.uv, shape.texture, k, float(rgba[3]))
+
+
+def model_camera(world: World, name: str, height: int, width: int) -> Camera:
+    """Return a camera of the model at its present pose."""
+    index = world.model.camera(name).id
+    axes = world.data.cam_xmat[index].reshape(3, 3)
+    rotation = np.stack([axes[:, 0], -axes[:, 1], -axes[:, 2]])
+    fov = float(np.deg2rad(world.model.cam_fovy[index]))
+    return Camera(world.data.cam_xpos[index].copy(), rotation, fov, width, height)
+
+
+# ---------------------------------------------------------------------------------- tessellation
+
+
+def visible_shapes(model: mujoco.MjModel) -> list[Shape]:
+    """Return every geom of the visible groups but the floor as triangles."""
+    shapes = []
+    for k in range(model.ngeom):
+        if model.geom_group[k] < _VISIBLE_GROUPS:
+            mesh = _triangles(model, k)
+            if mesh is not None:
+                vertices, faces, uv = mesh
+                tint = _color(model, k)[:3].copy()
+                shapes.append(Shape(k, vertices, faces, uv, _texture(model, k), tint))
+    return shapes
+
+
+def _triangles(model: mujoco.MjModel, k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
+    """Return vertices (n, 3), faces (m, 3) and uv (n, 2) of geom ``k`` in its own frame."""
+    import mujoco
+
+    kind, size = mujoco.mjtGeom(model.geom_type[k]), model.geom_size[k]
+    if kind == mujoco.mjtGeom.mjGEOM_MESH:
+        return _mesh(model, int(model.geom_dataid[k]))
+    if kind == mujoco.mjtGeom.mjGEOM_BOX:
+        vertices, faces = _hull(np.array(np.meshgrid(*[[-1, 1]] * 3)).reshape(3, -1).T * size)
+    elif kind in (mujoco.mjtGeom.mjGEOM_CYLINDER, mujoco.mjtGeom.mjGEOM_CAPSULE):
+        half = size[1] + (size[0] if kind == mujoco.mjtGeom.mjGEOM_CAPSULE else 0.0)
+        scale = [size[0], size[0], half] if model.geom(k).name != MARKER else [1.0, 1.0, 1.0]
+        turn = np.linspace(0, 2 * np.pi, _ROUND, endpoint=False)
+        ring = np.column_stack([np.cos(turn), np.sin(turn)])
+        low, high = (np.column_stack([ring, np.full(_ROUND, z)]) for z in (-1.0, 1.0))
+        vertices, faces = _hull(np.concatenate([low, high]) * scale)
+    elif kind in (mujoco.mjtGeom.mjGEOM_SPHERE, mujoco.mjtGeom.mjGEOM_ELLIPSOID):
+        radii = size if kind == mujoco.mjtGeom.mjGEOM_ELLIPSOID else np.full(3, size[0])
+        k_ = np.arange(200) + 0.5
+        polar, turn = np.arccos(1 - k_ / 100), np.pi * (1 + 5**0.5) * k_
+        ball = [np.cos(turn) * np.sin(polar), np.sin(turn) * np.sin(polar), np.cos(polar)]
+        vertices, faces = _hull(np.column_stack(ball) * radii)
+    else:
+        return None
+    return vertices, faces, np.zeros((len(vertices), 2))
+
+
+def _hull(points: Float[np.ndarray, "n 3"]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the convex hull's vertices and outward faces."""
+    from scipy.spatial import ConvexHull
+
+    hull = ConvexHull(points)
+    a, b, c = (points[hull.simplices[:, i]] for i in range(3))
+    inward = (np.cross(b - a, c - a) * hull.equations[:, :3]).sum(1) < 0
+    faces = np.where(inward[:, None], hull.simplices[:, ::-1], hull.simplices)
+    return points, faces
+
+
+def _mesh(model: mujoco.MjModel, mesh: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return a mesh with one vertex per face corner, so that uv seams need no care."""
+    at, count = model.mesh_faceadr[mesh], model.mesh_facenum[mesh]
+    corners = model.mesh_face[at : at + count].ravel()
+    vertices = model.mesh_vert[model.mesh_vertadr[mesh] + corners].astype(np.float64)
+    uv = np.zeros((len(corners), 2))
+    if model.mesh_texcoordadr[mesh] >= 0:
+        which = model.mesh_facetexcoord[at : at + count].ravel()
+        uv = model.mesh_texcoord[model.mesh_texcoordadr[mesh] + which].astype(np.float64)
+        uv[:, 1] = 1 - uv[:, 1]  # MuJoCo counts rows from the top
+    return vertices, np.arange(len(corners)).reshape(-1, 3), uv
+
+
+def _color(model: mujoco.MjModel, k: int) -> Float[np.ndarray, "4"]:
+    """Return the rgba of geom ``k``; a material's where it has one."""
+    material = model.geom_matid[k]
+    return model.mat_rgba[material] if material >= 0 else model.geom_rgba[k]
+
+
+def _texture(model: mujoco.MjModel, k: int) -> UInt8[np.ndarray, "th tw 3"]:
+    """Return the 2D texture of geom ``k`` times its colour; one pixel if it has none."""
+    import mujoco
+
+    tint, material = _color(model, k)[:3], model.geom_matid[k]
+    role = mujoco.mjtTextureRole.mjTEXROLE_RGB
+    texture = model.mat_texid[material, role] if material >= 0 else -1
+    if texture < 0 or model.tex_type[texture] != mujoco.mjtTexture.mjTEXTURE_2D:
+        return np.round(np.clip(tint, 0, 1) * 255).astype(np.uint8)[None, None]
+    height, width = model.tex_height[texture], model.tex_width[texture]
+    channels, at = model.tex_nchannel[texture], model.tex_adr[texture]
+    data = model.tex_data[at : at + height * width * channels]
+    pixels = data.reshape(height, width, channels)[..., :3]
+    if channels < 3:
+        pixels = np.repeat(pixels[..., :1], 3, axis=2)
+    return np.round(pixels * np.clip(tint, 0, 1)).astype(np.uint8)

@@ -1,0 +1,1 @@
+"""Fresh tables, made in processes of their own."""

@@ -1,0 +1,196 @@
+"""The scenes that a ``RefreshingScenes`` holds at a time, and how they are renewed."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import shutil
+import time
+import warnings
+from dataclasses import dataclass
+
+import numpy as np
+
+from generator.errors import SceneError
+
+from ..fixed import Bundle, FixedScenes, is_there
+from ..fresh import FreshScenes
+from ..source import SceneRef
+from .crew import Crew, Failed, Made
+
+MOST_FAILURES = 5
+"""So many scenes in a row may fail while the first pool is made."""
+
+REST = 60.0
+"""Seconds without orders after nothing was found to order: looking for it takes its time."""
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How often a scene is renewed: so many a minute, or one every so many draws."""
+
+    per_minute: float | None
+    every_resets: int | None
+
+    def due(self, draws: int, seconds: float) -> float:
+        """Return how many scenes to renew before draw number ``draws``, ``seconds`` after the last.
+
+        The first draw has number 0.
+        """
+        if self.every_resets is not None:
+            return float(draws > 0 and draws % self.every_resets == 0)
+        return seconds * (self.per_minute or 0.0) / 60
+
+
+class Pool:
+    """At most ``size`` scenes, the oldest first.
+
+    Args:
+        fresh: where new scenes come from.
+        size: how many scenes are held.
+        initial: the first ones; None has them made here and now.
+        pace: how often one is renewed.
+        workers: how many processes make them; 0 for none: they are made in this one.
+        seed: of the scenes made.
+
+    Raises:
+        InputError: a text cannot be planned.
+        SceneError: the first pool cannot be made.
+    """
+
+    def __init__(
+        self,
+        fresh: FreshScenes,
+        size: int,
+        initial: FixedScenes | None,
+        pace: Pace,
+        workers: int,
+        seed: int,
+    ) -> None:
+        fresh.check()
+        self.owner = os.getpid()
+        self.renewals = 0
+        self.failures = 0
+        self._fresh, self._size, self._pace, self._seed = fresh, size, pace, seed
+        self._made = 0
+        self._warned = False
+        self._draws = 0
+        self._owed = 0.0
+        self._last = time.monotonic()
+        self._resting_until = 0.0
+        self.refs: list[SceneRef] = []
+        if initial is not None:
+            rng = np.random.default_rng([seed, 1])
+            few = rng.permutation(len(initial))[:size]
+            self.refs = [initial.refs[k] for k in few]
+        else:
+            self._fill()
+        self.crew = Crew(workers) if workers else None
+
+    def draw(self, rng: np.random.Generator) -> SceneRef:
+        """Renew what is due or finished, and draw one of the scenes, all equally likely."""
+        now = time.monotonic()
+        due = self._pace.due(self._draws, now - self._last)
+        self._draws, self._last = self._draws + 1, now
+        self._owed = min(self._owed + due, self._size)
+        if self.crew is None:
+            while self._owed >= 1:
+                self._owed -= 1
+                self._make_one()
+        else:
+            if now >= self._resting_until:
+                self._order(self.crew)
+            for end in self.crew.collect():
+                self._take(end)
+        return self._pick(rng)
+
+    # ---------------------------------------------------------------------------------- renewing
+
+    def _order(self, crew: Crew) -> None:
+        """Order what is missing or due, never more than the pool holds."""
+        missing = self._size - len(self.refs) - crew.open
+        count = missing if missing > 0 else min(int(self._owed), self._size - crew.open)
+        self._owed = max(self._owed - count, 0.0)
+        try:
+            for _ in range(count):
+                crew.order(self._fresh.recipe(self._next()))
+        except SceneError as error:
+            self._resting_until = time.monotonic() + REST
+            self._fail(str(error))
+
+    def _take(self, end: Made | Failed) -> None:
+        if isinstance(end, Failed):
+            return self._fail(end.reason)
+        return self._add(SceneRef(end.recipe.key, Bundle(end.bundle), end.difficulty))
+
+    def _add(self, ref: SceneRef) -> None:
+        """Take a new scene in, and drop the oldest for it."""
+        self.refs.append(ref)
+        self.renewals += 1
+        while len(self.refs) > self._size:
+            self._drop(self.refs.pop(0))
+
+    def _drop(self, ref: SceneRef) -> None:
+        """Delete what this pool had made, at one stroke for who may be loading it."""
+        if self.crew is not None and isinstance(ref.load, Bundle):
+            job = ref.load.path.parent
+            if job.parent == self.crew.folder:
+                gone = job.with_name(f"{job.name}.gone")
+                with contextlib.suppress(OSError):  # it may have been deleted by others
+                    job.rename(gone)
+                shutil.rmtree(gone, ignore_errors=True)
+
+    def _make_one(self) -> None:
+        try:
+            self._add(self._here())
+        except SceneError as error:
+            self._fail(str(error))
+
+    def _fill(self) -> None:
+        """Make a whole pool, here and now."""
+        failures = 0
+        while len(self.refs) < self._size:
+            try:
+                self.refs.append(self._here())
+                failures = 0
+            except SceneError as error:
+                failures += 1
+                if failures == MOST_FAILURES:
+                    raise SceneError(
+                        f"No first pool: {failures} scenes in a row could not be made. {error}"
+                    ) from error
+
+    def _here(self) -> SceneRef:
+        """Make the next scene in this process."""
+        recipe = self._fresh.recipe(self._next())
+        scene = recipe.make()
+        return SceneRef(recipe.key, lambda: scene)
+
+    def _next(self) -> np.random.Generator:
+        """Return the generator of the next scene."""
+        self._made += 1
+        return np.random.default_rng([self._seed, 0, self._made])
+
+    def _fail(self, reason: str) -> None:
+        self.failures += 1
+        if not self._warned:
+            self._warned = True
+            warnings.warn(
+                f"The pool of scenes is not renewed: {reason.rstrip('.')}. It stays as it is, and "
+                "new scenes are tried again; further failures are only counted "
+                "(RefreshingScenes.failures).",
+                RuntimeWarning, stacklevel=4,
+            )  # fmt: skip
+
+    # ----------------------------------------------------------------------------------- drawing
+
+    def _pick(self, rng: np.random.Generator) -> SceneRef:
+        """Draw one of the scenes that are still there; without any, make the pool anew."""
+        while self.refs:
+            k = int(rng.integers(len(self.refs)))
+            if is_there(self.refs[k]):
+                return self.refs[k]
+            gone = self.refs.pop(k)
+            self._fail(f"the bundle {gone.key} is gone.")
+        self._fill()
+        return self.refs[int(rng.integers(len(self.refs)))]

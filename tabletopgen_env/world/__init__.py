@@ -1,0 +1,1 @@
+"""The simulated world of an environment: robot, table and things, compiled."""

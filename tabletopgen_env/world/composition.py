@@ -1,0 +1,118 @@
+"""Scene and robot as one MuJoCo specification: the arm on its pedestal, cameras, the marker."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from generator.geometry import Camera, framing_camera, rotation_z, yaw_quaternion
+from generator.scene import Scene, View
+
+from ..robot.mount import Mount, add_pedestal
+from ..robot.outline import arm_points
+from ..robot.panda import Panda
+from .room import furnish
+
+if TYPE_CHECKING:
+    import mujoco
+
+PREFIX = "panda/"
+"""Prefix of every name that belongs to the robot."""
+
+FRONT_CAMERA = "front"
+"""Name of the camera that looks at table and robot from across the table."""
+
+WRIST_CAMERA = PREFIX + "wrist"
+"""Name of the camera on the hand."""
+
+TOP_CAMERA = "overhead"
+"""Name of the camera that looks straight down at the table; the scene itself brings a "top"."""
+
+MARKER = "marker/goal"
+"""Name of the body and the geom that mark a free goal spot; no object's name has a slash."""
+
+_FRONT_ELEVATION, _FRONT_FOV = np.deg2rad(30.0), np.deg2rad(45.0)
+_FRONT_MARGIN = 0.04  # free share of the front camera's picture on each side
+_TOP_HEIGHT = 2.0  # of the top camera over the table: well above the arm, metres
+_TOP_MARGIN = 1.08  # what it shows, in tables
+
+TIMESTEP = 0.002
+"""Simulation step, seconds."""
+
+
+def compose(scene: Scene, robot: Panda, mount: Mount) -> mujoco.MjSpec:
+    """Return the specification of ``scene`` with ``robot`` at ``mount``."""
+    import mujoco
+
+    from generator.physics.mjcf import FRICTION_STIFFNESS, scene_spec
+
+    spec = scene_spec(scene)
+    spec.option.timestep = TIMESTEP
+    spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+    spec.option.impratio = FRICTION_STIFFNESS  # what the gripper holds does not creep
+    spec.option.noslip_iterations = 0
+    spec.option.enableflags |= mujoco.mjtEnableBit.mjENBL_SLEEP
+    # Several contacts a pair: on one alone flat things rock on hulls, and never fall asleep.
+    spec.option.disableflags &= ~int(mujoco.mjtDisableBit.mjDSBL_MULTICCD)
+    spec.visual.global_.offwidth = spec.visual.global_.offheight = 2048
+    frame = spec.worldbody.add_frame(pos=mount.position, quat=yaw_quaternion(mount.yaw))
+    arm = robot.spec()
+    arm.assets = {**spec.assets, **arm.assets}  # MuJoCo warns of a child without assets
+    spec.attach(arm, prefix=PREFIX, frame=frame)
+    add_pedestal(spec, mount)
+    front = front_camera(scene, mount, 4, 3)
+    furnish(spec, scene, mount, front)
+    _add_front_camera(spec, front)
+    _add_top_camera(spec, scene, mount)
+    marker = spec.worldbody.add_body(name=MARKER, mocap=True, pos=[0, 0, -1])
+    marker.add_geom(
+        name=MARKER,
+        type=mujoco.mjtGeom.mjGEOM_CYLINDER,
+        size=[0.04, 0.0008, 0],
+        rgba=[0.1, 0.85, 0.25, 0.0],
+        contype=0,
+        conaffinity=0,
+        group=1,
+    )
+    return spec
+
+
+def front_camera(scene: Scene, mount: Mount, width: int, height: int) -> Camera:
+    """Return the camera across the table from the robot that shows the top and the arm at home.
+
+    In pictures at least as wide as high it shows both whole.
+    """
+    turn = rotation_z(mount.yaw)
+    outline = np.asarray(scene.table.outline, float)
+    top = np.column_stack([outline, np.full(len(outline), scene.table.height)])
+    shown = np.concatenate([top, arm_points() @ turn.T + mount.position])
+    view = View(mount.yaw + np.pi / 2, _FRONT_ELEVATION, _FRONT_FOV)
+    camera = framing_camera(shown, view, 1, 1, _FRONT_MARGIN)
+    return replace(camera, width=width, height=height)
+
+
+def _add_front_camera(spec: mujoco.MjSpec, camera: Camera) -> None:
+    right, down, _ = camera.rotation
+    spec.worldbody.add_camera(
+        name=FRONT_CAMERA,
+        pos=camera.position,
+        xyaxes=[*right, *-down],
+        fovy=float(np.rad2deg(camera.fov)),
+    )
+
+
+def _add_top_camera(spec: mujoco.MjSpec, scene: Scene, mount: Mount) -> None:
+    """Add the camera over the table, the robot's side below, the whole top in a square picture."""
+    axes = rotation_z(mount.yaw)
+    outline = scene.table.outline @ axes[:2, :2]
+    low, high = outline.min(0), outline.max(0)
+    middle = axes[:2, :2] @ ((low + high) / 2)
+    half = _TOP_MARGIN * float((high - low).max() / 2)
+    spec.worldbody.add_camera(
+        name=TOP_CAMERA,
+        pos=[*middle, scene.table.height + _TOP_HEIGHT],
+        xyaxes=[*-axes[:, 1], *axes[:, 0]],
+        fovy=float(np.rad2deg(2 * np.arctan(half / _TOP_HEIGHT))),
+    )

@@ -1,0 +1,428 @@
+"""A robot at a table, compiled: ids by name, the start state, and what a task asks of the physics.
+
+``World`` puts a robot beside a scene with ``MjSpec.attach`` (prefix "panda/"), compiles it and
+keeps model and data.
+
+Positions given to learners are in the *base frame*: origin at the robot's base, x forward, z up.
+It is the world frame turned and moved by the mount, so a policy sees every table from its own seat.
+"""
+
+from __future__ import annotations
+
+import copy
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from jaxtyping import Float, Int
+
+from generator.bundle import digest
+from generator.errors import SceneError, choices
+from generator.geometry import rotation_z
+from generator.physics.mjcf import compiled
+from generator.scene import Scene
+
+from ..certificates.certificate import Certificate, read_certificate
+from ..robot.mount import Mount
+from ..robot.panda import (
+    ACTUATORS,
+    ARM_JOINTS,
+    FINGER_JOINTS,
+    HOME_CTRL,
+    HOME_QPOS,
+    TCP_SITE,
+    Panda,
+)
+from .affordance import (
+    Opening,
+    Plateau,
+    collision_points,
+    footprint,
+    opening,
+    plateau,
+    why_not_graspable,
+)
+from .composition import MARKER, PREFIX, compose
+
+if TYPE_CHECKING:
+    import mujoco
+
+    from ..expert.planning.choosing import Chooser, Plan
+
+
+_CONTACT = 1e-4
+"""Metres between surfaces of things at rest that still count as touching."""
+
+_FIXED_REACH = 0.4
+"""How far the fixed part of the robot reaches from its base, at most, metres."""
+
+
+@dataclass(eq=False)
+class _Known:
+    """What has been found out about an arrangement of the objects."""
+
+    plans: dict[tuple[Chooser, str], Plan | None] = field(default_factory=dict)
+    footprints: Mapping[str, Float[np.ndarray, "k 2"]] | None = None
+
+
+class World:
+    """One scene with a robot, compiled, and its state.
+
+    Attributes:
+        scene: the scene.
+        bundle: the bundle's folder that it was read from; None for others.
+        mount: where the robot's base stands, in the world frame.
+        model, data: MuJoCo's.
+        names: the scene's objects; the order of every per-object array.
+        bodies: their MuJoCo body ids.
+        arm_qpos, arm_dof: addresses of the seven arm joints in qpos and qvel.
+        finger_qpos: addresses of the two finger slides in qpos.
+        actuators: ids of the seven servos and the gripper.
+        robot_bodies: MuJoCo body ids of the robot's links, hand and fingers.
+        tcp: id of the tool centre point's site.
+        absent: objects that are out of this episode; see ``randomization``.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        robot: Panda,
+        mount: Mount | None = None,
+        bundle: Path | None = None,
+    ) -> None:
+        import mujoco
+
+        self.bundle = bundle
+        self.scene = self._given = scene
+        self._own_mount = mount or Mount.beside(scene)
+        self.seat(self._own_mount)
+        self.absent: frozenset[str] = frozenset()
+        self.model = compiled(compose(scene, robot, self.mount), scene.name)
+        self.data = mujoco.MjData(self.model)
+        self.names: tuple[str, ...] = tuple(o.name for o in scene.objects)
+        self._rows = {name: k for k, name in enumerate(self.names)}
+        model = self.model
+        self.bodies: Int[np.ndarray, "k"] = np.array(
+            [model.body(name).id for name in self.names], dtype=int
+        )
+        self._trees = model.body_treeid[self.bodies].tolist()
+        first = model.body_jntadr[self.bodies]
+        self._object_qpos = model.jnt_qposadr[first][:, None] + np.arange(7)
+        self._object_dof = model.jnt_dofadr[first][:, None] + np.arange(6)
+        arm = [model.joint(PREFIX + name) for name in ARM_JOINTS]
+        fingers = [model.joint(PREFIX + name) for name in FINGER_JOINTS]
+        self.arm_qpos = np.array([joint.qposadr[0] for joint in arm])
+        self.arm_dof = np.array([joint.dofadr[0] for joint in arm])
+        self.finger_qpos = np.array([joint.qposadr[0] for joint in fingers])
+        self.actuators = np.array([model.actuator(PREFIX + name).id for name in ACTUATORS])
+        self.tcp = int(model.site(PREFIX + TCP_SITE).id)
+        self._marker_geom = int(model.geom(MARKER).id)
+        self._marker_mocap = int(model.body(MARKER).mocapid[0])
+        self._gripper_side = _gripper_sides(model)
+        self.robot_bodies: Int[np.ndarray, "r"] = np.flatnonzero(self._gripper_side)
+        held = (self._gripper_side > 0) & (model.body_weldid == 0)
+        self._fixed_geoms = np.flatnonzero(held[model.geom_bodyid] & (model.geom_contype > 0))
+        self._points = [collision_points(o) for o in scene.objects]
+        self.half_extent = np.array([o.scale / 2 for o in scene.objects]).reshape(-1, 3)
+        self._base_reach = _FIXED_REACH + np.linalg.norm(self.half_extent, axis=1)
+        self._start = self._start_qpos()
+        self._commanded = np.array(HOME_CTRL[:7])
+        self._known = self._known_of_given = _Known()
+        self._touches: dict[str, tuple[bool, bool, bool]] = {}
+
+    def twin(self) -> World:
+        """Return a world of the same scene with a model and a state of its own.
+
+        What is known of the scene is shared; it depends on the scene alone.
+        """
+        import mujoco
+
+        other = copy.copy(self)
+        other.model = copy.copy(self.model)
+        other.data = mujoco.MjData(other.model)
+        other._touches = {}
+        other.reset()
+        return other
+
+    # ------------------------------------------------------------------------------------ state
+
+    def _start_qpos(self) -> Float[np.ndarray, "nq"]:
+        qpos = self.model.qpos0.copy()
+        for address, obj in zip(self._object_qpos, self.scene.objects, strict=True):
+            qpos[address] = [*obj.pose.position, *obj.pose.quaternion]
+        qpos[np.concatenate([self.arm_qpos, self.finger_qpos])] = HOME_QPOS
+        return qpos
+
+    def seat(self, mount: Mount) -> None:
+        """Take ``mount`` for where the robot's base is: the origin of the base frame."""
+        self.mount = mount
+        self.base_rotation = rotation_z(mount.yaw)
+        self.base_position = np.asarray(mount.position, float)
+
+    def rearrange(self, scene: Scene) -> None:
+        """Take over the poses of the same objects in ``scene``; ``reset`` puts them there.
+
+        What is known of the scene as it was given is kept for when it comes back.
+        """
+        self.scene = scene
+        self._start = self._start_qpos()
+        self._known = self._known_of_given if scene is self._given else _Known()
+
+    def reset(self) -> None:
+        """Put every object at its settled pose and the robot at home, everything at rest."""
+        import mujoco
+
+        mujoco.mj_resetData(self.model, self.data)
+        self.data.qpos[:] = self._start
+        self.data.ctrl[self.actuators] = HOME_CTRL
+        self._commanded = self.data.ctrl[self.actuators[:7]]
+        self._touches.clear()
+        mujoco.mj_forward(self.model, self.data)
+
+    def step(self, substeps: int) -> None:
+        """Simulate ``substeps`` steps of ``TIMESTEP`` seconds.
+
+        The arm's servo commands move evenly from the last call's to those in ``data.ctrl``, as a
+        real controller interpolates: commands that jump at 20 Hz shake loose what the hand holds.
+        """
+        import mujoco
+
+        model, data, ctrl, servos = self.model, self.data, self.data.ctrl, self.actuators[:7]
+        wanted = ctrl[servos]
+        mj_step = mujoco.mj_step
+        for command in _ramp(self._commanded, wanted, substeps):
+            ctrl[servos] = command
+            mj_step(model, data)
+        self._commanded = wanted
+        self._touches.clear()
+
+    def place_arm(self, joints: Float[np.ndarray, "7"]) -> None:
+        """Put the arm's joints at rest at angles (rad), and have the servos keep them there."""
+        import mujoco
+
+        servos = self.actuators[:7]
+        self.data.qpos[self.arm_qpos] = joints
+        self.data.qvel[self.arm_dof] = 0
+        self.data.ctrl[servos] = joints
+        self._commanded = self.data.ctrl[servos]
+        self._touches.clear()
+        mujoco.mj_forward(self.model, self.data)
+
+    def teleport(
+        self,
+        name: str,
+        position: Float[np.ndarray, "3"],
+        quaternion: Float[np.ndarray, "4"] | None = None,
+    ) -> None:
+        """Put an object, at rest, at a world position (and wxyz orientation; None keeps it)."""
+        import mujoco
+
+        k = self.index(name)
+        address = self._object_qpos[k]
+        self.data.qpos[address[:3]] = position
+        if quaternion is not None:
+            self.data.qpos[address[3:]] = quaternion
+        self.data.qvel[self._object_dof[k]] = 0
+        self._touches.clear()
+        mujoco.mj_forward(self.model, self.data)
+
+    # ---------------------------------------------------------------------------------- objects
+
+    @cached_property
+    def half_top(self) -> Float[np.ndarray, "2"]:
+        """Half the extents of the table top's outline, the longer one first, metres."""
+        half = np.ptp(self.scene.table.outline, axis=0) / 2
+        return np.array([half.max(), half.min()])
+
+    @cached_property
+    def digest(self) -> str:
+        """The digest of the scene as it was given; see ``generator.bundle.digest``."""
+        return digest(self._given)
+
+    @cached_property
+    def certificate(self) -> Certificate | None:
+        """What the expert has been seen to do here, if the bundle has a certificate.
+
+        Read once: what is written to the bundle afterwards does not show.
+
+        Raises:
+            BundleError: it is damaged.
+        """
+        return None if self.bundle is None else read_certificate(self.bundle)
+
+    @cached_property
+    def openings(self) -> Mapping[str, Opening | None]:
+        """The hollow of each object, None where it has none."""
+        return {o.name: opening(o) for o in self.scene.objects}
+
+    @cached_property
+    def plateaus(self) -> Mapping[str, Plateau | None]:
+        """The flat top of each object, None where it has none."""
+        return {o.name: plateau(o) for o in self.scene.objects}
+
+    @cached_property
+    def ungraspable(self) -> Mapping[str, str | None]:
+        """Why each object cannot be grasped as it rests, None where it can."""
+        return {o.name: why_not_graspable(o, self.openings[o.name]) for o in self.scene.objects}
+
+    def has_grasp(self, name: str) -> bool:
+        """Return whether the arm reaches a grasp of an object where the scene puts it.
+
+        Found by the expert's grasp planner, at the start of an episode; see ``first_plan``.
+        """
+        from ..expert.planning.choosing import choose
+
+        return self.first_plan(name, choose) is not None
+
+    def first_plan(self, name: str, choose: Chooser) -> Plan | None:
+        """Return the grasp that ``choose`` takes of an object at the start of an episode.
+
+        Remembered where the base stands as given and all else as ``reset`` puts it, with nothing
+        off or absent, which hardly recurs.
+        """
+        off = not np.array_equal(self.data.qpos, self._start)
+        if off or self.absent or self.mount is not self._own_mount:
+            return choose(self, name)
+        key, plans = (choose, name), self._known.plans
+        if key not in plans:
+            plans[key] = choose(self, name)
+        return plans[key]
+
+    @property
+    def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:
+        """The convex outline of each object seen from above where it rests, world frame."""
+        if self._known.footprints is None:
+            self._known.footprints = {o.name: footprint(o) for o in self.scene.objects}
+        return self._known.footprints
+
+    def index(self, name: str) -> int:
+        """Return the row of object ``name`` in per-object arrays.
+
+        Raises:
+            SceneError: there is no such object.
+        """
+        row = self._rows.get(name)
+        if row is None:
+            raise SceneError(
+                f"Scene {self.scene.name!r} has no object {name!r}." + choices(name, self.names)
+            )
+        return row
+
+    def position(self, name: str) -> Float[np.ndarray, "3"]:
+        """Return the centre of an object's box in the world frame."""
+        return self.data.xpos[self.bodies[self.index(name)]].copy()
+
+    def rotation(self, name: str) -> Float[np.ndarray, "3 3"]:
+        """Return an object's rotation, body to world."""
+        return self.data.xmat[self.bodies[self.index(name)]].reshape(3, 3).copy()
+
+    def velocity(self, name: str) -> Float[np.ndarray, "6"]:
+        """Return an object's linear (world frame) and angular (body frame) velocity."""
+        return self.data.qvel[self._object_dof[self.index(name)]]
+
+    def velocities(self) -> Float[np.ndarray, "k 6"]:
+        """Return each object's linear (world frame) and angular (body frame) velocity."""
+        return self.data.qvel[self._object_dof]
+
+    def lowest(self, name: str) -> float:
+        """Return the height of an object's lowest point in the world frame."""
+        k = self.index(name)
+        up = self.data.xmat[self.bodies[k]].reshape(3, 3)[2]
+        return float(self.data.xpos[self.bodies[k], 2] + (self._points[k] @ up).min())
+
+    def off_table(self) -> tuple[str, ...]:
+        """Return the objects whose centre is below the table's top: those that fell off it."""
+        low = self.data.xpos[self.bodies, 2] < self.scene.table.height
+        return tuple(self.names[k] for k in np.flatnonzero(low))
+
+    def touched(self, name: str) -> tuple[bool, bool, bool]:
+        """Return whether the left finger, the right finger, any part of the robot touches it.
+
+        Looked up once between two calls that move things. Nothing that moves touches a sleeping
+        thing, for the arm never sleeps and wakes what it meets; only the base is fixed.
+        """
+        found = self._touches.get(name)
+        if found is None:
+            found = self._touches[name] = self._contacts(self.index(name))
+        return found
+
+    def _contacts(self, row: int) -> tuple[bool, bool, bool]:
+        """Return what ``touched`` does, of the object in a row."""
+        if self.data.tree_asleep[self._trees[row]] >= 0:
+            return False, False, self._at_base(row)
+        sides: set[int] = set()
+        if self.data.ncon:
+            pairs = self.model.geom_bodyid[self.data.contact.geom]
+            others = pairs[:, ::-1][pairs == self.bodies[row]]
+            sides = set(self._gripper_side[others].tolist())
+        return 2 in sides, 3 in sides, bool(sides - {0})
+
+    def _at_base(self, row: int) -> bool:
+        """Return whether an object lies against a fixed part of the robot.
+
+        MuJoCo lists no contact between what sleeps and what is fixed.
+        """
+        import mujoco
+
+        away = self.data.xpos[self.bodies[row]] - self.base_position
+        if math.sqrt(away @ away) > self._base_reach[row]:
+            return False
+        for fixed in self._fixed_geoms:
+            first = self.model.body_geomadr[self.bodies[row]]
+            geoms = first + np.arange(self.model.body_geomnum[self.bodies[row]])
+            for own in geoms[self.model.geom_contype[geoms] > 0]:
+                gap = mujoco.mj_geomDistance(self.model, self.data, int(own), int(fixed), 1.0, None)
+                if gap <= _CONTACT:
+                    return True
+        return False
+
+    # -------------------------------------------------------------------------------- base frame
+
+    @property
+    def hand(self) -> Float[np.ndarray, "3 3"]:
+        """The rotation of the hand, that of the tool centre point's site, in the base frame."""
+        return self.base_rotation.T @ self.data.site_xmat[self.tcp].reshape(3, 3)
+
+    def to_base(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
+        """Carry world points into the base frame."""
+        return (points - self.base_position) @ self.base_rotation
+
+    def to_world(self, points: Float[np.ndarray, "*n 3"]) -> Float[np.ndarray, "*n 3"]:
+        """Carry points of the base frame into the world frame."""
+        return points @ self.base_rotation.T + self.base_position
+
+    def show_marker(self, position: Float[np.ndarray, "3"] | None, radius: float) -> None:
+        """Show the goal disc at a world position, or hide it."""
+        import mujoco
+
+        self.model.geom_size[self._marker_geom, 0] = radius
+        self.model.geom_rgba[self._marker_geom, 3] = 0.0 if position is None else 0.8
+        self.data.mocap_pos[self._marker_mocap] = [0, 0, -1] if position is None else position
+        mujoco.mj_kinematics(self.model, self.data)
+
+
+def _ramp(
+    start: Float[np.ndarray, "n"], end: Float[np.ndarray, "n"], steps: int
+) -> Float[np.ndarray, "steps n"]:
+    """Return ``np.linspace(start, end, steps + 1)[1:]``, to the bit, in half the time."""
+    way = end - start
+    share = way / steps
+    at = np.arange(1.0, steps + 1.0)[:, None]
+    rows = at * share if share.all() else at / steps * way
+    rows += start
+    rows[-1] = end
+    return rows
+
+
+def _gripper_sides(model: mujoco.MjModel) -> Int[np.ndarray, "nbody"]:
+    """Label bodies: 0 not the robot's, 1 robot, 2 left finger, 3 right finger."""
+    sides = np.zeros(model.nbody, dtype=int)
+    for k in range(model.nbody):
+        name = model.body(k).name
+        if name.startswith(PREFIX):
+            sides[k] = 1 + ("left_finger" in name) + 2 * ("right_finger" in name)
+    return sides

@@ -1,0 +1,104 @@
+"""Worlds kept for the next reset: ``WorldCache`` for one environment, ``Masters`` for many."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from generator.errors import require_number
+
+from ..robot.panda import Panda
+from ..scenes import SceneRef
+from ..scenes.fixed import folder
+from .world import World
+
+
+class WorldCache:
+    """The ``size`` worlds used last, by the key of their scene.
+
+    A reset onto one of them only writes the start state.
+
+    Args:
+        robot: stands at every table.
+        size: how many worlds are kept.
+        masters: where new worlds are copied from; None to compile each.
+
+    Raises:
+        InputError: ``size`` is no whole number from 1 up.
+    """
+
+    def __init__(self, robot: Panda, size: int = 16, masters: Masters | None = None) -> None:
+        require_number("The environment needs cache", size, least=1, whole=True)
+        self._robot = robot
+        self._size = size
+        self._masters = masters
+        self._worlds: OrderedDict[str, World] = OrderedDict()
+
+    def get(self, ref: SceneRef, on_drop: Callable[[World], None]) -> World:
+        """Return the world of ``ref``, composing it if it is not held.
+
+        ``on_drop`` is told of each world that leaves the cache.
+        """
+        world = self._worlds.get(ref.key)
+        if world is None:
+            world = self._masters.twin(ref) if self._masters else _world(ref, self._robot)
+            self._worlds[ref.key] = world
+            while len(self._worlds) > self._size:
+                on_drop(self._worlds.popitem(last=False)[1])
+        self._worlds.move_to_end(ref.key)
+        return world
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: no worlds."""
+        return {**self.__dict__, "_worlds": OrderedDict()}
+
+
+def _world(ref: SceneRef, robot: Panda) -> World:
+    return World(ref.load(), robot, bundle=folder(ref))
+
+
+@dataclass(eq=False)
+class _Master:
+    """A world that is copied and never moved; None until it is compiled."""
+
+    lock: threading.Lock = field(default_factory=threading.Lock)
+    world: World | None = None
+
+
+class Masters:
+    """Compiled scenes that environments of one process copy, each scene compiled once.
+
+    May be used by several threads. A copy has a model of its own, for environments write to it.
+
+    Args:
+        robot: stands at every table.
+        size: how many scenes are kept.
+    """
+
+    def __init__(self, robot: Panda, size: int = 16) -> None:
+        self._robot = robot
+        self._size = size
+        self._lock = threading.Lock()
+        self._masters: OrderedDict[str, _Master] = OrderedDict()
+
+    def twin(self, ref: SceneRef) -> World:
+        """Return a new world of ``ref``."""
+        with self._lock:
+            master = self._masters.setdefault(ref.key, _Master())
+            self._masters.move_to_end(ref.key)
+            while len(self._masters) > self._size:
+                self._masters.popitem(last=False)
+        with master.lock:
+            if master.world is None:
+                master.world = _world(ref, self._robot)
+            return master.world.twin()
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what a copy keeps: no worlds, and no lock."""
+        return {"_robot": self._robot, "_size": self._size}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__init__(state["_robot"], state["_size"])
