@@ -37,7 +37,7 @@ from tabletopgen_env.env import TabletopEnv
 from tabletopgen_env.episodes import HOLD, Held
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.statistics import wilson
-from tabletopgen_env.tasks import NAMES
+from tabletopgen_env.tasks.names import NAMES
 
 HERE = Path(__file__).parent
 KEY = ("task", "scene", "seed", "episode")

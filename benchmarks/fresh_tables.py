@@ -25,7 +25,8 @@ from generator.language.distribution import SceneDistribution
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes import FreshScenes
 from tabletopgen_env.statistics import wilson
-from tabletopgen_env.tasks import NAMES, task_named
+from tabletopgen_env.tasks.names import NAMES
+from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.tasks.sequence import PRESETS
 from tabletopgen_env.tasks.task import Task
 from tabletopgen_env.world.world import World

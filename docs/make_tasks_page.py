@@ -15,7 +15,8 @@ from pathlib import Path
 import gymnasium
 
 from tabletopgen_env.actions import CONTROL_HZ
-from tabletopgen_env.tasks import NAMES, task_named
+from tabletopgen_env.tasks.names import NAMES
+from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.tasks.sequence import PRESETS
 from tabletopgen_env.tasks.task import Task
 

@@ -22,13 +22,8 @@ from .observations.modes import (
     slot_order,
 )
 from .randomization import Randomization, Randomizer
-from .rendering.drawer import (
-    RENDERERS,
-    Drawer,
-    Kind,
-    RendererChoice,
-    drawer,
-)
+from .rendering.drawer import drawer
+from .rendering.kinds import RENDERERS, Drawer, Kind, RendererChoice
 from .rendering.point_cloud import point_cloud
 from .rendering.views import (
     CameraName,
@@ -41,9 +36,9 @@ from .robot.panda import Panda, panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .scenes.fixed import is_there
 from .scenes.source import close, record
-from .tasks import task_named
 from .tasks.goals.goal import SPOT, Goal
 from .tasks.pick_place import PickPlace
+from .tasks.registry import task_named
 from .tasks.task import GOAL_WEIGHTS, Episode, Task
 from .world.composition import FRONT_CAMERA
 from .world.world import World

@@ -12,7 +12,7 @@ from toy import toy_scene
 
 from generator.threads import torch_threads
 from tabletopgen_env.env import make_env
-from tabletopgen_env.tasks import NAMES
+from tabletopgen_env.tasks.names import NAMES
 
 PAGE = Path(__file__).parents[1] / "docs" / "environment.md"
 TEXT = PAGE.read_text(encoding="utf-8")

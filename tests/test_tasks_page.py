@@ -15,7 +15,8 @@ import pytest
 from tabletopgen_env.actions import ACTIONS, controller
 from tabletopgen_env.observations.modes import observation_space
 from tabletopgen_env.rendering.views import ObservationConfig
-from tabletopgen_env.tasks import NAMES, task_named
+from tabletopgen_env.tasks.names import NAMES
+from tabletopgen_env.tasks.registry import task_named
 
 DOCS = Path(__file__).parents[1] / "docs"
 

@@ -63,8 +63,8 @@ VARIANTS: Mapping[str, Rule] = MappingProxyType(
 )
 """The plain rule, at other time steps, and with gravity leaning by 2 degrees to four sides.
 
-Round things must lie still, too: their rolling resistance (``physics.mjcf.FLAT_SPOT``) holds them up
-to about six degrees. Beyond that they roll away.
+Round things must lie still, too: their rolling resistance (``physics.mjcf.FLAT_SPOT``) holds them
+up to about six degrees. Beyond that they roll away.
 """
 
 

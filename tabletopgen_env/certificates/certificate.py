@@ -16,7 +16,8 @@ from generator.io.files import write_whole
 from generator.io.reading import parse_object, printable
 
 from ..files import typed
-from ..tasks import NAMES, TaskName, task_named
+from ..tasks.names import NAMES, TaskName
+from ..tasks.registry import task_named
 
 FILE = "certificate.json"
 """The certificate's name in a bundle's folder."""

@@ -32,8 +32,9 @@ from generator.errors import BundleError, SceneError, TabletopError, require_num
 from ..episodes import Held
 from ..robot.panda import Panda
 from ..scenes.fixed import bundle_ref
-from ..tasks import NAMES, TaskName, task_named
 from ..tasks.goals.goal import SPOT
+from ..tasks.names import NAMES, TaskName
+from ..tasks.registry import task_named
 from ..world.worlds import Masters
 from .certificate import (
     Certificate,

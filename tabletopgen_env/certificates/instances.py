@@ -9,10 +9,10 @@ import numpy as np
 
 from generator.errors import BundleError, InputError, SceneError
 
-from .certificate import FILE, STARTS
+from .certificate import FILE, STARTS, Certificate, read_certificate
 
 if TYPE_CHECKING:
-    from ..tasks import TaskName
+    from ..tasks.names import TaskName
     from ..tasks.task import Episode, Task
     from ..world.world import World
 
@@ -39,7 +39,7 @@ def sampled(
     """
     target, goal = options.get("target"), options.get("goal")
     asked = target is not None or goal is not None
-    certificate = world.certificate if certified and not asked else None
+    certificate = certificate_of(world) if certified and not asked else None
     name = task.listed_as
     if certificate is None or name is None or name.task not in certificate.terms.tasks:
         return task.sample(world, rng, target, goal), False
@@ -57,6 +57,21 @@ def sampled(
             f"{world.bundle}: {FILE} lists what cannot be done there: {error} Remove it, or "
             "certify the bundle again."
         ) from error
+
+
+def certificate_of(world: World) -> Certificate | None:
+    """Return what the expert has been seen to do here, if the bundle has a certificate.
+
+    Read once: what is written to the bundle afterwards does not show.
+
+    Raises:
+        BundleError: it is damaged.
+    """
+    if world.bundle is None:
+        return None
+    if FILE not in world.notes:
+        world.notes[FILE] = read_certificate(world.bundle)
+    return world.notes[FILE]
 
 
 def _nothing_certified(world: World, name: TaskName, listed: int, episodes: int) -> SceneError:

@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 
     from ..world.world import World
     from .planning.heights import HeightMap
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    pass
 
 INSIDE = 0.05
 """Radians that planned joints keep from their limits."""
@@ -145,3 +149,8 @@ def knuckle_is_free(
 def _bearing(world: World, point: Float[np.ndarray, "3"]) -> float:
     x, y, _ = world.to_base(point)
     return float(np.arctan2(y, x))
+
+
+def up(height: float) -> Float[np.ndarray, "3"]:
+    """Return the vector that points up by ``height``, metres."""
+    return np.array([0.0, 0.0, height])

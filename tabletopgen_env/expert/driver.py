@@ -22,7 +22,7 @@ from .arm import around, turn_left
 from .path import ROOM, clear_height
 
 if TYPE_CHECKING:
-    from ..env import TabletopEnv
+    from .plant import Plant
 
 NEAR = 0.02
 """How near a place counts as there while travelling, metres."""
@@ -48,7 +48,7 @@ class Expert(ABC):
     phase: str = ""
 
     def __init__(self, env: Any, patience: float = 1.0) -> None:
-        self._env: TabletopEnv = env.unwrapped
+        self._env: Plant = env.unwrapped
         self._patience = patience
         if self._env.action_mode != "ee_delta" or self._env.controller.servos != Servos():
             raise InputError(
@@ -134,8 +134,3 @@ class Expert(ABC):
         spin = np.clip(turn * _TURN_GAIN / EE_TURN, -1.0, 1.0)
         wide = opening / franka.FINGER_STROKE - 1 if opening > 0 else -1.0
         return np.array([*step, spin, np.clip(wide, -1.0, 1.0)], np.float32)
-
-
-def up(height: float) -> Float[np.ndarray, "3"]:
-    """Return the vector that points up by ``height``, metres."""
-    return np.array([0.0, 0.0, height])

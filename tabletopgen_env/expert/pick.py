@@ -27,7 +27,8 @@ from generator.errors import SceneError
 
 from ..robot import franka
 from ..tasks.goals.goal import Goal, Raised
-from .driver import NEAR, Expert, up
+from .arm import up
+from .driver import NEAR, Expert
 from .planning.choosing import HOVER, Plan, choose
 from .planning.dropping import (
     ABOVE,

@@ -22,7 +22,8 @@ from jaxtyping import Float
 from generator.errors import SceneError
 
 from ..tasks.goals.goal import Pushed
-from .driver import Expert, up
+from .arm import up
+from .driver import Expert
 from .path import clear_height
 from .planning.grasps import TIP
 from .planning.strokes import (

@@ -122,7 +122,7 @@ def enjoy(
         check_target(video_strip, "--video-strip")
     need_sb3()
     from ..scenes.source import close
-    from ..tasks import task_named
+    from ..tasks.registry import task_named
     from .evaluating import play, seeds, summed
     from .making import single_env, source_of
 

@@ -29,7 +29,7 @@ from generator.io.files import write_whole
 from generator.io.reading import parse_object
 
 from ..files import typed
-from ..tasks import NAMES
+from ..tasks.names import NAMES
 from .networks.actor import (
     Actor,
     Squash,

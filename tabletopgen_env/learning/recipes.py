@@ -19,7 +19,7 @@ from generator.errors import InputError, choices, require
 from generator.io.reading import parse_toml, printable, read_regular
 
 from ..scenes.making.recipe import MOST_SEEDS
-from ..tasks import NAMES
+from ..tasks.names import NAMES
 
 Algorithm = Literal["sac", "td3", "ppo", "clone"]
 Extractor = Literal["table", "goal", "flat"]

@@ -21,7 +21,7 @@ from generator.threads import torch_threads
 
 from ..scenes import SceneSource
 from ..scenes.source import close
-from ..tasks import task_named
+from ..tasks.registry import task_named
 from .demonstrations.cloning import CloningConfig, Round, clone
 from .demonstrations.replay import fill
 from .ending import StopAsked, heeding

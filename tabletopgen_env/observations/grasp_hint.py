@@ -65,6 +65,7 @@ from ..expert.planning.dropping import (
 )
 from ..expert.planning.grasps import TIP, Grasp
 from ..expert.planning.placing import Placer, middle_place, plan_place
+from ..expert.planning.plans import first_plan
 from ..tasks.goals.goal import Pushed, Raised
 
 if TYPE_CHECKING:
@@ -208,7 +209,7 @@ class GraspHint:
         if started:
             self.planned = self.choose(world, name, failed)
         else:
-            self.planned = world.first_plan(name, self.choose)
+            self.planned = first_plan(world, name, self.choose)
         self.drop, self._raised = None, False
         self._rotation, self._seen = world.rotation(name), world.position(name)
         self._low = 0.0 if self.planned is None else float(self.planned.grasp.point[2])

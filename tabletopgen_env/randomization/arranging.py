@@ -16,7 +16,7 @@ from jaxtyping import Float
 from generator.geometry import inside_margin, rotation_z
 from generator.scene import Object, Pose, Scene
 
-from ..world.affordance import footprint
+from ..affordance import footprint
 
 if TYPE_CHECKING:
     from ..world.world import World

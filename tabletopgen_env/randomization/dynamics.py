@@ -9,8 +9,8 @@ from jaxtyping import Float
 
 from generator.scene import TABLE
 
+from ..affordance import MAX_MASS
 from ..robot.mount import PEDESTAL, Mount
-from ..world.affordance import MAX_MASS
 from ..world.composition import FRONT_CAMERA, PREFIX, TOP_CAMERA
 
 if TYPE_CHECKING:

@@ -11,10 +11,10 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_yaw, wrap
 
-from ..expert.arm import stretch
-from ..expert.driver import up
+from ..expert.arm import stretch, up
 from ..expert.planning.choosing import HOVER, Plan, choose
 from ..expert.planning.grasps import grasps_along, is_like
+from ..expert.planning.plans import first_plan
 from ..expert.planning.strokes import plan_stroke
 from ..tasks.goals.goal import Goal, Pushed
 
@@ -34,7 +34,7 @@ class Feasible:
         self._world = world
         self._pushed = tuple(goal for goal in goals if isinstance(goal, Pushed))
         taken = [g.target for g in goals if g.target is not None and not isinstance(g, Pushed)]
-        found = ((name, world.first_plan(name, choose)) for name in dict.fromkeys(taken))
+        found = ((name, first_plan(world, name, choose)) for name in dict.fromkeys(taken))
         self._taken = tuple(
             _Taken(name, plan, world.position(name).copy(), world.rotation(name).copy())
             for name, plan in found

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from generator.errors import InputError, choices, require, require_seed
 
-from ..rendering.drawer import Kind
+from ..rendering.kinds import Kind
 from ..rendering.views import CameraName
-from ..tasks import NAMES
+from ..tasks.names import NAMES
 
 if TYPE_CHECKING:
     import gymnasium as gym

@@ -24,24 +24,20 @@ from collections.abc import Collection, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from functools import partial
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from jaxtyping import Float, Int, Shaped, UInt8
 
 from generator.errors import BackendError, InputError, choices
 
+from .kinds import RENDERERS, Drawer, Kind, Profile
 from .window import has_display
 
 if TYPE_CHECKING:
     import mujoco
 
     from ..world.world import World
-
-RendererChoice = Literal["auto", "gl", "software"]
-RENDERERS: tuple[RendererChoice, ...] = ("auto", "gl", "software")
-Profile = Literal["fast", "full"]
-Kind = Literal["rgb", "depth", "segmentation"]
 
 
 @dataclass
@@ -75,36 +71,6 @@ _FORKED = (
     "with multiprocessing's method 'spawn' or 'forkserver' (vector_kwargs={'context': 'spawn'} of "
     "gymnasium.make_vec), or pass renderer='software'."
 )
-
-
-class Drawer(Protocol):
-    """Draws worlds at one picture size."""
-
-    def draw(
-        self, world: World, camera: str, kinds: Collection[Kind]
-    ) -> dict[Kind, Shaped[np.ndarray, "h w *c"]]:
-        """Return the pictures of some kinds, drawn together.
-
-        "rgb" and "depth" are as ``rgb`` and ``depth`` return them; "segmentation" holds the id of
-        the geom that each pixel shows, -1 where nothing is.
-        """
-        ...
-
-    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
-        """Return what ``camera`` sees."""
-        ...
-
-    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
-        """Return the distance along the optical axis in metres (inf where nothing is)."""
-        ...
-
-    def forget(self, world: World) -> None:
-        """Free what is held for ``world``."""
-        ...
-
-    def close(self) -> None:
-        """Free everything."""
-        ...
 
 
 def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> Drawer:

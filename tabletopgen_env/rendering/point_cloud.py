@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from generator.geometry import Camera
 
     from ..world.world import World
-    from .drawer import Drawer
+    from .kinds import Drawer
 
 ABOVE = 0.003
 """How far above the table top points begin, metres."""

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from generator.render.shading import Light
 
     from ..world.world import World
-    from .drawer import Kind, Profile
+    from .kinds import Kind, Profile
 
 _ROUND = 24  # sides of a drawn cylinder
 _FACING = 0.7  # how much of the headlight what is seen gets on average

@@ -39,7 +39,7 @@ from ..world.composition import (
     WRIST_CAMERA,
 )
 from ..world.world import World
-from .drawer import Drawer, Kind
+from .kinds import Drawer, Kind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

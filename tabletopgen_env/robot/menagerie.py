@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from generator.errors import BackendError
 
-from .panda import add_tool
+from .tool import add_tool
 
 if TYPE_CHECKING:
     import mujoco

@@ -21,6 +21,7 @@ from generator.errors import InputError
 
 from . import franka
 from .shells import COLORS, arm_shells
+from .tool import add_tool
 
 if TYPE_CHECKING:
     import mujoco
@@ -34,11 +35,6 @@ FINGER_JOINTS: tuple[str, ...] = ("finger_joint1", "finger_joint2")
 ACTUATORS: tuple[str, ...] = tuple(f"actuator{i}" for i in range(1, 9))
 """Names of the actuators: seven position servos (radians) and the gripper (0-255)."""
 
-TCP_SITE = "tcp"
-"""Name of the tool centre point's site."""
-
-WRIST_CAMERA = "wrist"
-"""Name of the camera on the hand."""
 
 HOME_QPOS: tuple[float, ...] = (*franka.HOME, franka.FINGER_STROKE, franka.FINGER_STROKE)
 """Joint positions at home: seven angles (rad), two fingers (m)."""
@@ -203,20 +199,6 @@ def _add_pad(finger: mujoco.MjsBody) -> None:
         size=[0.0095, 0.0053, 0.0093],
         pos=[0, 0.0067, 0.0445],
         **grip,
-    )
-
-
-def add_tool(hand: mujoco.MjsBody) -> None:
-    """Mark the tool centre point, and put a camera beside the hand that looks at it."""
-    hand.add_site(name=TCP_SITE, pos=[0, 0, franka.TCP], size=[0.005] * 3, group=4)
-    position, target = np.array([0.09, 0.0, 0.03]), np.array([0.0, 0.0, franka.TCP + 0.04])
-    back = (position - target) / np.linalg.norm(position - target)
-    right = np.array([0.0, 1.0, 0.0])
-    hand.add_camera(
-        name=WRIST_CAMERA,
-        pos=position,
-        xyaxes=[*right, *np.cross(back, right)],
-        fovy=70,
     )
 
 

@@ -9,8 +9,7 @@ from jaxtyping import Float
 
 from generator.scene import TABLE, Object, Scene
 
-from ..robot.mount import Mount
-from ..world.affordance import (
+from ..affordance import (
     FINGER_CLEARANCE,
     GRIPPER_OPENING,
     MIN_HEIGHT,
@@ -20,6 +19,7 @@ from ..world.affordance import (
     resting_height,
     why_not_graspable,
 )
+from ..robot.mount import Mount
 
 FULL = 0.35
 """Share of a tabletop that is covered where clutter is at its worst."""

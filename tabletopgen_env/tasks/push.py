@@ -18,8 +18,8 @@ from generator.errors import InputError
 from generator.geometry import inside_margin, quaternion_matrix
 from generator.scene import Object
 
+from ..affordance import collision_points, grasp_width, resting_height
 from ..expert.planning.strokes import beside, plan_stroke
-from ..world.affordance import collision_points, grasp_width, resting_height
 from .goals.goal import SPOT, Pushed
 from .goals.needs import LOW
 from .goals.sampling import (

@@ -27,7 +27,7 @@ from generator.errors import InputError, SceneError, choices
 from generator.language.distribution import Needs
 from generator.scene import Object
 
-from . import TaskName
+from ..expert.planning.plans import has_grasp
 from .goals.goal import SPOT, Goal
 from .goals.needs import FLAT, SMALL, TRAYS
 from .goals.sampling import (
@@ -40,6 +40,7 @@ from .goals.sampling import (
     on_spot,
     spot_of,
 )
+from .names import TaskName
 from .stack import on_top, supports
 from .swap import Swap
 from .task import Episode, Task, episode
@@ -180,7 +181,7 @@ def _movable(world: World, label: str, broad: bool = False) -> Object:
     """
     obj = _labelled(world, label)
     reason = blocked(world, obj) if broad else liftable(world)[obj.name]
-    if reason is None and not world.has_grasp(obj.name):
+    if reason is None and not has_grasp(world, obj.name):
         reason = NO_GRASP
     if reason is not None:
         raise nothing(world, {obj.name: reason})
@@ -200,7 +201,7 @@ def _drawn(world: World, rng: np.random.Generator, count: int) -> Episode:
     busy: set[str] = set()
     for k in rng.permutation(len(names)):
         obj = world.scene.object(names[k])
-        if obj.name in busy or not world.has_grasp(obj.name):
+        if obj.name in busy or not has_grasp(world, obj.name):
             reasons[obj.name] = NO_GRASP
             continue
         goal = _step(world, obj, rng, busy, goals)

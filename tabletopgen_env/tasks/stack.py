@@ -15,10 +15,11 @@ from generator.errors import InputError
 from generator.geometry import quaternion_matrix
 from generator.scene import Object
 
+from ..affordance import grasp_width, resting_height
 from ..expert.arm import stretch
 from ..expert.planning.choosing import HOVER, choose
+from ..expert.planning.plans import first_plan
 from ..robot.mount import reachable
-from ..world.affordance import grasp_width, resting_height
 from .goals.goal import OnTop
 from .goals.needs import FLAT, STANDING
 from .goals.sampling import (
@@ -79,7 +80,7 @@ def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[O
     With its centre over the flat part's, its centre of mass lies over the flat part too.
     """
     loaded = {o.placement.on for o in world.scene.objects}
-    plan = world.first_plan(obj.name, choose)
+    plan = first_plan(world, obj.name, choose)
     held = 0.0 if plan is None else float(plan.grasp.point[2] - world.position(obj.name)[2])
     lever = float(np.linalg.norm((quaternion_matrix(obj.pose.quaternion) @ obj.com)[:2]))
     for other in world.scene.objects:

@@ -16,6 +16,7 @@ import numpy as np
 from generator.geometry import inside_margin
 from generator.scene import Object
 
+from ..expert.planning.plans import has_grasp
 from ..world.workspace import FREE_MARGIN
 from .goals.goal import Goal, OnSpot, the
 from .goals.needs import SMALL
@@ -64,7 +65,7 @@ class Swap(Task):
             names = fit if wanted is None else [wanted]
             for k in rng.permutation(len(names)):
                 other = world.scene.object(names[k])
-                if other.name == obj.name or not world.has_grasp(other.name):
+                if other.name == obj.name or not has_grasp(world, other.name):
                     continue
                 spot = spot_of(world, other, None, rng)
                 if spot is not None and _fits(world, obj, other) and _fits(world, other, obj):

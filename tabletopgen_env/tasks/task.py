@@ -43,8 +43,8 @@ from jaxtyping import Bool, Float
 
 from generator.language.distribution import Needs
 
-from . import TaskName
 from .goals.goal import SPOT_RADIUS, Goal
+from .names import TaskName
 
 if TYPE_CHECKING:
     from ..world.world import World

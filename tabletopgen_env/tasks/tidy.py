@@ -15,7 +15,8 @@ import numpy as np
 from generator.errors import InputError
 from generator.scene import Object
 
-from ..world.affordance import Opening, grasp_width, resting_height
+from ..affordance import Opening, grasp_width, resting_height
+from ..expert.planning.plans import has_grasp
 from .goals.goal import (
     INSIDE,
     Goal,
@@ -100,7 +101,7 @@ def _together(world: World, container: Object, things: list[Object]) -> list[Obj
     for obj in sorted(things, key=lambda o: float(np.linalg.norm(o.pose.position - center))):
         area = _area(world, obj)
         fits = area <= room and all(_has_room(hollow, first, obj) for first in taken)
-        if len(taken) < Tidy.most and fits and world.has_grasp(obj.name):
+        if len(taken) < Tidy.most and fits and has_grasp(world, obj.name):
             taken.append(obj)
             room -= area
     return taken

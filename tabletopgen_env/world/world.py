@@ -11,11 +11,11 @@ from __future__ import annotations
 
 import copy
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from jaxtyping import Float, Int
@@ -26,18 +26,7 @@ from generator.geometry import rotation_z
 from generator.physics.mjcf import compiled
 from generator.scene import Scene
 
-from ..certificates.certificate import Certificate, read_certificate
-from ..robot.mount import Mount
-from ..robot.panda import (
-    ACTUATORS,
-    ARM_JOINTS,
-    FINGER_JOINTS,
-    HOME_CTRL,
-    HOME_QPOS,
-    TCP_SITE,
-    Panda,
-)
-from .affordance import (
+from ..affordance import (
     Opening,
     Plateau,
     collision_points,
@@ -46,12 +35,13 @@ from .affordance import (
     plateau,
     why_not_graspable,
 )
+from ..robot.mount import Mount
+from ..robot.panda import ACTUATORS, ARM_JOINTS, FINGER_JOINTS, HOME_CTRL, HOME_QPOS, Panda
+from ..robot.tool import TCP_SITE
 from .composition import MARKER, PREFIX, compose
 
 if TYPE_CHECKING:
     import mujoco
-
-    from ..expert.planning.choosing import Chooser, Plan
 
 
 _CONTACT = 1e-4
@@ -61,11 +51,14 @@ _FIXED_REACH = 0.4
 """How far the fixed part of the robot reaches from its base, at most, metres."""
 
 
+T = TypeVar("T")
+
+
 @dataclass(eq=False)
 class _Known:
     """What has been found out about an arrangement of the objects."""
 
-    plans: dict[tuple[Chooser, str], Plan | None] = field(default_factory=dict)
+    found: dict[Hashable, Any] = field(default_factory=dict)
     footprints: Mapping[str, Float[np.ndarray, "k 2"]] | None = None
 
 
@@ -84,6 +77,7 @@ class World:
         actuators: ids of the seven servos and the gripper.
         robot_bodies: MuJoCo body ids of the robot's links, hand and fingers.
         tcp: id of the tool centre point's site.
+        notes: what others keep of the scene as it was given, by keys of theirs; twins share it.
         absent: objects that are out of this episode; see ``randomization``.
     """
 
@@ -133,6 +127,7 @@ class World:
         self._commanded = np.array(HOME_CTRL[:7])
         self._known = self._known_of_given = _Known()
         self._touches: dict[str, tuple[bool, bool, bool]] = {}
+        self.notes: dict[Hashable, Any] = {}
 
     def twin(self) -> World:
         """Return a world of the same scene with a model and a state of its own.
@@ -244,17 +239,6 @@ class World:
         return digest(self._given)
 
     @cached_property
-    def certificate(self) -> Certificate | None:
-        """What the expert has been seen to do here, if the bundle has a certificate.
-
-        Read once: what is written to the bundle afterwards does not show.
-
-        Raises:
-            BundleError: it is damaged.
-        """
-        return None if self.bundle is None else read_certificate(self.bundle)
-
-    @cached_property
     def openings(self) -> Mapping[str, Opening | None]:
         """The hollow of each object, None where it has none."""
         return {o.name: opening(o) for o in self.scene.objects}
@@ -269,28 +253,18 @@ class World:
         """Why each object cannot be grasped as it rests, None where it can."""
         return {o.name: why_not_graspable(o, self.openings[o.name]) for o in self.scene.objects}
 
-    def has_grasp(self, name: str) -> bool:
-        """Return whether the arm reaches a grasp of an object where the scene puts it.
+    def remember(self, key: Hashable, find: Callable[[], T]) -> T:
+        """Return what ``find`` returns, found once where all is as ``reset`` puts it.
 
-        Found by the expert's grasp planner, at the start of an episode; see ``first_plan``.
-        """
-        from ..expert.planning.choosing import choose
-
-        return self.first_plan(name, choose) is not None
-
-    def first_plan(self, name: str, choose: Chooser) -> Plan | None:
-        """Return the grasp that ``choose`` takes of an object at the start of an episode.
-
-        Remembered where the base stands as given and all else as ``reset`` puts it, with nothing
-        off or absent, which hardly recurs.
+        Where the base stands elsewhere, or anything is off or absent, which hardly recurs, it is
+        found anew. ``key`` tells it from all else that is remembered of an arrangement.
         """
         off = not np.array_equal(self.data.qpos, self._start)
         if off or self.absent or self.mount is not self._own_mount:
-            return choose(self, name)
-        key, plans = (choose, name), self._known.plans
-        if key not in plans:
-            plans[key] = choose(self, name)
-        return plans[key]
+            return find()
+        if key not in self._known.found:
+            self._known.found[key] = find()
+        return self._known.found[key]
 
     @property
     def footprints(self) -> Mapping[str, Float[np.ndarray, "k 2"]]:

@@ -24,7 +24,8 @@ from tabletopgen_env.certificates.certify import (
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes.fixed import bundle_ref
-from tabletopgen_env.tasks import NAMES, TaskName, task_named
+from tabletopgen_env.tasks.names import NAMES, TaskName
+from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.world.worlds import Masters
 
 ALL = [name for task in NAMES for name in names(task)]

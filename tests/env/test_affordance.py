@@ -11,8 +11,7 @@ from toy import corners, ring_parts, toy_object, toy_scene
 from generator.catalogue import build
 from generator.geometry import yaw_quaternion
 from generator.scene import ConvexPart, Object, Pose
-from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world.affordance import (
+from tabletopgen_env.affordance import (
     LEVEL,
     grasp_width,
     is_upright,
@@ -22,6 +21,7 @@ from tabletopgen_env.world.affordance import (
     top_surface,
     why_not_graspable,
 )
+from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.world.workspace import FREE_MARGIN, LEAST_WAY, free_spot
 from tabletopgen_env.world.world import World
 

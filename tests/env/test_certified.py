@@ -27,8 +27,8 @@ from tabletopgen_env.certificates.certificate import (
 from tabletopgen_env.certificates.certify import instance_of, offered
 from tabletopgen_env.env import make_env
 from tabletopgen_env.randomization import Randomization
-from tabletopgen_env.tasks import NAMES, TaskName
 from tabletopgen_env.tasks.lift import Lift
+from tabletopgen_env.tasks.names import NAMES, TaskName
 from tabletopgen_env.tasks.push import Push
 from tabletopgen_env.tasks.sequence import PRESETS, Sequence
 from tabletopgen_env.tasks.task import Episode

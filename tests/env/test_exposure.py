@@ -21,7 +21,8 @@ from generator.physics.mjcf import FLOOR
 from generator.scene import TABLE, Scene
 from tabletopgen_env.randomization import PRESETS
 from tabletopgen_env.randomization.looks import apply_lights, draw_lights
-from tabletopgen_env.rendering.drawer import Profile, drawer
+from tabletopgen_env.rendering.drawer import drawer
+from tabletopgen_env.rendering.kinds import Profile
 from tabletopgen_env.rendering.software import model_camera, visible_shapes
 from tabletopgen_env.robot.mount import Mount
 from tabletopgen_env.robot.outline import arm_points

@@ -11,14 +11,15 @@ from toy import toy_object, toy_objects, toy_scene
 from generator.errors import InputError, SceneError
 from generator.geometry import yaw_quaternion
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.tasks import NAMES, task_named
 from tabletopgen_env.tasks.goals.goal import (
     RAISED,
     Into,
     OnTop,
     Raised,
 )
+from tabletopgen_env.tasks.names import NAMES
 from tabletopgen_env.tasks.push import WAY
+from tabletopgen_env.tasks.registry import task_named
 
 STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
 TOP = 0.74

@@ -16,6 +16,7 @@ from generator.geometry import rotation_z, wrap
 from tabletopgen_env.detection.detector import read_detector
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.planning.choosing import choose
+from tabletopgen_env.expert.planning.plans import first_plan
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.observations.grasp_hint import HINT_BOUNDS, GraspHint
 from tabletopgen_env.randomization import Randomization
@@ -88,11 +89,11 @@ def test_a_hint_has_all_its_attributes_from_the_start() -> None:
 def test_plans_of_the_start_are_kept_where_the_base_stands_as_given(monkeypatch) -> None:
     env = lift()
     env.reset(seed=0, options=CUBE)
-    kept = env.world.first_plan("cube_1", choose)
+    kept = first_plan(env.world, "cube_1", choose)
     with monkeypatch.context() as idle:
         idle.setattr("tabletopgen_env.expert.planning.choosing.plan_grasps", lambda *_: 1 / 0)
         env.reset(seed=1, options=CUBE)
-        assert env.world.first_plan("cube_1", choose) is kept
+        assert first_plan(env.world, "cube_1", choose) is kept
 
 
 @pytest.mark.parametrize(

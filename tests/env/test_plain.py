@@ -9,6 +9,7 @@ from toy import toy_object, toy_scene
 
 from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.planning.grasps import plan_grasps
+from tabletopgen_env.expert.planning.plans import has_grasp
 from tabletopgen_env.robot import kinematics
 from tabletopgen_env.robot.kinematics import (
     HOME,
@@ -20,7 +21,7 @@ from tabletopgen_env.robot.kinematics import (
     solve_ik,
 )
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.tasks import task_named
+from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.world.world import World
 
 
@@ -180,4 +181,4 @@ def test_what_can_be_grasped_is_what_the_arm_reaches_a_grasp_of() -> None:
     world.reset()
     planned = {name: bool(plan_grasps(world, name)) for name in world.names}
     assert [planned[f"pen_{k}"] for k in range(3)] == [False, True, True]
-    assert [world.has_grasp(f"pen_{k}") for k in range(3)] == [False, True, False]
+    assert [has_grasp(world, f"pen_{k}") for k in range(3)] == [False, True, False]

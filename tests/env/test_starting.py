@@ -17,6 +17,7 @@ from toy import toy_object, toy_scene
 
 from generator.geometry import inside_margin
 from generator.scene import Scene
+from tabletopgen_env.affordance import footprint
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.planning.strokes import plan_stroke
 from tabletopgen_env.randomization import PRESETS
@@ -24,7 +25,6 @@ from tabletopgen_env.randomization.arranging import DRIFT, OVERLAP
 from tabletopgen_env.randomization.starting import PALM_ROOM
 from tabletopgen_env.tasks.goals.goal import OnSpot
 from tabletopgen_env.vector import TabletopVectorEnv
-from tabletopgen_env.world.affordance import footprint
 from tabletopgen_env.world.workspace import FREE_MARGIN
 
 TABLES = ["dining-fruit", "kitchen-cutting", "office-round"]

@@ -17,10 +17,11 @@ from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.robot.mount import Mount
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.tasks import NAMES, task_named
 from tabletopgen_env.tasks.goals.goal import SPOT, the
 from tabletopgen_env.tasks.goals.instructions import refer
+from tabletopgen_env.tasks.names import NAMES
 from tabletopgen_env.tasks.pick_place import PickPlace
+from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.world.composition import FRONT_CAMERA, TOP_CAMERA
 from tabletopgen_env.world.world import World
 

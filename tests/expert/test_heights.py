@@ -6,8 +6,8 @@ import numpy as np
 from toy import corners
 
 from generator.scene import ConvexPart
+from tabletopgen_env.affordance import top_surface
 from tabletopgen_env.expert.planning.heights import HeightMap, height_map, solid
-from tabletopgen_env.world.affordance import top_surface
 
 
 def test_a_height_map_is_the_top_surface_over_its_whole_grid() -> None:

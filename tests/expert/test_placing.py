@@ -10,13 +10,13 @@ from toy import corners, toy_object, toy_scene
 
 from generator.geometry import wrap
 from generator.scene import ConvexPart, Object
+from tabletopgen_env.affordance import Opening
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.pick import Picker
 from tabletopgen_env.expert.planning.heights import solid
 from tabletopgen_env.expert.planning.placing import Place, plan_place
 from tabletopgen_env.expert.run import TaskExpert
 from tabletopgen_env.tasks.goals.goal import Into, OnTop
-from tabletopgen_env.world.affordance import Opening
 
 TOP = 0.74
 CUBE = toy_object("cube", (0.04, 0.04, 0.04), (-0.15, 0.0))

@@ -13,11 +13,10 @@ from tabletopgen_env.robot.panda import (
     FINGER_JOINTS,
     HOME_CTRL,
     HOME_QPOS,
-    TCP_SITE,
-    WRIST_CAMERA,
     Panda,
 )
 from tabletopgen_env.robot.shells import arm_shells
+from tabletopgen_env.robot.tool import TCP_SITE, WRIST_CAMERA
 
 DOWN = np.array([[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]])
 

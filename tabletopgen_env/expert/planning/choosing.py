@@ -15,9 +15,9 @@ from ..arm import (
     easiest,
     knuckle_is_free,
     stretch,
+    up,
     wrists_are_free,
 )
-from ..driver import up
 from .grasps import TIP, Grasp, plan_grasps
 from .heights import surroundings
 

@@ -11,7 +11,7 @@ from jaxtyping import Bool, Float, Int
 
 from generator.scene import ConvexPart
 
-from ...world.affordance import part_span, top_surface
+from ...affordance import part_span, top_surface
 
 if TYPE_CHECKING:
     from ...world.world import World

@@ -31,7 +31,7 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_yaw
 
-from ...world.affordance import Opening, Plateau
+from ...affordance import Opening, Plateau
 from .instructions import refer
 
 if TYPE_CHECKING:

@@ -12,8 +12,9 @@ from generator.errors import InputError, SceneError, choices
 from generator.geometry import inside_margin
 from generator.scene import TABLE, Object
 
+from ...affordance import is_upright, resting_height
+from ...expert.planning.plans import has_grasp
 from ...robot.mount import obstacle, reachable
-from ...world.affordance import is_upright, resting_height
 from ...world.workspace import free_spot
 from ..task import Episode
 from .goal import SPOT, Into, OnSpot
@@ -25,7 +26,7 @@ ROOM = 0.008
 """What the hollow of a container must be wider than what is put into it, however that is turned."""
 
 NO_GRASP = "the arm reaches no grasp of it, or its neighbours leave no room for the hand"
-"""Why what ``World.has_grasp`` denies cannot be moved."""
+"""Why what ``has_grasp`` denies cannot be moved."""
 
 Reasons = dict[str, str | None]
 """Why each object cannot be used, None where it can."""
@@ -78,7 +79,7 @@ def drawn(
     else:
         names = [known(world, target, "to move")]
     for name in names:
-        if target is None and held and not world.has_grasp(name):
+        if target is None and held and not has_grasp(world, name):
             reasons[name] = NO_GRASP
             continue
         found = make(world.scene.object(name))

@@ -23,7 +23,7 @@ from tabletopgen_env.scenes import (
     resolve,
     split,
 )
-from tabletopgen_env.tasks import task_named
+from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.tasks.tidy import Tidy
 from tabletopgen_env.vector import TabletopVectorEnv
 from tabletopgen_env.world.world import World

@@ -21,7 +21,7 @@ from generator.scene.paper_json import from_paper
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.scenes import resolve
-from tabletopgen_env.tasks import NAMES
+from tabletopgen_env.tasks.names import NAMES
 
 from ..judging import accepts, accepts_any
 from ..values import NUMBERS, TEXTS, mutate, number, text, value

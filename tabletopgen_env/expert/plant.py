@@ -1,0 +1,57 @@
+"""What the experts drive: as much of an environment as they need to know."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from ..actions.servos import Controller
+    from ..tasks.goals.goal import Goal
+    from ..world.world import World
+    from .planning.choosing import Chooser, Plan
+    from .planning.dropping import Drop
+
+
+class Advice(Protocol):
+    """The grasp hint of an environment that gives one: what it says is done."""
+
+    @property
+    def planned(self) -> Plan | None:
+        """The grasp that is hinted at."""
+        ...
+
+    @property
+    def drop(self) -> Drop | None:
+        """Where to let go, once the target is raised."""
+        ...
+
+    @property
+    def choose(self) -> Chooser:
+        """What the hints are chosen by."""
+        ...
+
+    def plan(self, world: World, name: str) -> Plan | None:
+        """Return the grasp of an object where it is now; None if it is not the active target."""
+        ...
+
+
+class Plant(Protocol):
+    """An environment in the action mode "ee_delta"."""
+
+    action_mode: str
+    controller: Controller
+
+    @property
+    def world(self) -> World:
+        """The simulated world."""
+        ...
+
+    @property
+    def goal(self) -> Goal:
+        """The goal that is active."""
+        ...
+
+    @property
+    def hint(self) -> Advice | None:
+        """What advises the hand, if anything does."""
+        ...

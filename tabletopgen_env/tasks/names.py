@@ -1,0 +1,15 @@
+"""The names of the tasks."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+NAMES = ("Reach", "Lift", "Push", "PickPlace", "Stack", "Swap", "Sequence", "Tidy")
+"""The tasks; each is the id ``TabletopGen/<name>-v0``."""
+
+
+class TaskName(NamedTuple):
+    """A task of this package by its name, and its preset if it has one."""
+
+    task: str
+    preset: str | None = None

@@ -1,0 +1,38 @@
+"""Every task by its name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from generator.errors import InputError, choices
+
+from .lift import Lift
+from .pick_place import PickPlace
+from .push import Push
+from .reach import Reach
+from .sequence import Sequence
+from .stack import Stack
+from .swap import Swap
+from .task import Task
+from .tidy import Tidy
+
+TASKS: Mapping[str, type[Task]] = MappingProxyType({
+    "Reach": Reach, "Lift": Lift, "Push": Push, "PickPlace": PickPlace, "Stack": Stack,
+    "Swap": Swap, "Sequence": Sequence, "Tidy": Tidy,
+})  # fmt: skip
+
+
+def task_named(name: str, preset: str | None = None) -> Task:
+    """Return the task of a name; ``preset`` is Sequence's.
+
+    Raises:
+        InputError: no such task or preset, or a preset for another task.
+    """
+    if name not in TASKS:
+        raise InputError(f"Unknown task {name!r}." + choices(str(name), TASKS))
+    if name == "Sequence":
+        return Sequence(preset)
+    if preset is not None:
+        raise InputError(f"{name} has no presets; leave 'preset' out or use 'Sequence'.")
+    return TASKS[name]()
