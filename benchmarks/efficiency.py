@@ -28,10 +28,11 @@ from posing.figures import column
 from posing.tables import Row
 
 from generator.errors import TabletopError
+from generator.generation import STAGES, Config
 from generator.io.pictures import write_picture
 from generator.language.planner import plan_scene
 from generator.method.rotation import RotationConfig
-from generator.pipeline import STAGES, Config, generate
+from generator.pipeline import generate
 
 HERE = Path(__file__).parent
 FEWEST, MOST = 6, 9

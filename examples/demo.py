@@ -14,8 +14,9 @@ from expert import film_strip, play_until_solved
 from PIL import Image
 
 from generator.errors import TabletopError
+from generator.generation import Generation
 from generator.method.figures import preview
-from generator.pipeline import Generation, generate
+from generator.pipeline import generate
 from generator.render.sheet import grid
 
 HERE = Path(__file__).parent

@@ -2,28 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, replace
-from pathlib import Path
-from typing import Literal, get_args
+from collections.abc import Callable
+from dataclasses import replace
 
 from .backends import Backends
-from .errors import InputError, choices, require_seed
+from .errors import InputError, require_seed
+from .generation import STAGES, Config, Generation
 from .method.ablation import ask_rotations, pose_guesser
 from .method.alignment import (
-    Alignment,
-    AlignmentConfig,
     align,
     ask_layout,
 )
-from .method.assembly import AssemblyConfig, assemble
-from .method.extraction import ExtractionConfig, extract
+from .method.assembly import assemble
+from .method.extraction import extract
 from .method.finishing import finished
-from .method.ledger import Seconds, Stopwatch
+from .method.ledger import Stopwatch
 from .method.modeling import make_models
 from .method.reference import (
     DepthSource,
-    ReferenceConfig,
     Source,
     depth_digest,
     fetch,
@@ -32,120 +28,25 @@ from .method.reference import (
     source_digest,
 )
 from .method.refinement import (
-    Refinement,
-    RefinementConfig,
     outline_misfit,
     refine_scene,
 )
-from .method.rotation import RotationConfig, estimate_rotations
+from .method.rotation import estimate_rotations
 from .method.salvage import allowance, salvaged
 from .method.supplement import NOTHING, Supplement, supplement
 from .scene import (
     TABLE,
     Instance,
     Intrinsics,
-    Model,
     Placement,
     Provenance,
     Reference,
-    Rotation,
     Scene,
-    SizePrior,
-    View,
 )
 from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]
 """Called with the name of the stage that starts, its number, and how many there are."""
-
-STAGES = ("reference", "extraction", "view and sizes", "modeling", "rotation", "alignment",
-          "refinement", "assembly")  # fmt: skip
-
-Ablation = Literal["dro", "tsa"]
-"""A stage that can be left out (Sec. 4.3)."""
-
-
-@dataclass(frozen=True)
-class Config:
-    """Settings of every stage; the defaults are the paper's unless a stage says otherwise.
-
-    ``supplement``: put what a text asks for and no drawing shows where the plan has it; False
-    leaves it out.
-
-    ``leave_out``: the largest share of what was found that may be left out of a scene that would
-    not pass its gate otherwise, in [0, 1]: one of two or more at least, never all. 0 leaves
-    nothing out.
-
-    ``without``: stages left out as in the paper's ablations (Sec. 4.3, Table 3): the reasoner is
-    asked for what "dro" (rotations) or "tsa" (places and sizes) would have found. The joint
-    refinement, which would repair what was left out, is then off too. By itself it is turned off
-    by ``RefinementConfig(steps=0)``.
-
-    Raises:
-        InputError: ``without`` names another stage, or ``leave_out`` is no share.
-    """
-
-    reference: ReferenceConfig = field(default_factory=ReferenceConfig)
-    extraction: ExtractionConfig = field(default_factory=ExtractionConfig)
-    rotation: RotationConfig = field(default_factory=RotationConfig)
-    alignment: AlignmentConfig = field(default_factory=AlignmentConfig)
-    refinement: RefinementConfig = field(default_factory=RefinementConfig)
-    assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
-    supplement: bool = True
-    leave_out: float = 0.2
-    without: tuple[Ablation, ...] = ()
-
-    def __post_init__(self) -> None:
-        if not 0 <= self.leave_out <= 1:
-            raise InputError(f"Config.leave_out is a share in [0, 1], got {self.leave_out}.")
-        known: tuple[Ablation, ...] = get_args(Ablation)
-        if isinstance(self.without, str):
-            raise InputError(
-                f"Config.without is a tuple of {' and '.join(map(repr, known))}, got the text "
-                f"{self.without!r}."
-            )
-        unknown = next((s for s in self.without if s not in known), None)
-        if unknown is not None:
-            raise InputError(
-                f"Config.without: {unknown!r} is no stage to leave out." + choices(unknown, known)
-            )
-        object.__setattr__(self, "without", tuple(s for s in known if s in self.without))
-
-
-@dataclass(frozen=True, eq=False)
-class Generation:
-    """A scene and everything that led to it, in the order it came about (Sec. 6.1).
-
-    ``seconds`` is how long each of ``STAGES`` took (Sec. 6.2); no bundle holds it.
-    """
-
-    reference: Reference
-    instances: tuple[Instance, ...]
-    view: View
-    sizes: Mapping[str, SizePrior]
-    models: Mapping[str, Model]
-    rotations: Mapping[str, Rotation]
-    alignment: Alignment
-    refinement: Refinement
-    scene: Scene
-    seconds: Mapping[str, Seconds] = field(default_factory=dict)
-
-    def save(self, folder: str | Path, *, allow_failed: bool = False) -> Path:
-        """Publish the scene as a bundle under ``folder``; return the bundle's path."""
-        from .bundle import Segments, save
-        from .method.figures import bundle_images
-
-        found = Segments.of(self.instances)
-        return save(
-            self.scene, folder, images=bundle_images(self), segments=found,
-            allow_failed=allow_failed,
-        )  # fmt: skip
-
-    def save_figures(self, folder: str | Path) -> tuple[Path, ...]:
-        """Write the pictures and JSON of the paper's Sec. 6.1 (Figs. 8-14) into ``folder``."""
-        from .method.figures import save_figures
-
-        return save_figures(self, Path(folder))
 
 
 def generate(

@@ -15,9 +15,10 @@ from generator import bundle
 from generator.backends import Backends
 from generator.backends.protocols import Reasoner
 from generator.errors import BackendError, InputError
+from generator.generation import STAGES, Ablation, Config
 from generator.method.ablation import ask_rotations
 from generator.method.alignment import ask_layout
-from generator.pipeline import STAGES, Ablation, Config, generate
+from generator.pipeline import generate
 from generator.scene import TABLE, Instance, LayoutBox, Reference, SizePrior, View
 
 TEXT = "a desk with a laptop, a mug and a pencil"

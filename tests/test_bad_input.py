@@ -34,10 +34,11 @@ from generator.errors import (
     StorageError,
     TabletopError,
 )
+from generator.generation import STAGES
 from generator.method.reference import read_image
 from generator.physics.gate import judge
 from generator.physics.parts import scaled
-from generator.pipeline import STAGES, generate
+from generator.pipeline import generate
 from generator.scene import ConvexPart, PlannedObject, PlannedTable, Relation, Scene, ScenePlan
 from tabletopgen_env.env import make_env
 

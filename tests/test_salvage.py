@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from generator.errors import InputError
+from generator.generation import Config
 from generator.method.salvage import (
     allowance,
     misfit,
@@ -15,7 +16,6 @@ from generator.method.salvage import (
     without,
 )
 from generator.method.supplement import NOTHING, Supplement
-from generator.pipeline import Config
 from generator.scene import TABLE, Placement, Provenance, Report, Scene, SizePrior, Table
 
 

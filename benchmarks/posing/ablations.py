@@ -20,9 +20,10 @@ from generator.errors import TabletopError
 from generator.evaluation import best_views, collisions
 from generator.evaluation.perceptual import EMBEDDED
 from generator.evaluation.surfaces.sweep import SweepConfig
+from generator.generation import Config, Generation
 from generator.geometry import yaw_quaternion
 from generator.method.refinement import RefinementConfig
-from generator.pipeline import Config, Generation, generate
+from generator.pipeline import generate
 from generator.render.sheet import grid
 from generator.scene import Pose, Scene
 

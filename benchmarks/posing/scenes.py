@@ -17,7 +17,8 @@ from scipy.optimize import linear_sum_assignment
 
 from generator.errors import SceneError
 from generator.evaluation.surfaces.symmetry import cloud, order, yaw_error
-from generator.pipeline import Generation, generate
+from generator.generation import Generation
+from generator.pipeline import generate
 from generator.scene import TABLE, Object
 
 from . import tables

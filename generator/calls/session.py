@@ -128,8 +128,9 @@ class Session:
             ) from error
         checked_address(base_url, f"{server}: its address")
         transport = PaidTransport(
-            self, server, base_url, timeout, most_bytes, secrets, headers, sign
-        )
+            self, server, base_url, timeout, most_bytes, secrets, headers, sign,
+            trust=self.trust,  # read now: it takes longer than some calls may
+        )  # fmt: skip
         return httpx2.Client(
             base_url=base_url, transport=transport, timeout=timeout, trust_env=False
         )

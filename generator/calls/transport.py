@@ -7,9 +7,10 @@ import dataclasses
 import functools
 import logging
 import re
+import ssl
 import time
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING
+from typing import Any, Protocol
 
 import httpx2
 
@@ -30,8 +31,10 @@ from .http.exchange import (
 )
 from .http.flight import Flight
 from .http.redaction import excerpt, holds, redacted
-from .http.waiting import retry_after
+from .http.waiting import Breakers, Patience, retry_after
+from .money.account import Account
 from .money.entries import Entry, Outcome
+from .money.prices import Prices
 from .question import (
     NOTHING,
     Question,
@@ -40,11 +43,8 @@ from .question import (
     question,
     usage,
 )
-from .store import Answer
+from .store import Answer, CallStore
 from .used import KEY
-
-if TYPE_CHECKING:
-    from .session import Session
 
 _KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
 _SENT = frozenset({
@@ -61,12 +61,45 @@ _LEAST = 6  # characters: shorter ones are no keys, and would redact words
 Sign = Callable[[httpx2.Request], Mapping[str, str]]
 
 
+class Pacing(Protocol):
+    """What the calls of a session share, as one call sees it; see ``Session``."""
+
+    @property
+    def store(self) -> CallStore | None: ...  # noqa: D102
+    @property
+    def account(self) -> Account: ...  # noqa: D102
+    @property
+    def prices(self) -> Prices: ...  # noqa: D102
+    @property
+    def budget(self) -> float | None: ...  # noqa: D102
+    @property
+    def attempts(self) -> int: ...  # noqa: D102
+    @property
+    def dry(self) -> bool: ...  # noqa: D102
+    @property
+    def patience(self) -> Patience: ...  # noqa: D102
+    @property
+    def breakers(self) -> Breakers: ...  # noqa: D102
+
+    def check(self) -> None:
+        """Raise StoppedError if there is a reason to stop."""
+        ...
+
+    def pause(self, seconds: float) -> None:
+        """Wait, unless there is a reason to stop."""
+        ...
+
+    def landing(self, flight: Flight[Any]) -> BaseException | None:
+        """Wait for a call under way; return what interrupted it."""
+        ...
+
+
 class PaidTransport(httpx2.BaseTransport):
     """Sends the requests of one client to one server; see ``Session.client``."""
 
     def __init__(
         self,
-        session: Session,
+        session: Pacing,
         server: str,
         base_url: str,
         timeout: float,
@@ -74,6 +107,8 @@ class PaidTransport(httpx2.BaseTransport):
         secrets: tuple[str, ...],
         headers: tuple[str, ...] = (),
         sign: Sign | None = None,
+        *,
+        trust: ssl.SSLContext,
     ) -> None:
         """Speak to the origin of ``base_url``; the rest is as in ``Session.client``."""
         self._session = session
@@ -87,7 +122,7 @@ class PaidTransport(httpx2.BaseTransport):
         self._warn_of_open_keys()
         origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
         self._breaker = session.breakers.of(server, origin, session.patience)
-        self._trust = session.trust  # read now: it takes longer than some calls may
+        self._trust = trust
         here = local(self._base.host)
         self._proxy = None if here else proxy_for(self._base.scheme, self._base.host)
 

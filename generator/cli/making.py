@@ -16,7 +16,7 @@ from .printing import print_scene, progress
 from .store import store
 
 if TYPE_CHECKING:
-    from ..pipeline import Ablation
+    from ..generation import Ablation
 
 
 def generate(
@@ -66,8 +66,8 @@ def generate(
         json: Print one JSON object instead of text.
     """
     from ..bundle import check_name
+    from ..generation import Config
     from ..method.reference import is_picture_name
-    from ..pipeline import Config
     from ..pipeline import generate as run
 
     require_seed(seed)

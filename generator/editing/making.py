@@ -16,11 +16,11 @@ from ..backends import Backends
 from ..catalogue import CATEGORIES
 from ..catalogue.build.styles import STYLES
 from ..errors import InputError, choices
+from ..generation import Config
 from ..layout import build_models, natural_yaw
 from ..method.extraction import extract
 from ..method.modeling import make_models
 from ..method.rotation import estimate_rotations
-from ..pipeline import Config
 from ..scene import TABLE, Instance, Model, PlannedObject, PlannedTable, Reference, Scene, ScenePlan
 
 EASEL = PlannedTable(size=(0.5, 0.4, 0.74))

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 
 from ..errors import SceneError
+from ..generation import Config
 from ..method.assembly import reassemble
 from ..physics.seating import overlapping
-from ..pipeline import Config
 from ..scene import TABLE, Scene
 from .placing import check_held, loads, set_down
 

@@ -5,9 +5,9 @@ is done or absent: whoever holds its lock makes it, in a folder of its own, writ
 it, and only then puts it among the others. So several batches may share a folder.
 """
 
+from .maker import Maker as Maker
 from .making import Composing as Composing
 from .making import Generating as Generating
-from .making import Maker as Maker
 from .place import purse_of as purse_of
 from .prompts import Job as Job
 from .prompts import jobs_of as jobs_of

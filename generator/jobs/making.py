@@ -6,7 +6,7 @@ import contextlib
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from ..backends import Backends, Mix
 from ..calls.money.budget import Purse
@@ -23,23 +23,7 @@ from .records import key_of
 
 if TYPE_CHECKING:
     from ..calls import Session
-    from ..pipeline import Config
-
-
-class Maker(Protocol):
-    """Makes scenes in whatever process; has to be picklable, and to repeat itself to the byte."""
-
-    def identity(self) -> dict[str, Any]:
-        """Return what decides its scenes, as JSON values."""
-        ...
-
-    def __call__(self, job: Job, folder: Path) -> Path:
-        """Publish a job's scene as a bundle in ``folder``; return the bundle's path.
-
-        Raises:
-            TabletopError: it cannot be made.
-        """
-        ...
+    from ..generation import Config
 
 
 @dataclass(frozen=True)
@@ -108,7 +92,7 @@ class Generating:
 
     def identity(self) -> dict[str, Any]:
         """Return backends, their settings unless all are embedded, and the stages' settings."""
-        from ..pipeline import Config
+        from ..generation import Config
         from ..scene.provenance import plain
 
         config = plain(self.config or Config())

@@ -35,7 +35,7 @@ from .place import PLACE, place_of
 from .prompts import Job, key
 
 if TYPE_CHECKING:
-    from .making import Maker
+    from .maker import Maker
 
 KEPT = frozenset({"InputError", "SceneError"})
 """Failures that the same job meets again: they are not tried anew unless asked for."""

@@ -17,7 +17,8 @@ from .crews import (
     OnRay,
     Processes,
 )
-from .making import Generating, Maker
+from .maker import Maker
+from .making import Generating
 from .place import place_of
 from .prompts import Job, jobs_of
 from .records import (

@@ -1,10 +1,11 @@
-"""The stage-wise pictures of the paper's Sec. 6.1 (Figs. 8-14), from a :class:`Generation`."""
+"""The stage-wise pictures of the paper's Sec. 6.1 (Figs. 8-14), from a ``Generation``."""
 
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 from jaxtyping import UInt8
@@ -19,13 +20,33 @@ from ..scene import (
     TABLE,
     Instance,
     Model,
+    Reference,
+    Rotation,
     Scene,
     View,
 )
 from ..scene.paper_json import to_paper
+from .alignment import Alignment
 
-if TYPE_CHECKING:
-    from ..pipeline import Generation
+
+class Stagewise(Protocol):
+    """A ``Generation``, as its figures see it."""
+
+    @property
+    def reference(self) -> Reference: ...  # noqa: D102
+    @property
+    def instances(self) -> tuple[Instance, ...]: ...  # noqa: D102
+    @property
+    def view(self) -> View: ...  # noqa: D102
+    @property
+    def models(self) -> Mapping[str, Model]: ...  # noqa: D102
+    @property
+    def rotations(self) -> Mapping[str, Rotation]: ...  # noqa: D102
+    @property
+    def alignment(self) -> Alignment: ...  # noqa: D102
+    @property
+    def scene(self) -> Scene: ...  # noqa: D102
+
 
 _STUDIO = View(azimuth=np.deg2rad(30.0), elevation=np.deg2rad(30.0), fov=np.deg2rad(25.0))
 
@@ -39,7 +60,7 @@ def model_picture(
     return render([item], camera).image
 
 
-def bundle_images(generation: Generation) -> dict[str, UInt8[np.ndarray, "h w 3"]]:
+def bundle_images(generation: Stagewise) -> dict[str, UInt8[np.ndarray, "h w 3"]]:
     """Return the pictures a bundle keeps, by file stem."""
     pictures = {
         "reference": np.asarray(generation.reference.image),
@@ -55,7 +76,7 @@ def preview(scene: Scene) -> UInt8[np.ndarray, "h w 3"]:
     return render_scene(scene, width=960, height=720).image
 
 
-def save_figures(generation: Generation, folder: Path) -> tuple[Path, ...]:
+def save_figures(generation: Stagewise, folder: Path) -> tuple[Path, ...]:
     """Write the figures into ``folder`` (made if missing); return their paths.
 
     Raises:
@@ -82,18 +103,18 @@ def save_figures(generation: Generation, folder: Path) -> tuple[Path, ...]:
     return tuple(written)
 
 
-def _others(g: Generation) -> list[Instance]:
+def _others(g: Stagewise) -> list[Instance]:
     return [instance for instance in g.instances if instance.name != TABLE]
 
 
-def _cut(g: Generation, instance: Instance) -> UInt8[np.ndarray, "h w 4"]:
+def _cut(g: Stagewise, instance: Instance) -> UInt8[np.ndarray, "h w 4"]:
     """The raw segmentation of an instance: its visible pixels alone."""
     x0, y0, x1, y1 = (round(float(v)) for v in instance.box)
     alpha = instance.mask[y0:y1, x0:x1].astype(np.uint8) * 255
     return np.dstack([g.reference.image[y0:y1, x0:x1], alpha])
 
 
-def _completion(g: Generation) -> np.ndarray:
+def _completion(g: Stagewise) -> np.ndarray:
     """Fig. 9: raw segments above, completed crops below."""
     things = _others(g)
     images = [_cut(g, i) for i in things] + [np.asarray(i.crop) for i in things]
@@ -103,12 +124,12 @@ def _completion(g: Generation) -> np.ndarray:
     return grid(images, captions, columns=len(things), cell=200)
 
 
-def _models(g: Generation) -> np.ndarray:
+def _models(g: Stagewise) -> np.ndarray:
     """Fig. 10: every model upright in its canonical frame."""
     return grid([model_picture(m) for m in g.models.values()], list(g.models), columns=5)
 
 
-def _rotations(g: Generation) -> np.ndarray:
+def _rotations(g: Stagewise) -> np.ndarray:
     """Fig. 11: each instance's crop above its model at the estimated rotation."""
     things = [i for i in _others(g) if i.name in g.rotations]
     renders = [

@@ -23,9 +23,9 @@ from generator import bundle
 from generator import jobs as batch
 from generator.backends import Mix
 from generator.errors import InputError, StorageError
+from generator.generation import Config
 from generator.jobs.crews import Processes, Task
 from generator.jobs.records import PLACE, key_of
-from generator.pipeline import Config
 from generator.scene.provenance import plain
 
 HERE = Path(__file__).parent

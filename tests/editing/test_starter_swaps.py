@@ -12,9 +12,9 @@ import assets_cache
 from generator import bundle, editing
 from generator.backends import Backends
 from generator.editing import edited
+from generator.generation import Config
 from generator.method.rotation.config import RotationConfig
 from generator.physics.gate import judge
-from generator.pipeline import Config
 
 pytestmark = pytest.mark.slow
 

@@ -21,9 +21,10 @@ from generator.calls import Session
 from generator.calls.http.waiting import Patience
 from generator.calls.money.prices import Price, Prices
 from generator.calls.store import CallStore
+from generator.generation import Config, Generation
 from generator.method.refinement import RefinementConfig
 from generator.method.rotation import RotationConfig
-from generator.pipeline import Config, Generation, generate
+from generator.pipeline import generate
 
 CONFIG = Config(
     rotation=RotationConfig(
