@@ -9,9 +9,8 @@ from __future__ import annotations
 import difflib
 import math
 import numbers
+import unicodedata
 from collections.abc import Iterable
-
-from .io.terminal import escaped
 
 
 class TabletopError(Exception):
@@ -182,3 +181,12 @@ def _as_float(value: object) -> float:
         return float(value)  # type: ignore[arg-type]
     except OverflowError:
         return math.inf
+
+
+def escaped(text: str) -> str:
+    """Return a text that may be foreign as a terminal can show it, without controls."""
+    return "".join(c if _is_shown(c) else repr(c)[1:-1] for c in text)
+
+
+def _is_shown(letter: str) -> bool:
+    return letter.isprintable() or letter == "\n" or unicodedata.category(letter) == "Zs"

@@ -10,8 +10,8 @@ import tyro
 from tyro import conf
 
 import assets_cache
-from generator.errors import InputError, TabletopError, exit_code
-from generator.io.terminal import escaped, piped
+from generator.errors import InputError, TabletopError, escaped, exit_code
+from generator.io.terminal import piped
 
 from .certificates.certificate import STARTS, Terms
 from .certificates.certify import DEFAULT, certify_all, is_certified

@@ -10,8 +10,7 @@ import sys
 
 import pytest
 
-from generator.errors import InputError, StorageError
-from generator.io.terminal import escaped
+from generator.errors import InputError, StorageError, escaped
 
 
 def test_what_is_shown_holds_no_controls():

@@ -85,11 +85,22 @@ def _questions(role: str) -> list[str]:
 def _load(name: str, role: str, session: Session) -> Any:
     module, _, attribute = TABLE[name][role].partition(":")
     kind = getattr(importlib.import_module(module), attribute)
-    shares = "session" in getattr(kind, "__dataclass_fields__", {})
+    shared = {"session": session} if "session" in _fields(kind) else {}
     try:
-        return kind(session=session) if shares else kind()
+        return _backed(role, kind(**shared))
     except BackendError as error:
         raise BackendError(f"{role}: {error}") from error
+
+
+def _backed(role: str, backend: Any) -> Any:
+    """Return a backend that has a ``fallback`` with the embedded one for it, unless it has one."""
+    if "fallback" not in _fields(type(backend)) or backend.fallback is not None:
+        return backend
+    return dataclasses.replace(backend, fallback=_load("embedded", role, Session()))
+
+
+def _fields(kind: type) -> Mapping[str, Any]:
+    return getattr(kind, "__dataclass_fields__", {})
 
 
 def _check(role: str, backend: Any) -> Any:
@@ -136,7 +147,9 @@ class Backends:
         chosen = {role: roles.get(role, default) for role in PROTOCOLS}
         return cls(
             **{
-                role: _check(role, _load(pick, role, shared) if isinstance(pick, str) else pick)
+                role: _check(role, _load(pick, role, shared))
+                if isinstance(pick, str)
+                else _backed(role, _check(role, pick))
                 for role, pick in chosen.items()
             }
         )
@@ -154,19 +167,34 @@ class Backends:
         return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
     def identity(self) -> dict[str, dict[str, Any]]:
-        """Return each role's class and fields: what provenance records. Holds no secret."""
+        """Return each role's stable name and fields: what provenance records. No secrets."""
         return {
             field.name: _identity(getattr(self, field.name)) for field in dataclasses.fields(self)
         }
 
 
 def _identity(backend: Any) -> dict[str, Any]:
-    kind = f"{type(backend).__module__}.{type(backend).__qualname__}"
     settings = {}
     if dataclasses.is_dataclass(backend) and not isinstance(backend, type):
         shown = (field.name for field in dataclasses.fields(backend) if field.repr)
         settings = {name: _recorded(getattr(backend, name)) for name in shown}
-    return {"class": kind, **{k: v for k, v in settings.items() if v is not _UNTOLD}}
+    recorded = {k: v for k, v in settings.items() if v is not _UNTOLD}
+    return {"class": stable_name(type(backend)), **recorded}
+
+
+def stable_name(kind: type) -> str:
+    """Return what provenance calls a class, whatever module it moves to.
+
+    A backend of the table is its name and role ("embedded.modeler"); another class of this project
+    is its bare name; a user's is its module and name.
+    """
+    place = f"{kind.__module__}:{kind.__qualname__}"
+    for name, answers in TABLE.items():
+        for role, listed in answers.items():
+            if listed == place:
+                return f"{name}.{role}"
+    ours = kind.__module__.partition(".")[0] == __name__.partition(".")[0]
+    return kind.__qualname__ if ours else place.replace(":", ".")
 
 
 def _recorded(value: Any) -> Any:

@@ -6,8 +6,8 @@ import sys
 
 import tyro
 
-from ..errors import TabletopError, exit_code
-from ..io.terminal import escaped, piped
+from ..errors import TabletopError, escaped, exit_code
+from ..io.terminal import piped
 from . import batching, cache, editing, evaluating, interrupts, looking, making, models
 
 DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from tyro.conf import Positional
 
-from ..errors import InputError, require_number, require_seed
+from ..errors import InputError, escaped, require_number, require_seed
 from ..io.files import check_folder
-from ..io.terminal import escaped
 from .choosing import USUAL, Chosen, lines_of, roles_of
 from .printing import emit
 

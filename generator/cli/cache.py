@@ -7,7 +7,7 @@ import fnmatch
 import tyro
 from tyro.conf import Positional
 
-from ..io.terminal import escaped
+from ..errors import escaped
 from . import looking
 from .printing import emit
 from .store import some

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from tyro.conf import Positional
 
-from ..errors import DryRunError, InputError
-from ..io.terminal import escaped
+from ..errors import DryRunError, InputError, escaped
 from .paying import answering, open_session, scene_key, told
 from .printing import emit
 from .store import find, one, some

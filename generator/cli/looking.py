@@ -11,9 +11,8 @@ from typing import Annotated, Any
 from tyro import conf
 from tyro.conf import Positional
 
-from ..errors import InputError, MissingError, TabletopError
+from ..errors import InputError, MissingError, TabletopError, escaped
 from ..io.files import check_target
-from ..io.terminal import escaped
 from .printing import emit, print_scene
 from .store import find, one, some
 

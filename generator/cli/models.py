@@ -10,8 +10,7 @@ from tyro.conf import Positional
 
 from ..backends.huggingface.weights.folder import missing, models_folder, snapshot
 from ..backends.huggingface.weights.pins import Pin, pin, pins
-from ..errors import InputError
-from ..io.terminal import escaped
+from ..errors import InputError, escaped
 from .printing import emit
 
 app = tyro.extras.SubcommandApp()

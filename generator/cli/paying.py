@@ -11,9 +11,8 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..errors import DryRunError, InputError
+from ..errors import DryRunError, InputError, escaped
 from ..io.reading import read_regular
-from ..io.terminal import escaped
 from ..scene.provenance import plain
 from .choosing import Roles, lines_of
 

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..io.terminal import escaped
+from ..errors import escaped
 
 if TYPE_CHECKING:
     from ..calls import Session

@@ -13,7 +13,7 @@ from ..errors import InputError, SceneError, require_seed
 from ..generation import Config
 from ..language.planner import plan_scene
 from ..method.assembly import body
-from ..method.salvage import without
+from ..method.publish import without
 from ..scene import TABLE, Edit, EditKind, Model, Object, Placement, PlannedObject, Relation, Scene
 from ..scene.provenance import plain, versions
 from . import planning

@@ -10,6 +10,7 @@ from scipy.optimize import linear_sum_assignment
 
 from ..catalogue import CATEGORIES, Category, category
 from ..errors import InputError
+from ..scene import Instance, SizePrior
 
 _SURE = 0.45  # probability from which a thing gets its category's name
 _SPREAD = 0.3  # of a thing's usual size, log: one standard deviation
@@ -113,3 +114,8 @@ def assigned(
         cost[doubtful[:, None] & (likely < _LIKE)] = _NEVER
     pairs = zip(*linear_sum_assignment(cost), strict=True)
     return [(int(i), int(j)) for i, j in pairs if cost[i, j] < _NEVER]
+
+
+def known_category(instance: Instance, size: SizePrior) -> Category | None:
+    """Return the catalogue's category for an instance's label or its prior's name, if any."""
+    return known(instance.label) or known(size.name.rstrip("_0123456789"))

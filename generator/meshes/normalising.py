@@ -10,11 +10,11 @@ import numpy as np
 import trimesh
 from jaxtyping import Float
 
-from ..backends.embedded.modeler import known_category, metric
 from ..catalogue import Category
 from ..catalogue.build.matter import friction
 from ..errors import require
 from ..geometry import to_unit_box
+from ..language.naming import known_category
 from ..scene import (
     Instance,
     Mesh,
@@ -149,3 +149,9 @@ def physics_of(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None
     share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED
     density = kind.mass / (share * float(np.prod(kind.size)))
     return Physics(float(np.clip(density, 20.0, 8000.0)), kind.friction or friction(kind.key))
+
+
+def metric(extent: Float[np.ndarray, "3"], size: SizePrior) -> Float[np.ndarray, "3"]:
+    """Scale measured proportions to metres so that the two longest sides agree with the prior."""
+    have, want = np.sort(extent)[1:], np.sort(size.extent)[1:]
+    return extent * float(np.sqrt(np.prod(want) / np.prod(have)))

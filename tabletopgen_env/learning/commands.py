@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import Positional, arg
 
-from generator.errors import InputError, TabletopError, require_number, require_seed
+from generator.errors import InputError, TabletopError, escaped, require_number, require_seed
 from generator.io.files import check_folder, check_target
-from generator.io.terminal import escaped
 
 from .extra import need_sb3
 

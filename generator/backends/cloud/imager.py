@@ -22,6 +22,7 @@ from ...scene import (
     TopView,
     View,
 )
+from .. import protocols
 from .drawing import cutting
 from .drawing.asking import (
     RATIOS,
@@ -59,6 +60,8 @@ class Imager:
         chat_model: the chat model, which checks top views.
         seed: another seed draws otherwise.
         session: what the calls of one generation share; no identity.
+        fallback: the imager that makes the top view where the model gives none of use;
+            ``Backends.select`` passes the embedded one. None leaves the error.
     """
 
     base_url: str = field(default_factory=configuration.image_base_url)
@@ -68,6 +71,7 @@ class Imager:
     chat_model: str = field(default_factory=configuration.chat_model)
     seed: int = 0
     session: Session = field(default_factory=Session, repr=False, compare=False)
+    fallback: protocols.Imager | None = field(default=None, repr=False, compare=False)
     manners: Manners = field(default_factory=Manners, repr=False, compare=False)
     tolerated: Tolerated = field(default_factory=Tolerated, repr=False, compare=False)
 
@@ -156,18 +160,18 @@ class Imager:
         """Draw the table from above; its boxes are left to the segmenter.
 
         The chat model checks that each thing is there once and nothing else is. After ``REDRAWS``
-        more drawings that fail, or where a model refuses or gives nothing of use, the view is made
-        by geometry, as the embedded backend does, and ``warnings`` of the top view says why.
+        more drawings that fail, or where a model refuses or gives nothing of use, ``fallback``
+        makes the view by geometry, and ``warnings`` of the top view says why.
 
         Raises:
-            BackendError: a server gave no answer at all.
+            BackendError: a server gave no answer at all, or none of use and there is no fallback.
         """
-        from ..embedded.drawing.topview import top_view
-
         try:
             return self._drawn_top_view(reference, instances, models)
         except UnusableError as error:
-            made = top_view(reference, instances, models, rotations, view)
+            if self.fallback is None:
+                raise
+            made = self.fallback.top_view(reference, instances, models, rotations, view)
             warning = f"The top view was made by geometry, for none drawn could be used. {error}"
         return replace(made, repaired=tuple(made.boxes), warnings=(*made.warnings, warning))
 

@@ -9,10 +9,10 @@ import cv2
 import numpy as np
 from jaxtyping import Bool, Float
 
-from ...catalogue import Category
 from ...geometry import parts_to_unit_box, rotation_z, to_unit_box
-from ...language.naming import known
+from ...language.naming import known_category
 from ...meshes import baking
+from ...meshes.normalising import metric
 from ...meshes.pixels import mask_iou
 from ...meshes.projection import Projection
 from ...scene import TABLE, Instance, Model, Physics, SizePrior, View
@@ -63,11 +63,6 @@ class Modeler:
             if found.iou > overlap - _TRUST:
                 return likeness_model(found, instance, projection, size, self.texture)
         return solid_model(posed, instance, projection, size, self.texture)
-
-
-def known_category(instance: Instance, size: SizePrior) -> Category | None:
-    """Return the catalogue's category for an instance's label or its prior's name, if any."""
-    return known(instance.label) or known(size.name.rstrip("_0123456789"))
 
 
 def likeness_model(
@@ -129,9 +124,3 @@ def mirror_planes(posed: Posed, projection: Projection) -> tuple[Float[np.ndarra
         turn = rotation_z(posed.yaw)
         normals = [turn[:, 1], turn[:, 0]]
     return tuple(np.array([*n, n @ middle]) for n in normals)
-
-
-def metric(extent: Float[np.ndarray, "3"], size: SizePrior) -> Float[np.ndarray, "3"]:
-    """Scale measured proportions to metres so that the two longest sides agree with the prior."""
-    have, want = np.sort(extent)[1:], np.sort(size.extent)[1:]
-    return extent * float(np.sqrt(np.prod(want) / np.prod(have)))

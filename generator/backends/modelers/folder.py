@@ -9,12 +9,12 @@ from pathlib import Path
 
 from ...errors import BackendError, choices
 from ...io.reading import read_regular
+from ...language.naming import known_category
 from ...meshes.normalising import Normal, foreign_model, normal_mesh
 from ...meshes.reading.bounds import MOST_BYTES
 from ...meshes.reading.companions import companions
 from ...meshes.reading.surface import Axis
 from ...scene import Instance, Mesh, Model, SizePrior, View
-from ..embedded.modeler import known_category
 from ..protocols import Modeler
 
 ASSETS = "TABLETOPGEN_ASSETS"

@@ -11,6 +11,7 @@ from openai_server import CHAT, IMAGES, KEY, Running, start
 
 from generator.backends.cloud.imager import Imager
 from generator.backends.cloud.reasoner import Reasoner
+from generator.backends.embedded.imager import Imager as EmbeddedImager
 from generator.calls.http.waiting import Patience
 from generator.calls.session import Session
 
@@ -44,6 +45,6 @@ def reasoner(server: Running, session: Session) -> Reasoner:
 @pytest.fixture
 def make_imager(server: Running, session: Session) -> Callable[..., Imager]:
     def make(**fields: Any) -> Imager:
-        return Imager(**{"session": session, **fields})
+        return Imager(**{"session": session, "fallback": EmbeddedImager(), **fields})
 
     return make

@@ -252,7 +252,8 @@ def geometry(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def top_view(session: Session) -> tuple[str, ...]:
-    return Imager(session=session).top_view(reference(), instances(), {}, {}, VIEW).warnings
+    imager = Imager(session=session, fallback=EmbeddedImager())
+    return imager.top_view(reference(), instances(), {}, {}, VIEW).warnings
 
 
 @pytest.mark.slow

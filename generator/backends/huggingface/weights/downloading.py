@@ -12,9 +12,8 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from ....errors import BackendError, StorageError, TabletopError
+from ....errors import BackendError, StorageError, TabletopError, escaped
 from ....io.reading import parse_object
-from ....io.terminal import escaped
 from ...installing import module
 from .pins import Pin
 
