@@ -17,7 +17,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from generator.bundle import save
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import BundleError, SceneError
 from generator.method.figures import preview
 

@@ -107,7 +107,7 @@ def run(text: str, seed: int, route: str) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as folder:
         try:
             if route == "compose":
-                from generator.compose import compose
+                from generator.composition import compose
 
                 scene = compose(text, seed)
                 path = save(scene, folder)

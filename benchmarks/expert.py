@@ -30,7 +30,7 @@ from posing.tables import Row
 
 import assets_cache
 from generator.bundle import load
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import SceneError, TabletopError
 from generator.scene import Scene
 from tabletopgen_env.env import TabletopEnv

@@ -25,7 +25,7 @@ import numpy as np
 from posing import tables
 from posing.tables import Row
 
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import SceneError, TabletopError
 from generator.geometry import inside_margin
 from tabletopgen_env.env import TabletopEnv, make_env

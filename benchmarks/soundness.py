@@ -24,7 +24,7 @@ from posing.figures import column
 from posing.tables import Row
 
 from generator.bundle import load, save
-from generator.compose import compose
+from generator.composition import compose
 from generator.evaluation import collisions
 from generator.evaluation.soundness import VARIANTS, soundness
 from generator.pipeline import generate

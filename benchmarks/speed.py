@@ -39,7 +39,7 @@ from posing import tables
 from posing.tables import Row
 
 from generator.bundle import save
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import TabletopError
 
 HERE = Path(__file__).parent

@@ -25,7 +25,7 @@ from toy import toy_object, toy_scene
 
 import assets_cache
 from generator import bundle
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import (
     EXIT_CODES,
     BundleError,
@@ -306,7 +306,7 @@ def test_trouble_while_writing_leaves_nothing(
             written.append(self)
             return out.write(content)
 
-    monkeypatch.setattr("generator.compose.compose", lambda *args, **kwargs: sound())
+    monkeypatch.setattr("generator.composition.compose", lambda *args, **kwargs: sound())
     monkeypatch.setattr("generator.method.figures.preview", lambda scene: plain(200, 8, 8))
     monkeypatch.setattr(Path, "write_bytes", write)
     assert command("compose", TEXT) == code
@@ -374,9 +374,9 @@ def test_an_interrupt_in_any_step_of_compose_leaves_nothing(
 ) -> None:
     model = SimpleNamespace(size=np.ones(3))
     layout = SimpleNamespace(placements=(), warnings=())
-    monkeypatch.setattr("generator.compose.build_models", lambda *args: {})
-    monkeypatch.setattr("generator.compose.lay_out", lambda *args: (layout, model))
-    monkeypatch.setattr(f"generator.compose.{name}", lambda *args, **kwargs: stop())
+    monkeypatch.setattr("generator.composition.build_models", lambda *args: {})
+    monkeypatch.setattr("generator.composition.lay_out", lambda *args: (layout, model))
+    monkeypatch.setattr(f"generator.composition.{name}", lambda *args, **kwargs: stop())
     assert command("compose", TEXT) == 130
     assert left_over(store) == []
 

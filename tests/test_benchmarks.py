@@ -15,7 +15,7 @@ import pytest
 from toy import toy_object, toy_scene
 
 from generator.bundle import save
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import InputError
 from generator.scene import PlannedObject, PlannedTable, Scene, ScenePlan
 from tabletopgen_env.certificates.certificate import Certificate, Terms

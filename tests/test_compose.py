@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import InputError
 from generator.physics.simulation import Simulation, shifted
 from generator.scene import PlannedObject, PlannedTable, Relation, ScenePlan

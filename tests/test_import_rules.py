@@ -148,7 +148,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
         ),
     ),
     (
-        "generator.compose",
+        "generator.composition",
         (
             *VALUES,
             "generator.backends",
@@ -170,7 +170,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.backends",
             "generator.jobs",
             "generator.bundle",
-            "generator.compose",
+            "generator.composition",
             "generator.method.figures",
             "generator.io.files",
             "generator.pipeline",
@@ -226,7 +226,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.io.npz",
             "generator.io.pictures",
             "generator.render",
-            "generator.compose",
+            "generator.composition",
             "generator.language.distribution",
             "generator.pipeline",
             "assets_cache",

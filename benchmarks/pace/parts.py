@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from generator.compose import compose
+from generator.composition import compose
 from generator.scene import Scene
 from generator.threads import cores
 from tabletopgen_env.env import TabletopEnv, make_env

@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 from shapely.geometry import Polygon
 
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import SceneError
 from generator.evaluation.surfaces.symmetry import order, yaw_error
 from generator.geometry import (

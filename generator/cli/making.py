@@ -122,7 +122,7 @@ def compose(
         json: Print one JSON object instead of text.
     """
     from ..bundle import check_name, save
-    from ..compose import compose as run
+    from ..composition import compose as run
     from ..method.figures import preview
 
     folder = store(out)

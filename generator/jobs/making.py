@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Composing:
-    """Composes texts (``generator.compose``)."""
+    """Composes texts (``generator.composition``)."""
 
     def identity(self) -> dict[str, Any]:
         """Return that it composes."""
@@ -37,7 +37,7 @@ class Composing:
     def __call__(self, job: Job, folder: Path) -> Path:
         """Compose a job's text."""
         from ..bundle import save
-        from ..compose import compose
+        from ..composition import compose
         from ..method.figures import preview
 
         scene = compose(job.text, job.seed)

@@ -12,7 +12,7 @@ from command import command
 from generator import jobs as batch
 from generator.backends import Mix
 from generator.bundle import save
-from generator.compose import compose
+from generator.composition import compose
 from generator.method.figures import preview
 
 TEXT = "a desk with a mug"

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from toy import toy_object, toy_objects, toy_scene
 
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import SceneError
 from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan

@@ -31,7 +31,7 @@ sys.modules.update(dict.fromkeys(ABSENT))  # importing any of them fails, as wit
 import gymnasium as gym
 import assets_cache, generator, tabletopgen_env
 from generator.bundle import load, save, verify
-from generator.compose import compose
+from generator.composition import compose
 
 for package in (assets_cache, generator, tabletopgen_env):
     assert pathlib.Path(package.__file__).is_relative_to(sys.argv[1]), package.__file__

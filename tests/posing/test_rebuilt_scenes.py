@@ -14,7 +14,7 @@ from shapes import cylinder_mesh
 from toy import toy_object, toy_scene
 
 from generator.catalogue import build
-from generator.compose import compose
+from generator.composition import compose
 from generator.geometry import framing_camera, mask_box, quaternion_yaw, wrap, yaw_quaternion
 from generator.render.picture import render_scene, scene_items
 from generator.render.shading import Light

@@ -8,7 +8,7 @@ import numpy as np
 from posing.truth import photograph
 
 from generator.catalogue import CATEGORIES
-from generator.compose import compose
+from generator.composition import compose
 from research.eye.sample import (
     BACKGROUND,
     OBJECT,

@@ -73,7 +73,7 @@ class Recipe:
             InputError: the text cannot be planned.
         """
         if isinstance(self.what, str):
-            from generator.compose import plan_scene
+            from generator.composition import plan_scene
 
             return plan_scene(self.what, self.seed)
         return self.what.plan(np.random.default_rng(self.seed))
@@ -156,7 +156,7 @@ def maker(making: str) -> Maker:
         InputError: there is none.
     """
     if making == COMPOSE:
-        from generator.compose import compose
+        from generator.composition import compose
 
         return compose
     if making == GENERATE:

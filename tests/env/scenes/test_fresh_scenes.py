@@ -29,7 +29,7 @@ def composed(monkeypatch) -> list[tuple[ScenePlan, int]]:
         asked.append((plan, seed))
         return toy_scene(name=f"fresh_{seed}")
 
-    monkeypatch.setattr("generator.compose.compose", compose)
+    monkeypatch.setattr("generator.composition.compose", compose)
     return asked
 
 
@@ -83,7 +83,7 @@ def test_what_cannot_be_made_at_first_is_tried_with_other_seeds() -> None:
 
 
 def test_a_second_attempt_keeps_to_the_plan(composed, monkeypatch) -> None:
-    from generator.compose import compose
+    from generator.composition import compose
 
     def unlucky(plan: ScenePlan, seed: int) -> Scene:
         scene = compose(plan, seed)
@@ -91,7 +91,7 @@ def test_a_second_attempt_keeps_to_the_plan(composed, monkeypatch) -> None:
             raise SceneError("fell")
         return scene
 
-    monkeypatch.setattr("generator.compose.compose", unlucky)
+    monkeypatch.setattr("generator.composition.compose", unlucky)
     for what in ("an office desk", LAB):
         composed.clear()
         Recipe(what, 5).make()

@@ -13,7 +13,7 @@ import numpy as np
 from toy import toy_object, toy_scene
 
 from generator.backends.embedded.reasoner import Reasoner
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import TabletopError
 from generator.physics.gate import judge
 from generator.scene import ScenePlan
