@@ -29,7 +29,7 @@ from generator.composition import compose
 from generator.errors import SceneError, TabletopError
 from generator.geometry import inside_margin
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.tasks.goals.goal import at_rest
+from tabletopgen_env.goals.goal import at_rest
 
 if TYPE_CHECKING:
     from generator.scene import Scene

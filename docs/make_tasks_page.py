@@ -52,7 +52,7 @@ the same scene, target and goal start alike unless `randomization` is set ([belo
 with `"starts"` arm and things are a little off, each time anew."""
 
 SECTIONS = (
-    ("Goals and success", "tabletopgen_env.tasks.goals.goal"),
+    ("Goals and success", "tabletopgen_env.goals.goal"),
     ("Reward", "tabletopgen_env.tasks.task"),
     ("Observations", "tabletopgen_env.observations.modes"),
     ("The grasp hint", "tabletopgen_env.observations.grasp_hint"),

@@ -14,6 +14,7 @@ from generator.errors import BundleError, InputError, SceneError, choices, requi
 
 from .actions import CONTROL_HZ, ActionMode, GripperMode, checked, controller
 from .certificates.instances import sampled
+from .goals.goal import SPOT, Goal
 from .observations.grasp_hint import HintKind, grasp_hint_of
 from .observations.modes import (
     ObservationMode,
@@ -36,7 +37,6 @@ from .robot.panda import Panda, panda
 from .scenes import STARTER, SceneChoice, SceneRef, resolve
 from .scenes.fixed import is_there
 from .scenes.source import close, record
-from .tasks.goals.goal import SPOT, Goal
 from .tasks.pick_place import PickPlace
 from .tasks.registry import task_named
 from .tasks.task import GOAL_WEIGHTS, Episode, Task

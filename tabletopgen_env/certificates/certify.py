@@ -30,9 +30,9 @@ import numpy as np
 from generator.errors import BundleError, SceneError, TabletopError, require_number
 
 from ..episodes import Held
+from ..goals.goal import SPOT
 from ..robot.panda import Panda
 from ..scenes.fixed import bundle_ref
-from ..tasks.goals.goal import SPOT
 from ..tasks.names import NAMES, TaskName
 from ..tasks.registry import task_named
 from ..world.worlds import Masters

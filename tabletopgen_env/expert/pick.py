@@ -25,8 +25,8 @@ from jaxtyping import Float
 
 from generator.errors import SceneError
 
+from ..goals.goal import Goal, Raised
 from ..robot import franka
-from ..tasks.goals.goal import Goal, Raised
 from .arm import up
 from .driver import NEAR, Expert
 from .planning.choosing import HOVER, Plan, choose

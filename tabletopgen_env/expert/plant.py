@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     from ..actions.servos import Controller
-    from ..tasks.goals.goal import Goal
+    from ..goals.goal import Goal
     from ..world.world import World
     from .planning.choosing import Chooser, Plan
     from .planning.dropping import Drop

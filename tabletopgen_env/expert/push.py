@@ -21,7 +21,7 @@ from jaxtyping import Float
 
 from generator.errors import SceneError
 
-from ..tasks.goals.goal import Pushed
+from ..goals.goal import Pushed
 from .arm import up
 from .driver import Expert
 from .path import clear_height

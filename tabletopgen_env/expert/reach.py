@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from jaxtyping import Float
 
-from ..tasks.goals.goal import Reached
+from ..goals.goal import Reached
 from .driver import Expert
 from .planning.grasps import TIP
 

@@ -10,7 +10,7 @@ from jaxtyping import Float
 
 from generator.errors import SceneError
 
-from ..tasks.goals.goal import Goal, Pushed, Reached
+from ..goals.goal import Goal, Pushed, Reached
 from .driver import Expert
 from .pick import Picker
 from .push import Pusher

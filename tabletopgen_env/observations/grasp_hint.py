@@ -66,10 +66,10 @@ from ..expert.planning.dropping import (
 from ..expert.planning.grasps import TIP, Grasp
 from ..expert.planning.placing import Placer, middle_place, plan_place
 from ..expert.planning.plans import first_plan
-from ..tasks.goals.goal import Pushed, Raised
+from ..goals.goal import Pushed, Raised
 
 if TYPE_CHECKING:
-    from ..tasks.goals.goal import Goal
+    from ..goals.goal import Goal
     from ..world.world import World
 
 HintKind = Literal["planned", "detected"]

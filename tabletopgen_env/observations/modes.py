@@ -72,7 +72,7 @@ from ..world.world import World
 from .grasp_hint import HINT_BOUNDS, misread
 
 if TYPE_CHECKING:
-    from ..tasks.goals.goal import Goal
+    from ..goals.goal import Goal
 
 ObservationMode = Literal[
     "state", "goal", "pixels", "pixels+state", "point_cloud", "point_cloud+state"

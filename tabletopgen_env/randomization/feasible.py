@@ -16,7 +16,7 @@ from ..expert.planning.choosing import HOVER, Plan, choose
 from ..expert.planning.grasps import grasps_along, is_like
 from ..expert.planning.plans import first_plan
 from ..expert.planning.strokes import plan_stroke
-from ..tasks.goals.goal import Goal, Pushed
+from ..goals.goal import Goal, Pushed
 
 if TYPE_CHECKING:
     from ..world.world import World

@@ -12,9 +12,9 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from jaxtyping import Float
 
+from ..goals.goal import begun, named_by
 from ..observations.modes import Noise
 from ..rendering.views import SLOTS
-from ..tasks.goals.goal import begun, named_by
 from ..tasks.task import Episode
 from ..tasks.task import episode as begin
 from . import arranging, dynamics, looks, starting

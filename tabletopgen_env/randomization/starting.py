@@ -15,7 +15,7 @@ first of ``len(SHARES)`` draws, which grow smaller, that leaves everything as so
 With no such draw it stays. Where the expert then finds no stroke for what is to be pushed, or no
 grasp that the arm reaches of what is to be taken (``feasible``), ``LESS`` of all draws is tried,
 then none. All moves keep what rests on the flat top at rest, so nothing is
-simulated. Goals that say where a thing stood follow it (``tasks.goals.goal.begun``), marked spots
+simulated. Goals that say where a thing stood follow it (``goals.goal.begun``), marked spots
 stay.
 """
 
@@ -31,13 +31,13 @@ from jaxtyping import Bool, Float
 from generator.geometry import inside_margin
 from generator.scene import TABLE, Scene
 
-from ..robot.mount import CLEARANCE, TALL, obstacle
-from ..tasks.goals.goal import (
+from ..goals.goal import (
     Goal,
     OnSpot,
     Pushed,
     named_by,
 )
+from ..robot.mount import CLEARANCE, TALL, obstacle
 from ..world.workspace import FREE_MARGIN
 from .arranging import bundles, moved
 from .feasible import Feasible, touches_robot

@@ -13,8 +13,8 @@ import numpy as np
 from generator.errors import InputError
 from generator.scene import Object
 
-from .goals.goal import Raised
-from .goals.sampling import drawn, liftable
+from ..goals.goal import Raised
+from .sampling import drawn, liftable
 from .task import Episode, Task, episode
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ import numpy as np
 
 from generator.scene import Object
 
-from .goals.sampling import (
+from .sampling import (
     containers,
     drawn,
     into,

@@ -20,9 +20,9 @@ from generator.scene import Object
 
 from ..affordance import collision_points, grasp_width, resting_height
 from ..expert.planning.strokes import beside, plan_stroke
-from .goals.goal import SPOT, Pushed
-from .goals.needs import LOW
-from .goals.sampling import (
+from ..goals.goal import SPOT, Pushed
+from ..goals.needs import LOW
+from .sampling import (
     Reasons,
     blocked,
     drawn,

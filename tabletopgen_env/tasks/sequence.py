@@ -28,9 +28,10 @@ from generator.language.distribution import Needs
 from generator.scene import Object
 
 from ..expert.planning.plans import has_grasp
-from .goals.goal import SPOT, Goal
-from .goals.needs import FLAT, SMALL, TRAYS
-from .goals.sampling import (
+from ..goals.goal import SPOT, Goal
+from ..goals.needs import FLAT, SMALL, TRAYS
+from .names import TaskName
+from .sampling import (
     NO_GRASP,
     blocked,
     containers,
@@ -40,7 +41,6 @@ from .goals.sampling import (
     on_spot,
     spot_of,
 )
-from .names import TaskName
 from .stack import on_top, supports
 from .swap import Swap
 from .task import Episode, Task, episode

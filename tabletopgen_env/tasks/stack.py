@@ -19,10 +19,10 @@ from ..affordance import grasp_width, resting_height
 from ..expert.arm import stretch
 from ..expert.planning.choosing import HOVER, choose
 from ..expert.planning.plans import first_plan
+from ..goals.goal import OnTop
+from ..goals.needs import FLAT, STANDING
 from ..robot.mount import reachable
-from .goals.goal import OnTop
-from .goals.needs import FLAT, STANDING
-from .goals.sampling import (
+from .sampling import (
     drawn,
     given_object,
     liftable,

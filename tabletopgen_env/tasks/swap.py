@@ -17,10 +17,10 @@ from generator.geometry import inside_margin
 from generator.scene import Object
 
 from ..expert.planning.plans import has_grasp
+from ..goals.goal import Goal, OnSpot, the
+from ..goals.needs import SMALL
 from ..world.workspace import FREE_MARGIN
-from .goals.goal import Goal, OnSpot, the
-from .goals.needs import SMALL
-from .goals.sampling import (
+from .sampling import (
     drawn,
     given_object,
     in_stead,

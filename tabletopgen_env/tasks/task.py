@@ -43,7 +43,7 @@ from jaxtyping import Bool, Float
 
 from generator.language.distribution import Needs
 
-from .goals.goal import SPOT_RADIUS, Goal
+from ..goals.goal import SPOT_RADIUS, Goal
 from .names import TaskName
 
 if TYPE_CHECKING:

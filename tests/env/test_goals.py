@@ -11,7 +11,7 @@ from toy import toy_object, toy_objects, toy_scene
 from generator.errors import InputError, SceneError
 from generator.geometry import yaw_quaternion
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.tasks.goals.goal import (
+from tabletopgen_env.goals.goal import (
     RAISED,
     Into,
     OnTop,

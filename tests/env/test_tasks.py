@@ -14,11 +14,11 @@ from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan
 from tabletopgen_env.actions import SUBSTEPS
 from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.goals.goal import SPOT, the
+from tabletopgen_env.goals.instructions import refer
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.robot.mount import Mount
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.tasks.goals.goal import SPOT, the
-from tabletopgen_env.tasks.goals.instructions import refer
 from tabletopgen_env.tasks.names import NAMES
 from tabletopgen_env.tasks.pick_place import PickPlace
 from tabletopgen_env.tasks.registry import task_named

@@ -22,7 +22,7 @@ from tabletopgen_env.rendering.views import (
     pictures,
 )
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.tasks.goals.sampling import into
+from tabletopgen_env.tasks.sampling import into
 from tabletopgen_env.world.composition import FRONT_CAMERA, MARKER, TOP_CAMERA
 from tabletopgen_env.world.world import World
 

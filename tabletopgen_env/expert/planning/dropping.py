@@ -9,13 +9,13 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_z
 
-from ...tasks.goals.goal import RAISED, Raised, at_rest
+from ...goals.goal import RAISED, Raised, at_rest
 from ..arm import turn_left
 from .grasps import TIP, Grasp
 from .placing import Placer, plan_place
 
 if TYPE_CHECKING:
-    from ...tasks.goals.goal import Goal, Region
+    from ...goals.goal import Goal, Region
     from ...world.world import World
 
 ABOVE = 0.04

@@ -15,7 +15,7 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_z, wrap
 
-from ...tasks.goals.goal import (
+from ...goals.goal import (
     INSIDE,
     Goal,
     Into,

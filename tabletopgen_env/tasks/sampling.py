@@ -12,15 +12,15 @@ from generator.errors import InputError, SceneError, choices
 from generator.geometry import inside_margin
 from generator.scene import TABLE, Object
 
-from ...affordance import is_upright, resting_height
-from ...expert.planning.plans import has_grasp
-from ...robot.mount import obstacle, reachable
-from ...world.workspace import free_spot
-from ..task import Episode
-from .goal import SPOT, Into, OnSpot
+from ..affordance import is_upright, resting_height
+from ..expert.planning.plans import has_grasp
+from ..goals.goal import SPOT, Into, OnSpot
+from ..robot.mount import obstacle, reachable
+from ..world.workspace import free_spot
+from .task import Episode
 
 if TYPE_CHECKING:
-    from ...world.world import World
+    from ..world.world import World
 
 ROOM = 0.008
 """What the hollow of a container must be wider than what is put into it, however that is turned."""

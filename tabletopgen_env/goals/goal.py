@@ -31,11 +31,11 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_yaw
 
-from ...affordance import Opening, Plateau
+from ..affordance import Opening, Plateau
 from .instructions import refer
 
 if TYPE_CHECKING:
-    from ...world.world import World
+    from ..world.world import World
 
 SPOT = "spot"
 """Name of the goal that is a marked free spot."""
