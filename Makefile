@@ -43,7 +43,7 @@ types: $(VENV)/.installed-dev
 	$(BIN)/pyright
 
 docs: $(VENV)/.installed-dev  ## the documentation site, in build/docs
-	$(BIN)/python -m sphinx -q -W --keep-going -c docs/site docs build/docs
+	$(BIN)/python -m sphinx -q -W --keep-going -c docs/site -d build/doctrees docs build/docs
 	@echo "open build/docs/index.html"
 
 build: $(VENV)/.installed-dev  ## the wheel, installed apart from the checkout and tried there
