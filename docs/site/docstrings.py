@@ -32,6 +32,15 @@ def process_docstring(
     lines[:] = [escape(line) for line in lines]
 
 
+def process_signature(
+    app: Any, what: str, name: str, obj: object, options: Any, signature: str, returned: str
+) -> tuple[str, str] | None:
+    """Return the signature of a dataclass with defaults that Sphinx can read."""
+    if what == "class" and dataclasses.is_dataclass(obj) and signature:
+        return re.sub(r"~(\w+\.)+", "", signature).replace("<factory>", "..."), returned
+    return None
+
+
 def escape(line: str) -> str:
     """Return a line with its bars and the stars of globs as text: ``|x|``, ``"mug-*"``."""
     parts = _LITERAL.split(line)
