@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from functools import cache
 from pathlib import Path
 
 import blocks
@@ -18,6 +19,7 @@ _FENCED = re.compile(r"^```.*?^```$", re.M | re.S)
 _LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 
 
+@cache
 def text_of(page: Path) -> str:
     """Return a page without its fenced blocks; of a generated one what the site shows."""
     name = page.relative_to(ROOT).as_posix()
