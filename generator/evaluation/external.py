@@ -33,6 +33,7 @@ from ..bundle import MOST_BYTES, read_inside
 from ..errors import BundleError, InputError, choices
 from ..geometry import convex_outline, hull_points, quaternion_yaw, to_unit_box
 from ..io.reading import parse_object, printable
+from ..meshes.triangles import scaled_normals
 from ..physics.inertia import body_mass
 from ..physics.parts import model_parts
 from ..scene import (
@@ -169,7 +170,7 @@ def _top(triangles: Float[np.ndarray, "m 3 3"], what: str) -> float:
 
     Surfaces count on both sides: not every file turns them outwards.
     """
-    normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]) / 2
+    normals = scaled_normals(triangles) / 2
     areas = np.linalg.norm(normals, axis=1)
     level = np.abs(normals[:, 2]) > _LEVEL * areas
     order = np.argsort(triangles[level].mean(1)[:, 2], kind="stable")

@@ -12,9 +12,10 @@ from scipy.spatial import KDTree
 
 from ..scene import Mesh
 from .baking import lay_out, textured
-from .reading.surface import Surface, areas
+from .reading.surface import Surface
 from .reading.textures import MOST_TEXTURE
-from .unwrap import Atlas, face_normals, unwrap
+from .triangles import areas, face_normals
+from .unwrap import Atlas, unwrap
 
 _SAMPLES = 60_000  # points by which the nearest triangles are found, besides one on each
 _MOST_SAMPLES = 400_000  # of them; more triangles than that do not have one each

@@ -22,6 +22,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
+from ..meshes.triangles import scaled_normals
 from ..scene import ConvexPart
 from .mjcf import primitive
 
@@ -113,8 +114,7 @@ def _surface(
 
     Two parts may hold the ends of an edge and not its middle.
     """
-    a, b, c = places[faces].transpose(1, 0, 2)
-    turn = np.cross(b - a, c - a)
+    turn = scaled_normals(places[faces])
     normals = np.zeros_like(places)
     for k in range(3):
         np.add.at(normals, faces[:, k], turn)

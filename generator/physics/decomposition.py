@@ -20,8 +20,9 @@ from jaxtyping import Float, Int
 
 from ..errors import SceneError
 from ..io.npz import read_arrays
+from ..meshes.triangles import closed
 from ..scene import ConvexPart, Mesh
-from .inertia import closed, welded
+from .inertia import welded
 
 MOST_FACES = 1200
 """Meshes are reduced to this many faces: CoACD's time grows with them."""

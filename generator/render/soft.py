@@ -22,6 +22,7 @@ from torch.nn import functional
 
 from ..errors import InputError
 from ..geometry import hull_points
+from ..meshes.triangles import scaled_normals
 from ..scene import Mesh
 from .crop import MARGIN
 from .shading import sample_texture
@@ -154,8 +155,8 @@ def sample_surface(
         InputError: the surface has no area.
     """
     vertices = np.asarray(mesh.vertices, np.float64) * np.asarray(size)
-    a, b, c = (vertices[mesh.faces[:, k]] for k in range(3))
-    cross = np.cross(b - a, c - a)
+    corners = vertices[mesh.faces]
+    cross = scaled_normals(corners)
     areas = np.linalg.norm(cross, axis=1) / 2
     total = float(areas.sum())
     if total <= 0:
@@ -167,7 +168,7 @@ def sample_surface(
     u, v = (index[:, None] * (0.7548776662466927, 0.5698402909980532) + shift[1:]).T % 1.0
     root = np.sqrt(u)
     weights = np.stack([1 - root, root * (1 - v), root * v], 1)[:, :, None]
-    position = (np.stack([a, b, c], 1)[face] * weights).sum(1)
+    position = (corners[face] * weights).sum(1)
     normal = cross[face] / np.maximum(2 * areas[face, None], 1e-30)
     color = sample_texture(mesh.texture, (mesh.uv[mesh.faces[face]] * weights).sum(1))
     color = color * (0.75 + 0.25 * normal[:, 2:])

@@ -21,7 +21,8 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
 from ...geometry import quaternion_matrix
-from ...physics.inertia import closed, welded
+from ...meshes.triangles import closed
+from ...physics.inertia import welded
 from ...scene import Mesh
 from .triangles import nearest_on_triangles, pseudonormals, solid_angles
 

@@ -23,7 +23,6 @@ from .textures import Pictures, light, shown
 Kind = Literal["glb", "obj"]
 Axis = Literal["y", "z"]
 
-_AT_ONCE = 100_000  # faces worked on together
 _GREY = (190, 190, 190, 255)
 _LINEAR = np.arange(256) / 255.0
 
@@ -72,18 +71,6 @@ class Surface:
             own = np.flatnonzero(self.picture[face] == k)
             found[own] = 255.0 * sample_texture(picture, uv[own])
         return found
-
-
-def areas(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> Float[np.ndarray, "m"]:
-    """Return twice the area of each face."""
-    found = np.zeros(len(faces))
-    for first in range(0, len(faces), _AT_ONCE):
-        part = slice(first, first + _AT_ONCE)
-        a, b, c = vertices[faces[part]].transpose(1, 0, 2)
-        found[part] = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    return found
 
 
 def read_surface(

@@ -9,8 +9,9 @@ from scipy.spatial import KDTree
 from ....geometry import rotation_z
 from ....meshes import baking
 from ....meshes.projection import Projection
+from ....meshes.triangles import face_normals
 from ....meshes.unshading import estimate_shading
-from ....meshes.unwrap import Atlas, face_normals, unwrap
+from ....meshes.unwrap import Atlas, unwrap
 from ....render.scanlines import rasterise
 from ....render.shading import sample_texture
 from ....scene import Mesh
