@@ -60,12 +60,7 @@ def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> m
     """Return what MuJoCo builds of all that a scene's document draws, textures aside.
 
     It keeps three copies of a texture meanwhile, so textures are built one by one, and the scene
-    with a single pixel for each.
-
-    Args:
-        decoded: the scene.
-        xml: its document.
-        contents: the files that it refers to, by path.
+    with a single pixel for each. ``contents`` are the files that it refers to, by path.
 
     Raises:
         SceneError: it does not.

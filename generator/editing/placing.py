@@ -68,15 +68,10 @@ def set_down(scene: Scene, names: Sequence[str]) -> Scene:
 def related(
     scene: Scene, planned: PlannedObject, model: Model, yaw: float, away: Sequence[str], seed: int
 ) -> Placement:
-    """Return a free place for a thing by its relations.
+    """Return a free place for a thing by its relations to things of the scene.
 
-    Args:
-        scene: what is there; ``away`` names what is not to be minded.
-        planned: the thing, its relations to things of the scene.
-        model: its model, at its size.
-        yaw: which way it faces on the table, radians.
-        away: things in hand.
-        seed: of the choice among places.
+    ``model`` is at its size, ``yaw`` is which way it faces on the table, radians; things ``away``
+    are in hand and not minded.
 
     Raises:
         SceneError: there is no room where it was asked for.

@@ -51,12 +51,7 @@ def covering(
     """Return parts that hold the mesh to ``TOLERANCE``: ``parts`` grown, and hulls added to them.
 
     A piece of the mesh that is convex by itself and sticks out is hulled as it is; parts that lie
-    within such a hull are left out.
-
-    Args:
-        parts: convex parts, metres.
-        vertices: the drawn mesh's vertices, metres, same frame.
-        faces: its triangles.
+    within such a hull are left out. All is in metres and in one frame.
     """
     places, index = np.unique(vertices.round(6), axis=0, return_inverse=True)
     faces = index.reshape(-1)[faces]

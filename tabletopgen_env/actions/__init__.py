@@ -95,12 +95,7 @@ ACTIONS: Mapping[str, Callable[[Servos], Controller]] = MappingProxyType(
 def controller(
     mode: str, gripper: GripperMode = "continuous", control_hz: int = CONTROL_HZ
 ) -> Controller:
-    """Return a controller for an action mode.
-
-    Args:
-        mode: the action mode, see the module's table.
-        gripper: "continuous" or "binary".
-        control_hz: actions per second; divides 500.
+    """Return a controller for an action mode of the module's table; ``control_hz`` divides 500.
 
     Raises:
         InputError: no such mode or gripper, or a rate that does not divide 500.

@@ -43,12 +43,7 @@ SUBSTEPS = _STEPS // CONTROL_HZ
 
 @dataclass(frozen=True)
 class Servos:
-    """How often the servos are commanded, and what the gripper's entry means.
-
-    Args:
-        hz: actions per second; a divisor of the 500 simulation steps.
-        gripper: "continuous" or "binary".
-    """
+    """How often per second the servos are commanded, and what the gripper's entry means."""
 
     hz: int = CONTROL_HZ
     gripper: GripperMode = "continuous"

@@ -63,10 +63,7 @@ _VERSIONS = ("tabletopgen", "mujoco", "numpy")
 def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certificate:
     """Let the expert play what a bundle's scene offers, write the certificate and return it.
 
-    Args:
-        path: the bundle.
-        terms: tasks, episodes, instances and seed.
-        workers: processes; they do not change what is written.
+    The number of processes, ``workers``, does not change what is written.
 
     Raises:
         InputError: ``workers`` is out of range.
@@ -83,15 +80,10 @@ def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certi
 def certify_all(
     paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1
 ) -> Iterator[tuple[Path, Certificate | TabletopError]]:
-    """Certify bundles, and yield each with its certificate once that is written.
+    """Certify bundles, see ``certify``, and yield each with its certificate once that is written.
 
-    One that cannot be certified comes with the error that says why, and the others follow. What
-    is written stays when it is interrupted.
-
-    Args:
-        paths: the bundles.
-        terms: see ``certify``.
-        workers: see ``certify``.
+    One that cannot be certified comes with the error that says why, and the others follow. What is
+    written stays when it is interrupted.
 
     Raises:
         InputError: ``workers`` is out of range.

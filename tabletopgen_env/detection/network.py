@@ -80,12 +80,7 @@ class Rated(NamedTuple):
 
 
 def rated(out: Any, middles: Any) -> Rated:
-    """Return what the network's last layer says.
-
-    Args:
-        out: its values (..., 7, i, j), an array or a tensor.
-        middles: ``MIDDLES``, the same.
-    """
+    """Return what the network's last layer (..., 7, i, j) says; of arrays or of tensors."""
     best, possible, *answers = (out[..., k, :, :] for k in range(7))
     along, across, *rest = (part * unit for part, unit in zip(answers, UNITS, strict=True))
     return Rated(best, possible, middles[:, None] + along, middles + across, *rest)

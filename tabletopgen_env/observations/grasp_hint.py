@@ -107,11 +107,8 @@ def misread(
 ) -> Float[np.ndarray, "8"]:
     """Return the entries as sensors that err give them.
 
-    Args:
-        entries: as things are.
-        target: by how much the reading of its place errs, base frame, metres.
-        tool: the same of the tool centre point.
-        yaw: by how much that of the hand's yaw does, radians.
+    ``target`` and ``tool`` are by how much the readings of the places err, base frame, metres,
+    ``yaw`` by how much that of the hand's yaw does, radians.
     """
     if not entries[-1]:
         return entries
@@ -128,12 +125,10 @@ def misread(
 class GraspHint:
     """The grasp of the active target, carried along with the object, and then its place.
 
-    Args:
-        kind: whether the expert's planners are asked, or the detector.
-
-    A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
-    was lost. ``drop`` is the place while there is one, ``planned`` the grasp as it was planned,
-    ``choose`` who is asked for one.
+    ``kind`` says whether the expert's planners are asked, or the detector. A grasp is planned anew
+    when the object has come to rest elsewhere, untouched by the robot, or was lost. ``drop`` is the
+    place while there is one, ``planned`` the grasp as it was planned, ``choose`` who is asked for
+    one.
     """
 
     def __init__(self, kind: HintKind = "planned") -> None:

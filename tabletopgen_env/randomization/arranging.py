@@ -191,13 +191,7 @@ def leaving(
 ) -> tuple[str, ...]:
     """Return which objects go, in ``order``, so that at most ``most`` stay beside those needed.
 
-    Needed are those in ``keep`` with their bundles. Others go with their whole bundle.
-
-    Args:
-        root: the bundles.
-        keep: objects that have to stay.
-        most: how many others may.
-        order: the objects, those that are to go first first.
+    Needed are those in ``keep`` with their bundles (``root``). Others go with their whole bundle.
     """
     needed = {root[name] for name in keep}
     loose = [name for name in root if root[name] not in needed]

@@ -42,13 +42,7 @@ class Writer(Protocol):
 
 
 class MinariWriter:
-    """A Minari dataset in a folder of its id's name.
-
-    Args:
-        place: the folder, which is not there yet; a dataset's id is its name.
-        config: what is recorded.
-        env: where.
-    """
+    """A Minari dataset in a folder of its id's name, which is not there yet."""
 
     def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
         self._place, self._config, self._env = place, config, env
@@ -106,13 +100,7 @@ def _minari_root(folder: Path) -> Iterator[None]:
 
 
 class Hdf5Writer:
-    """One HDF5 file; see the package's page.
-
-    Args:
-        place: the file, which is not there yet.
-        config: what is recorded.
-        env: where.
-    """
+    """One HDF5 file, which is not there yet; see the package's page."""
 
     def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
         import h5py
@@ -149,13 +137,7 @@ def _fill(group: h5py.Group, arrays: Mapping[str, Any]) -> None:
 
 
 class NpzWriter:
-    """A folder of NumPy files; see the package's page.
-
-    Args:
-        place: the folder, which is not there yet.
-        config: what is recorded.
-        env: where.
-    """
+    """A folder of NumPy files, which is not there yet; see the package's page."""
 
     def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
         place.mkdir()

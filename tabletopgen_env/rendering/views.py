@@ -131,14 +131,7 @@ def picture_size(name: str, size: int | tuple[int, int], most: int) -> tuple[int
 def pictures(
     config: ObservationConfig, world: World, drawer: Drawer, order: Sequence[str]
 ) -> dict[str, Shaped[np.ndarray, "h w *c"]]:
-    """Return the pictures of ``config`` by their key.
-
-    Args:
-        config: cameras and kinds.
-        world: the world.
-        drawer: draws pictures of the size in ``config``.
-        order: the objects in slot order.
-    """
+    """Return the pictures of ``config`` by their key, objects in the slots' ``order``."""
     labels = geom_labels(world, order)
     seen: dict[str, Shaped[np.ndarray, "h w *c"]] = {}
     for camera in config.cameras:

@@ -180,16 +180,11 @@ def solve_ik(
     start: Float[np.ndarray, "7"] = HOME,
     iterations: int = 60,
 ) -> IkSolution:
-    """Find joints that bring the tool centre point to a pose in the base frame.
+    """Find joints that bring the tool centre point to a pose in the base frame (metres).
 
-    Starts from ``start``; if that fails, from home turned towards the target and from a few bent
-    variants of it. Of the attempts the best is returned, so look at ``solved``.
-
-    Args:
-        position: target in metres.
-        rotation: target orientation.
-        start: joints to begin from; the solution stays on their branch where it can.
-        iterations: steps per attempt.
+    Starts from ``start``, on whose branch the solution stays where it can; if that fails, from home
+    turned towards the target and from a few bent variants of it, each for ``iterations`` steps. Of
+    the attempts the best is returned, so look at ``solved``.
     """
     bearing = float(np.arctan2(position[1], position[0]))
     seeds = [np.asarray(start, float)]

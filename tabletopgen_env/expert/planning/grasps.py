@@ -70,13 +70,7 @@ class Grasp:
 
 
 def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
-    """Return top grasps of ``target`` where it is now, best first.
-
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        avoid: grasps that failed; those like them rank last.
-    """
+    """Return top grasps of ``target`` where it is now, best first; those like ``avoid`` last."""
     candidates = grasps_along(world, target, _angles(world, target))
     found = [_demoted(grasp, avoid) for grasp in candidates]
     return sorted(found, key=lambda grasp: -grasp.score)

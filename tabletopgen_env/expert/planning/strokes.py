@@ -90,12 +90,8 @@ def plan_stroke(
 ) -> Stroke | None:
     """Return the stroke that pushes an object, as it is now, towards a spot; None if none can.
 
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        spot: where its centre is to go (x, y, world).
-        others: what is ``beside`` it, if known.
-        care: how much room the hand has to have.
+    ``spot`` is where its centre is to go (x, y, world), ``others`` what is ``beside`` it, if known,
+    and ``care`` how much room the hand has to have.
     """
     way = spot - world.position(target)[:2]
     length = float(np.linalg.norm(way))

@@ -80,10 +80,8 @@ def find_depth_plane(
 ) -> TablePlane:
     """Return the tabletop of an RGB-D picture: metric camera, and the visible part's outline.
 
-    Args:
-        depth: metres along the optical axis, 0 where unknown.
-        intrinsics: of the picture.
-        table: pixels that show the table, if they are known; they only decide between planes.
+    ``depth`` is in metres along the optical axis, 0 where unknown. ``table`` are pixels that show
+    the table, if they are known; they only decide between planes.
 
     Raises:
         SceneError: no level plane that could be a tabletop.

@@ -31,12 +31,8 @@ class Frame:
     ) -> Frame:
         """Return the frame around a box, ``room`` times as wide as its longer side.
 
-        Args:
-            low: the box's upper left corner (x, y), picture pixels.
-            high: its lower right corner.
-            side: pixels of the look.
-            room: width of the frame over the box's longer side.
-            least: picture pixels that the frame is wide at least.
+        ``low`` and ``high`` are the box's upper left and lower right corner (x, y), picture pixels,
+        ``side`` the pixels of the look; the frame is ``least`` picture pixels wide at least.
         """
         wide = max(room * float((high - low).max()), least)
         x, y = (low + high) / 2 - wide / 2

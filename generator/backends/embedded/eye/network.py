@@ -198,10 +198,8 @@ class Eye(nn.Module):
 def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[float, ...]:
     """Return what a close-up does not show of a thing: how slender, and how large on the table.
 
-    Args:
-        size: width and height of its box, pixels of the picture.
-        tabletop: pixels of the picture that the tabletop covers; 0 if it is not seen.
-        picture: pixels of the picture.
+    ``size`` is the width and height of its box; ``tabletop`` counts the pixels that the tabletop
+    covers, 0 if it is not seen, ``picture`` all of them.
     """
     wide, tall = (max(float(s), 1.0) for s in size)
     share = max(tabletop, 0.02 * picture)
