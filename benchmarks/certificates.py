@@ -53,8 +53,7 @@ class Job(NamedTuple):
 
 def work(job: Job) -> list[Row]:
     """Play the certified instances of a job; return a row for each."""
-    instances = [i for i in certificate_of(job.bundle).instances if i.certified]
-    instances = [i for i in instances if i.task == job.task]
+    instances = [i for i in certificate_of(job.bundle).certified if i.task == job.task]
     again = played_again(job.bundle, instances, job.starts, job.seed)
     return [
         dict(zip(KEY, job.key, strict=True)) | {
@@ -97,7 +96,7 @@ def jobs(bundles: Sequence[Path], seed: int, starts: int) -> Iterator[Job]:
         certificate = certificate_of(bundle)
         if certificate.terms.seed == seed:
             raise InputError(f"{bundle.name} was certified with the seed {seed}; choose another.")
-        for task in dict.fromkeys(i.task for i in certificate.instances if i.certified):
+        for task in dict.fromkeys(i.task for i in certificate.certified):
             yield Job(bundle, task, seed, starts)
 
 
@@ -110,8 +109,8 @@ def is_current(job: Job, rows: Sequence[Row]) -> bool:
     """Return whether rows are of the instances that are certified now."""
     now = {
         (i.preset or "", i.target or "", i.goal or "", str(i.successes), str(i.episodes))
-        for i in certificate_of(job.bundle).instances
-        if i.certified and i.task == job.task
+        for i in certificate_of(job.bundle).certified
+        if i.task == job.task
     }
     return {is_of(row) for row in rows} == now
 

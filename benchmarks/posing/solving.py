@@ -16,8 +16,6 @@ from generator.method.rotation import RotationConfig, optimise_rotation
 
 from .cases import Case, looking_camera
 
-CONFIGS = ("default", "paper")
-
 FIELDS = (
     "case", "config", "object", "order", "yaw_deg", "found_deg", "error_deg", "flip",
     "margin", "width_deg", "scale_error_percent", "cpu_seconds", "hidden",

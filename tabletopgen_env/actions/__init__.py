@@ -43,7 +43,7 @@ from typing import Literal
 from generator.errors import InputError, choices
 
 from .joints import JOINT_LEASH, JOINT_STEP, JointDelta, JointTarget
-from .servos import CONTROL_HZ, SUBSTEPS, Controller, GripperMode, Servos, checked
+from .servos import CONTROL_HZ, Controller, GripperMode, Servos, checked
 from .tool import (
     EE_LEASH,
     EE_STEP,
@@ -64,7 +64,6 @@ __all__ = [
     "EE_TURN",
     "JOINT_LEASH",
     "JOINT_STEP",
-    "SUBSTEPS",
     "WORKSPACE",
     "YAW_LEASH",
     "ActionMode",

@@ -37,9 +37,6 @@ _STEPS = round(1 / TIMESTEP)  # simulation steps in a second
 
 _NO_NUMBERS = "cmMSU"  # complex numbers, times, texts: NumPy would cast them to float
 
-SUBSTEPS = _STEPS // CONTROL_HZ
-"""Simulation steps per action at ``CONTROL_HZ``."""
-
 
 @dataclass(frozen=True)
 class Servos:

@@ -19,7 +19,6 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import closing
 from dataclasses import replace
-from importlib import metadata
 from itertools import chain, repeat
 from multiprocessing import get_context
 from pathlib import Path
@@ -28,6 +27,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from generator.errors import BundleError, SceneError, TabletopError, require_number
+from generator.scene.provenance import versions
 
 from ..episodes import Held
 from ..robot.panda import Panda
@@ -44,7 +44,6 @@ from .certificate import (
     scene_digest,
     write_certificate,
 )
-from .certificate import certified_instances as certified_instances
 
 if TYPE_CHECKING:
     from ..env import TabletopEnv
@@ -103,9 +102,8 @@ def _written(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate
         if isinstance(found, TabletopError):
             return found
         instances += found
-    versions = {name: metadata.version(name) for name in _VERSIONS}
     try:
-        made = Certificate(scene_digest(path), terms, versions, tuple(instances))
+        made = Certificate(scene_digest(path), terms, versions(_VERSIONS), tuple(instances))
         write_certificate(path, made)
     except TabletopError as error:
         return error

@@ -8,7 +8,6 @@ import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict
-from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -16,6 +15,7 @@ import gymnasium as gym
 import numpy as np
 
 from generator.errors import InputError
+from generator.scene.provenance import versions
 
 from .config import Format, RecordConfig
 from .playing import Played
@@ -67,7 +67,7 @@ class MinariWriter:
         """Return the dataset of the first episode."""
         import minari
 
-        versions = _versions()
+        used = versions(_VERSIONS)
         with _minari_root(self._place.parent), warnings.catch_warnings():
             # Authors, a link to code and the like are for who publishes the dataset.
             warnings.filterwarnings("ignore", category=UserWarning, module="minari")
@@ -77,7 +77,7 @@ class MinariWriter:
                 env=self._env,
                 algorithm_name=EXPERT,
                 description=f"The scripted expert of {_id(self._env)} at work.",
-                requirements=[f"{name}=={versions[name]}" for name in ("tabletopgen", "mujoco")],
+                requirements=[f"{name}=={used[name]}" for name in ("tabletopgen", "mujoco")],
                 data_format="hdf5",
                 jpeg_encoding=False,  # it is lossy
             )
@@ -194,12 +194,8 @@ def _about(config: RecordConfig, env: gym.Env[Any, Any]) -> dict[str, Any]:
         "environment": json.loads(env.spec.to_json()),
         "expert": EXPERT,
         "settings": asdict(config),
-        "versions": _versions(),
+        "versions": versions(_VERSIONS),
     }
-
-
-def _versions() -> dict[str, str]:
-    return {name: metadata.version(name) for name in _VERSIONS}
 
 
 def _id(env: gym.Env[Any, Any]) -> str:

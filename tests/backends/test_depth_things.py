@@ -9,7 +9,7 @@ import pytest
 from shots import THINGS, Shot, scene_of, shoot
 
 from generator.backends.embedded.depth.plane import find_depth_plane
-from generator.backends.embedded.depth.things import confirmed, height_above_floor, things_above
+from generator.backends.embedded.depth.things import confirmed, height_above_floor
 from generator.backends.embedded.imager import Imager
 from generator.backends.embedded.plane.plane import TablePlane
 from generator.backends.embedded.reasoner import Reasoner
@@ -51,7 +51,7 @@ def grown(mask: np.ndarray, pixels: int) -> np.ndarray:
 
 
 def test_things_are_proposed_by_depth_alone(shot, plane):
-    masks = things_above(shot.depth, plane)
+    masks = [d.mask for d in confirmed([], shot.depth, plane)]
     for number in range(1, 4):
         true = shot.picture.ids == number
         assert max((true & m).sum() / (true | m).sum() for m in masks) > 0.5

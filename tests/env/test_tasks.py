@@ -12,7 +12,6 @@ from generator.compose import compose
 from generator.errors import SceneError
 from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan
-from tabletopgen_env.actions import SUBSTEPS
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.randomization import Randomization
 from tabletopgen_env.robot.mount import Mount
@@ -268,7 +267,7 @@ def test_a_hindsight_goal_is_met_by_what_was_achieved() -> None:
 def test_resetting_leaves_the_scene_where_it_settled() -> None:
     env = start("cube_1", "bowl_1")
     before = {name: env.world.position(name) for name in env.world.names}
-    env.world.step(20 * SUBSTEPS)
+    env.world.step(20 * 25)
     for name, position in before.items():
         assert np.linalg.norm(env.world.position(name) - position) < 2e-3, name
 

@@ -73,18 +73,11 @@ def heights_above(
     return height, near & (height > lowest) & (height < TALLEST), near & (np.abs(height) <= lowest)
 
 
-def things_above(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> tuple[Mask, ...]:
-    """Return the masks of what stands on the table, as depth alone parts it, largest first.
+def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
+    """Return pieces parted at saddles well below both sides, a little grown, largest first.
 
-    Regions above the plane are parted at jumps of depth and at saddles well below both sides.
     Things that touch at their full height, or stand on one another, come out as one.
     """
-    height, standing, _ = heights_above(depth, plane)
-    return _regions(_standing_pieces(depth, standing), height)
-
-
-def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
-    """Return pieces parted at saddles, a little grown, largest first."""
     kernel = np.ones((3, 3), np.uint8)
     known, least = np.nan_to_num(height), int(_LEAST * height.size)
     masks = [part for piece in pieces for part in _parted(piece, known, least)]
