@@ -30,6 +30,9 @@ FIELDS = (
     *KEY, "rows", "preset", "target", "goal", "certified", "certified_of", "solved", "attempts",
 )  # fmt: skip
 
+OF = ("preset", "target", "goal", "certified", "certified_of")
+"""What a row says of the instance and of how it was certified."""
+
 HOLDS = 0.9
 """Share of new starts of which a certified instance is to be solved."""
 
@@ -100,11 +103,6 @@ def jobs(bundles: Sequence[Path], seed: int, starts: int) -> Iterator[Job]:
             yield Job(bundle, task, seed, starts)
 
 
-def is_of(row: Row) -> tuple[str, ...]:
-    """Return what a row says of the instance and of how it was certified, for comparison."""
-    return tuple(str(row[k]) for k in ("preset", "target", "goal", "certified", "certified_of"))
-
-
 def is_current(job: Job, rows: Sequence[Row]) -> bool:
     """Return whether rows are of the instances that are certified now."""
     now = {
@@ -112,7 +110,7 @@ def is_current(job: Job, rows: Sequence[Row]) -> bool:
         for i in certificate_of(job.bundle).certified
         if i.task == job.task
     }
-    return {is_of(row) for row in rows} == now
+    return {tuple(str(row[k]) for k in OF) for row in rows} == now
 
 
 # ------------------------------------------------------------------------------------- reporting

@@ -86,17 +86,13 @@ _OFF = 0.01  # metres above where it lay at which an object that lies still agai
 _HIGH = 0.035  # the same, at which its place is planned
 
 
-def _planned() -> tuple[Chooser, Placer]:
-    return choose, plan_place
-
-
 def _detected() -> tuple[Chooser, Placer]:
     from ..detection.detector import read_detector
 
     return read_detector(), middle_place
 
 
-_ANSWERS = {"planned": _planned, "detected": _detected}
+_ANSWERS = {"planned": lambda: (choose, plan_place), "detected": _detected}
 
 
 def misread(

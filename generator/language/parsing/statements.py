@@ -170,7 +170,7 @@ class Reader:
             self._last = noun
             return
         if self._carried == "without":
-            self._exclude(noun)
+            self.reading.excluded |= {str(n) for n in {noun.category, *noun.members} - {None}}
             return
         if self._special(noun, following):
             return
@@ -219,10 +219,6 @@ class Reader:
         if of.kind in ("group", "amount", "vague"):
             return amount(of, noun)
         return noun
-
-    def _exclude(self, noun: NounPhrase) -> None:
-        names = {noun.category, *noun.members} - {None}
-        self.reading.excluded |= {str(name) for name in names}
 
     def _special(self, noun: NounPhrase, following: Chunk | None) -> bool:
         """Deal with nouns that are no objects; tell whether this was one."""

@@ -124,11 +124,9 @@ class Server:
         text = " ".join(excerpt(text, 10 * most, keys).split())
         return repr(text if len(text) <= most else text[: most - 3] + "...")
 
-    def _redacted(self, text: str) -> str:
-        return redacted(text, configuration.keys(self.base_url, self.purpose))
-
     def _told(self, question: str, how: str, what: str) -> str:
-        return self._redacted(f"cloud ({self.model} at {self.name}): {question} {how}: {what}")
+        text = f"cloud ({self.model} at {self.name}): {question} {how}: {what}"
+        return redacted(text, configuration.keys(self.base_url, self.purpose))
 
     def _json(self, question: str, text: str) -> dict[str, Any]:
         try:
