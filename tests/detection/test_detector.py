@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import torch
-from toy import toy_object, toy_scene
+from toy import toy_object
+from worlds import world_of
 
 from generator.errors import StorageError
 from generator.scene import ConvexPart
@@ -19,14 +20,6 @@ from tabletopgen_env.detection.network import MIDDLES, PLACES, SEEN, TURNS, rate
 from tabletopgen_env.expert.arm import wrist_is_free, wrists_are_free
 from tabletopgen_env.expert.planning.grasps import TIP, Grasp, is_like
 from tabletopgen_env.expert.planning.heights import surroundings
-from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world.world import World
-
-
-def world_of(*objects) -> World:
-    world = World(toy_scene(objects), Panda())
-    world.reset()
-    return world
 
 
 def best_of(*objects) -> Grasp:
@@ -184,7 +177,7 @@ def test_weights_that_cannot_be_used_say_what_to_do(tmp_path: Path) -> None:
             read_detector(path)
 
     sound = dict(read_detector().weights)
-    refused(None, r"detection\.training")
+    refused(None, r"research\.grasps\.training")
     refused(PATH.read_bytes()[:1000], "cannot be used")
     refused(b"x" * 2**23, "more than 4194304 bytes")
     save_weights({**sound, "0.bias": np.zeros(3)}, path, {})

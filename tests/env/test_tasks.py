@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from toy import toy_object, toy_objects, toy_scene
+from worlds import STILL, wait
 
 from generator.compose import compose
 from generator.errors import SceneError
@@ -24,8 +25,6 @@ from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.world.composition import FRONT_CAMERA, TOP_CAMERA
 from tabletopgen_env.world.world import World
 
-STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
-
 AHEAD = np.pi / 2
 """Where a robot at the viewer's side looks: along y."""
 
@@ -34,13 +33,6 @@ def start(target: str, goal, scene=None) -> TabletopEnv:
     env = make_env(scene or toy_scene())
     env.reset(seed=0, options={"target": target, "goal": goal})
     return env
-
-
-def wait(env: TabletopEnv, steps: int = 20):
-    """Stand still; return reward and info of the last step."""
-    for _ in range(steps):
-        _, reward, _, _, info = env.step(STILL)
-    return reward, info
 
 
 def test_standing_on_the_spot_is_the_only_full_reward() -> None:
