@@ -169,13 +169,9 @@ def main() -> None:
     try:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / f"{name}.csv"
-        rows = tables.resume(table, FIELDS, KEY)
-        done = {r["text"] for r in rows if int(r["seed"]) == args.seed}
-        left = [job for job in jobs if job[0] not in done]
+        asked = {(job[0], str(args.seed)): job for job in jobs}
         job = partial(work, seed=args.seed, device=args.device)
-        rows = tables.run(table, FIELDS, KEY, rows, left, job, 1, say)
-        asked = {text for text, _ in jobs}
-        rows = [r for r in rows if r["text"] in asked and int(r["seed"]) == args.seed]
+        rows = tables.complete(table, FIELDS, KEY, asked, job, 1, say)
         write_picture(bars(rows), args.out / f"{name}.png")
     except TabletopError as error:
         raise SystemExit(str(error)) from error

@@ -273,14 +273,9 @@ def main() -> None:
     which = "held_out" if args.held_out else "composed" if composed else Path(args.scenes).name
     args.out.mkdir(parents=True, exist_ok=True)
     path = args.out / f"expert_{args.name or which.replace('*', '').strip('-_') or 'scenes'}.csv"
-    rows = tables.resume(path, FIELDS, KEY[:3], of="rows")
-    asked = {(j.task, _name(j.text), j.seed): j for j in jobs(args)}
-    rows = [r for r in rows if (r["task"], r["scene"], int(r["seed"])) in asked]
-    done = {(r["task"], r["scene"], int(r["seed"])) for r in rows}
-    rows = tables.run(
-        path, FIELDS, KEY, rows, [j for k, j in asked.items() if k not in done],
-        partial(work, composed=composed), args.workers, say,
-    )  # fmt: skip
+    asked = {(j.task, _name(j.text), str(j.seed)): j for j in jobs(args)}
+    job = partial(work, composed=composed)
+    rows = tables.complete(path, FIELDS, KEY, asked, job, args.workers, say, of="rows")
     text = summary(rows, tables.command_line("--workers", "--out", "--name"))
     path.with_suffix(".md").write_text(text, encoding="utf-8")
     print(text)

@@ -133,12 +133,8 @@ def main() -> None:
     names = tuple(args.task or TASKS)
     args.out.mkdir(parents=True, exist_ok=True)
     path = args.out / "fresh_tables.csv"
-    asked = {(job.drawn_for, job.seed): job for job in jobs(names, args.count)}
-    rows = tables.resume(path, FIELDS, ("drawn_for", "seed"), of="rows")
-    rows = [r for r in rows if (r["drawn_for"], int(r["seed"])) in asked]
-    done = {(r["drawn_for"], int(r["seed"])) for r in rows}
-    left = [job for key, job in asked.items() if key not in done]
-    rows = tables.run(path, FIELDS, KEY, rows, left, work, args.workers, say)
+    asked = {(job.drawn_for, str(job.seed)): job for job in jobs(names, args.count)}
+    rows = tables.complete(path, FIELDS, KEY, asked, work, args.workers, say, of="rows")
     text = summary(rows, names, tables.command_line("--workers", "--out"))
     path.with_suffix(".md").write_text(text, encoding="utf-8")
     print(text)

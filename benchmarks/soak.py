@@ -172,16 +172,11 @@ def main() -> None:
     try:
         args.out.mkdir(parents=True, exist_ok=True)
         table = args.out / "soak.csv"
-        rows = tables.resume(table, FIELDS, KEY)
-        asked = [{"scene": n, "seed": args.seed, "steps": share} for n in range(args.scenes)]
-        done = {tuple(str(r[k]) for k in KEY) for r in rows}
-        left = [a["scene"] for a in asked if tuple(str(a[k]) for k in KEY) not in done]
+        asked = {(str(n), str(args.seed), str(share)): n for n in range(args.scenes)}
         job = partial(work, seed=args.seed, steps=share)
-        rows = tables.run(table, FIELDS, KEY, rows, left, job, args.workers, say)
+        rows = tables.complete(table, FIELDS, KEY, asked, job, args.workers, say)
     except TabletopError as error:
         raise SystemExit(str(error)) from error
-    wanted = {tuple(str(a[k]) for k in KEY) for a in asked}
-    rows = [r for r in rows if tuple(str(r[k]) for k in KEY) in wanted]
     text = summary(rows, tables.command_line("--note"), args.note)
     (args.out / "soak.md").write_text(text, encoding="utf-8")
     print(text)

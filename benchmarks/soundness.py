@@ -142,14 +142,9 @@ def main() -> None:
     texts = tables.texts_in(args.texts)[: args.limit]
     args.out.mkdir(parents=True, exist_ok=True)
     path = args.out / f"soundness_{args.route}.csv"
-    rows = tables.resume(path, FIELDS, KEY)
-    asked = {(t, s) for s in range(args.seeds) for t in texts}
-    rows = [r for r in rows if (r["text"], int(r["seed"])) in asked]
-    done = {(r["text"], int(r["seed"])) for r in rows}
-    jobs = [(t, s) for s in range(args.seeds) for t in texts if (t, s) not in done]
-    rows = tables.run(
-        path, FIELDS, KEY, rows, jobs, partial(work, route=args.route), args.workers, say
-    )
+    asked = {(text, str(seed)): (text, seed) for seed in range(args.seeds) for text in texts}
+    job = partial(work, route=args.route)
+    rows = tables.complete(path, FIELDS, KEY, asked, job, args.workers, say)
     text = summary(rows, args.route, tables.command_line("--workers", "--out"))
     path.with_suffix(".md").write_text(text, encoding="utf-8")
     print(text)

@@ -175,11 +175,10 @@ def run(how: Run, cases: int, workers: int, table: Path, command: str, note: str
 
     ``note`` is what a person who looked has to say; it goes below the table.
     """
-    rows = tables.resume(table, FIELDS, KEY, of="of")
-    done = {int(r["scene"]) for r in rows}
-    left = [k for k in range(cases) if k not in done]
-    rows = tables.run(table, FIELDS, KEY, rows, left, partial(work, run=how), workers, _say)
-    return summary([r for r in rows if int(r["scene"]) < cases], command, note)
+    asked = {(str(k),): k for k in range(cases)}
+    job = partial(work, run=how)
+    rows = tables.complete(table, FIELDS, KEY, asked, job, workers, _say, of="of")
+    return summary(rows, command, note)
 
 
 def _say(rows: list[Row]) -> str:

@@ -184,12 +184,9 @@ def run(
     split: str, seed: int, cases: int, workers: int, table: Path, command: str, sheets: Path | None
 ) -> ScenesResult:
     """Run what of the scenes ``table`` does not hold yet, and sum up all of them."""
-    rows = tables.resume(table, FIELDS, KEY, of="of")
-    done = {int(r["scene"]) for r in rows}
-    left = [k for k in range(cases) if k not in done]
+    asked = {(str(k),): k for k in range(cases)}
     job = partial(work, split=split, seed=seed, sheets=sheets)
-    rows = tables.run(table, FIELDS, KEY, rows, left, job, workers, say)
-    rows = [r for r in rows if int(r["scene"]) < cases]
+    rows = tables.complete(table, FIELDS, KEY, asked, job, workers, say, of="of")
     plot = cumulative(
         "Objects of scenes rebuilt from their picture",
         {

@@ -49,13 +49,10 @@ def run(
     draw: Draw, cases: int, paper: int, workers: int, table: Path, command: str
 ) -> SinglesResult:
     """Run what of the cases ``table`` does not hold yet, and sum up all of them."""
-    rows = tables.resume(table, FIELDS, KEY)
     jobs = [(k, "default") for k in range(cases)] + [(k, "paper") for k in range(min(paper, cases))]
-    asked = {(str(k), config) for k, config in jobs}
-    done = {(str(r["case"]), r["config"]) for r in rows}
-    left = [(k, config) for k, config in jobs if (str(k), config) not in done]
-    rows = tables.run(table, FIELDS, KEY, rows, left, partial(work, draw=draw), workers, say)
-    rows = [r for r in rows if (str(r["case"]), r["config"]) in asked]
+    asked = {(str(k), config): (k, config) for k, config in jobs}
+    job = partial(work, draw=draw)
+    rows = tables.complete(table, FIELDS, KEY, asked, job, workers, say)
     good = {c: [r for r in rows if r["config"] == c and not r["error"]] for c in configs(rows)}
     curves = {c: column(own, "error_deg") for c, own in good.items()}
     plot = cumulative("Yaw error of single objects", curves, "yaw error, degrees")

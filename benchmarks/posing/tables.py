@@ -10,7 +10,7 @@ import platform
 import shlex
 import subprocess
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from pathlib import Path
 from typing import Any
@@ -94,6 +94,27 @@ def run(
                 for number, future in enumerate(as_completed(futures), start=1):
                     done(number, future.result())
     return sorted(out, key=lambda r: [_sortable(r[k]) for k in key])
+
+
+def complete(
+    path: Path,
+    fields: Sequence[str],
+    key: Sequence[str],
+    asked: Mapping[tuple[str, ...], Any],
+    work: Callable[[Any], list[Row]],
+    workers: int,
+    say: Callable[[list[Row]], str],
+    of: str | None = None,
+) -> list[Row]:
+    """Do those of the jobs asked for that a table does not hold yet; return the rows of all.
+
+    Jobs are listed by the first columns of their rows' ``key``; see also ``resume`` and ``run``.
+    """
+    case = key[: len(next(iter(asked), key))]
+    rows = [r for r in resume(path, fields, case, of) if _key(r, case) in asked]
+    done = {_key(r, case) for r in rows}
+    left = [job for name, job in asked.items() if name not in done]
+    return run(path, fields, key, rows, left, work, workers, say)
 
 
 def where() -> str:
