@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-from tyro.conf import OmitArgPrefixes
+from tyro.conf import OmitArgPrefixes, arg
 
 from ..backends import Mix
 
 if TYPE_CHECKING:
     from ..backends import Backends
 
-Chosen = OmitArgPrefixes[Mix]
+Chosen = OmitArgPrefixes[Annotated[Mix, arg(name="backend")]]
 """The type of a command's argument that makes these options."""
 
 Roles = Mapping[str, Mapping[str, Any]]

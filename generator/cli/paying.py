@@ -8,8 +8,11 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+
+from tyro.conf import OmitArgPrefixes
 
 from ..errors import DryRunError, InputError
 from ..io.reading import read_regular
@@ -19,35 +22,72 @@ from .choosing import Roles, lines_of
 
 if TYPE_CHECKING:
     from ..calls import Session
+    from ..calls.money.prices import Prices
 
 VARIABLE = "TABLETOPGEN_CALLS"
-"""Environment variable naming the folder where answers of servers are kept."""
+"""Environment variable naming the folder of cached responses."""
 
 _MOST_BYTES = 2**30  # of a file that decides a scene
 
 
-def calls_folder(calls: Path | None) -> Path:
-    """Return where answers of servers are kept: in ``calls``, else where this user's are."""
+@dataclass(frozen=True)
+class CallOptions:
+    """What requests to servers may cost, and where usable responses are cached.
+
+    Attributes:
+        budget: The most that the calls may cost; those of earlier runs of the same command
+            are counted. A batch counts all runs into its folder, and all its workers.
+        dry_run: Send nothing to servers and make nothing; print who answers what, and the first
+            calls that would be made.
+        calls: Folder of cached responses, so that none is billed twice; TABLETOPGEN_CALLS, else
+            the user cache, if left out.
+        prices: Price table (TOML); the shipped one if left out.
+    """
+
+    budget: float | None = None
+    dry_run: bool = False
+    calls: Path | None = None
+    prices: Path | None = None
+
+    def folder(self) -> Path:
+        """Return the folder of cached responses."""
+        return calls_folder(self.calls)
+
+    def table(self) -> Prices:
+        """Return the price table.
+
+        Raises:
+            InputError: the file cannot be used.
+        """
+        from ..calls.money.prices import Prices
+
+        return Prices.shipped() if self.prices is None else Prices.load(self.prices)
+
+    def session(self) -> Session:
+        """Return a session with these settings."""
+        from ..calls import Session
+        from ..calls.store import CallStore
+
+        return Session(
+            store=CallStore(self.folder()),
+            prices=self.table(),
+            budget=self.budget,
+            dry=self.dry_run,
+        )
+
+
+Calls = OmitArgPrefixes[CallOptions]
+"""The type of a command's argument that makes these options."""
+
+NO_CALLS = CallOptions()
+
+
+def calls_folder(calls: Path | None = None) -> Path:
+    """Return where responses are cached: in ``calls``, else where this user's are."""
     import platformdirs
 
     usual = os.environ.get(VARIABLE) or Path(platformdirs.user_cache_dir("tabletopgen")) / "calls"
     return Path(calls or usual)
-
-
-def open_session(
-    calls: Path | None, prices: Path | None, budget: float | None, dry: bool
-) -> Session:
-    """Return a session that keeps answers in ``calls_folder(calls)``."""
-    from ..calls import Session
-    from ..calls.money.prices import Prices
-    from ..calls.store import CallStore
-
-    return Session(
-        store=CallStore(calls_folder(calls)),
-        prices=Prices.shipped() if prices is None else Prices.load(prices),
-        budget=budget,
-        dry=dry,
-    )
 
 
 def scene_key(*decisive: Any) -> str:
