@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from generator.cli import run as command
 from generator.errors import InputError, StorageError
-from tabletopgen_env.__main__ import run as command
 from tabletopgen_env.learning.evaluating import Evaluation
 from tabletopgen_env.learning.plotting import Band, bands, draw, figure, number
 from tabletopgen_env.learning.runs import Run, begin, opened
