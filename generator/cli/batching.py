@@ -14,8 +14,7 @@ from tyro.conf import OmitArgPrefixes, Positional
 from ..errors import InputError, require_number, require_seed
 from ..io.files import check_folder
 from ..io.terminal import escaped
-from .choosing import USUAL, Chosen, lines_of, roles_of
-from .paying import NO_CALLS, CallOptions, Calls
+from .paying import NO_CALLS, USUAL, CallOptions, Calls, Chosen, lines_of, roles_of
 from .printing import emit
 
 if TYPE_CHECKING:

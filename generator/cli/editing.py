@@ -11,8 +11,7 @@ from tyro import conf
 from tyro.conf import OmitArgPrefixes, Positional
 
 from ..errors import DryRunError, InputError, require_seed
-from .choosing import NOBODY, Chosen, roles_of
-from .paying import NO_CALLS, Calls, answering, paid, scene_key, told
+from .paying import NO_CALLS, NOBODY, Calls, Chosen, answering, paid, roles_of, scene_key, told
 from .printing import print_scene, progress
 from .store import one, store
 

@@ -11,8 +11,7 @@ from tyro.conf import OmitArgPrefixes, Positional
 from ..errors import DryRunError, InputError, require_seed
 from ..io.files import check_folder
 from ..scene import Intrinsics
-from .choosing import USUAL, Chosen, roles_of
-from .paying import NO_CALLS, Calls, answering, paid, scene_key, told
+from .paying import NO_CALLS, USUAL, Calls, Chosen, answering, paid, roles_of, scene_key, told
 from .printing import print_scene, progress
 from .store import store
 

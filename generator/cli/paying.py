@@ -1,4 +1,4 @@
-"""What commands that ask servers say of it: which calls, at what price."""
+"""What commands that ask backends share: who answers, which calls are sent, at what price."""
 
 from __future__ import annotations
 
@@ -6,21 +6,22 @@ import hashlib
 import json
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
-from tyro.conf import OmitArgPrefixes
+from tyro.conf import OmitArgPrefixes, arg
 
+from ..backends import Mix
 from ..errors import DryRunError, InputError
 from ..io.reading import read_regular
 from ..io.terminal import escaped
 from ..scene.provenance import plain
-from .choosing import Roles, lines_of
 
 if TYPE_CHECKING:
+    from ..backends import Backends
     from ..calls import Session
     from ..calls.money.prices import Prices
 
@@ -28,6 +29,36 @@ VARIABLE = "TABLETOPGEN_CALLS"
 """Environment variable naming the folder of cached responses."""
 
 _MOST_BYTES = 2**30  # of a file that decides a scene
+
+Chosen = OmitArgPrefixes[Annotated[Mix, arg(name="backend")]]
+"""The type of a command's argument that makes these options."""
+
+Roles = Mapping[str, Mapping[str, Any]]
+"""Who each role is: its name, and its settings."""
+
+USUAL = Mix()
+"""What generating commands use unless told otherwise."""
+
+NOBODY = Mix(backend=None)
+"""What commands use that can do without backends."""
+
+
+def roles_of(mix: Mix, backends: Backends) -> Roles:
+    """Return for each role who it is by name, and the settings that decide its answers."""
+    names, settings = mix.roles(), backends.identity()
+    return {
+        role: {"name": names[role], **{k: v for k, v in settings[role].items() if k != "class"}}
+        for role in names
+    }
+
+
+def lines_of(roles: Roles) -> list[str]:
+    """Return ``roles_of`` as a line for each role."""
+    lines = []
+    for role, facts in roles.items():
+        settings = ", ".join(f"{k}={v}" for k, v in facts.items() if k != "name" and v != "")
+        lines.append(f"{role:<10} {facts['name']}" + (f" ({settings})" if settings else ""))
+    return lines
 
 
 @dataclass(frozen=True)
