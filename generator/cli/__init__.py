@@ -13,9 +13,9 @@ from . import batching, cache, editing, evaluating, interrupts, looking, making,
 from .machine.command import doctor
 from .plugins import find_commands, load
 
-DESCRIPTION = """Turn a text, or one picture of a tabletop, into a simulated table.
+DESCRIPTION = """Turn text or a photo of a tabletop into a MuJoCo scene and Gymnasium environments.
 
-The store of finished tables and the open models have commands of their own:
+The store of finished tables and the open models have subcommands of their own:
 tabletopgen cache --help, tabletopgen models --help.
 
 Exit codes: 0 done, 1 a check failed, 2 bad input or usage, 3 backend, 4 bundle, 5 storage, 6 scene,

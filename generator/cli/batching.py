@@ -33,9 +33,9 @@ class PoolOptions:
     """Where the scenes are made.
 
     Attributes:
-        workers: How many scenes are made at a time, each by a process that computes on one
-            thread, so a worker for each processor is fastest.
-        ray: Address of a Ray cluster to make them instead, which shares the folder; "local" starts
+        workers: Scenes made in parallel, each by a process with one thread: a worker for each
+            processor is fastest.
+        ray: Make them on the Ray cluster at this address, which shares the folder; "local" starts
             Ray here (pip install 'tabletopgen[ray]').
     """
 
@@ -60,12 +60,12 @@ def batch(
     calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
-    """Make many scenes into one folder, some at a time; the same command goes on where it ended.
+    """Make many scenes into one folder, in parallel; run again, the same command resumes.
 
-    The same text and seed give the same bytes, however many workers there are. A text that cannot
-    be made does not stop the others; the exit code is then 1. Several batches may share a folder.
-    Scenes that the budget does not allow are left, without a failure, and made when the command is
-    run again with a larger one; if nothing else is missing, the exit code is 3.
+    The same text and seed produce identical bytes, however many workers there are. A text that
+    fails does not stop the others; the exit code is then 1. Several batches may share a folder.
+    Scenes beyond the budget are skipped and are no failures: run the command again with a larger
+    budget. If nothing else is missing, the exit code is 3.
 
     Args:
         prompts: A text or the path of a picture a line, # for remarks; or a .json array of texts,
@@ -76,7 +76,7 @@ def batch(
         mix: Who answers the questions about text and image; roles can differ from the rest.
         seed: Of each text.
         variants: How many seeds each text is made with, from its own on.
-        retry: Try again what failed before by its text or its gate.
+        retry: Also repeat what failed before because of its text or its gate.
         calls: What requests to servers may cost, and where responses are cached.
         json: Print one JSON object instead of a table.
     """

@@ -26,22 +26,21 @@ def certify(
     workers: int = 1,
     again: bool = False,
 ) -> int:
-    """Let the scripted expert play what bundles offer, and write a certificate beside each.
+    """Run the scripted expert on the tasks that bundles offer; write a certificate beside each.
 
-    A bundle whose certificate was made on the same terms is passed over, so that the same command
-    goes on where it was interrupted; one made on other terms is replaced, not extended. Those that
-    cannot be certified are named at the end.
+    Bundles with a certificate for the same terms are skipped, so an interrupted command resumes
+    when it is run again; a certificate for other terms is replaced, not extended. Bundles that
+    cannot be certified are listed at the end.
 
     Args:
         bundles: Names, digests, globs or paths of bundles, or folders of them.
-        tasks: Which tasks; Sequence with its presets.
-        episodes: How many of each instance at most: the first from where the scene has things,
-            the others from perturbed starts, and none after a failure. Fewer than 30 certify
-            nothing.
-        most: How many instances of each task at most.
+        tasks: The tasks; Sequence includes its presets.
+        episodes: Episodes of each instance at most: the first from the scene's own start, the
+            others from perturbed starts, none after a failure. Fewer than 30 certify nothing.
+        most: Instances of each task at most.
         seed: The same seed gives the same certificate.
-        workers: Processes; they do not change what is written.
-        again: Pass over none.
+        workers: Processes; the result does not depend on them.
+        again: Skip none.
     """
     import assets_cache
 

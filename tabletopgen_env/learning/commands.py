@@ -76,7 +76,7 @@ def train(
         steps: Steps of the environments, if not as many as the recipe says; of clone recipes their
             rounds decide (--set cloning.rounds=4).
         out: The run's folder; runs/RECIPE-SEED if left out.
-        resume: Go on with the run in that folder.
+        resume: Resume the run in that folder.
         checks: How often the policy is evaluated.
         changes: Settings in place of the recipe's, as KEY=VALUE: options.gamma=0.9.
         keep_replay: Keep the replay buffer in checkpoints.
@@ -113,9 +113,9 @@ def enjoy(
     trust: bool = False,
     recipe: str | None = None,
 ) -> None:
-    """Let a trained policy play, and report how often it succeeds.
+    """Run a trained policy and report how often it succeeds.
 
-    Says so where it was trained at some of the tables.
+    Warns if it was trained at some of the tables.
 
     Args:
         policy: Name of a shipped policy, a policy file, a run's folder (its best policy), or a zip

@@ -26,7 +26,7 @@ def record(
         out: The dataset's own folder, or file (hdf5). A Minari dataset's name ends with its
             version: data/lift-v0. Left out, it goes into your Minari store.
         format: Its format.
-        workers: Processes; they do not change what is recorded.
+        workers: Processes; the result does not depend on them.
     """
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn

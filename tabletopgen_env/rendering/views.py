@@ -43,7 +43,7 @@ from .kinds import Drawer, Kind
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-CAMERAS: Mapping[CameraName, str] = MappingProxyType(
+CAMERAS: Mapping[str, str] = MappingProxyType(
     {"front": FRONT_CAMERA, "wrist": WRIST_CAMERA, "top": TOP_CAMERA}
 )
 """The model's cameras by their name in observations."""
