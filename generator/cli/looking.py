@@ -101,7 +101,7 @@ def compare(
     out: Path | None = None,
     json: bool = False,
 ) -> int:
-    """Compare a bundle with its picture: masks, the scene from the same camera, an overlay, figures.
+    """Compare a bundle with its picture: masks, the scene from its camera, an overlay, figures.
 
     Args:
         sources: A picture and a bundle (name, digest, glob or path); the bundle alone means the

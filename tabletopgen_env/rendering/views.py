@@ -37,7 +37,7 @@ from ..world.composition import (
     WRIST_CAMERA,
 )
 from ..world.world import World
-from .config import CameraName, ObservationConfig
+from .config import ObservationConfig
 from .kinds import Drawer, Kind
 
 if TYPE_CHECKING:
