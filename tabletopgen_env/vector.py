@@ -11,13 +11,12 @@ does is bit for bit what a single environment with that seed does, whatever the 
 
 from __future__ import annotations
 
-import inspect
 import os
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, Unpack
 
 import numpy as np
 from gymnasium import spaces
@@ -30,9 +29,9 @@ from generator.errors import InputError, choices, require_number, require_seed
 from generator.threads import cores
 
 from .actions import checked
-from .env import as_options, check_settings, make_env, played_at
-from .robot.panda import Panda, panda
+from .env import as_options, make_env, played_at
 from .scenes import SceneChoice, SharedScenes, resolve
+from .settings import EnvConfig, Settings, check_settings, read_settings
 from .tasks.task import Task
 from .world.worlds import Masters
 
@@ -77,9 +76,8 @@ class TabletopVectorEnv(SyncVectorEnv):
             its action is ignored), "SameStep" (the slot is reset at once; what it saw last is in
             ``info["final_obs"]`` and ``info["final_info"]``) or "Disabled" (reset it yourself).
         max_episode_steps: the time limit; None for none (the registered ids have theirs).
-        robot: the robot; None for ``Panda()``.
-        cache: how many compiled worlds each slot keeps, and how many scenes all of them share.
-        settings: the other arguments of ``env.make_env``.
+        settings: those of ``TabletopEnv``; ``cache`` is how many compiled worlds each slot keeps,
+            and how many scenes all of them share.
 
     Raises:
         InputError: a setting is wrong.
@@ -96,26 +94,23 @@ class TabletopVectorEnv(SyncVectorEnv):
         threads: int | None = None,
         autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
         max_episode_steps: int | None = None,
-        robot: Panda | None = None,
-        cache: int = 16,
-        **settings: Any,
+        **settings: Unpack[Settings],
     ) -> None:
         counts = {"num_envs": num_envs, "threads": threads, "max_episode_steps": max_episode_steps}
         for name, count in counts.items():
             if count is not None or name == "num_envs":
                 needs = f"A vector environment needs {name}"
                 require_number(needs, count, least=1, whole=True)
-        check_settings(settings, *inspect.signature(TabletopVectorEnv).parameters)
-        arm = panda(robot)
-        masters = Masters(arm, cache)
+        check_settings(settings, *counts, "autoreset_mode")
+        config = read_settings(settings)
+        worlds = config.worlds
+        masters = worlds.masters or Masters(worlds.arm, worlds.cache)
+        config = replace(config, worlds=replace(worlds, masters=masters))
         scenes, task = played_at(scenes, task, preset)
         source = resolve(scenes, task.needs, task.scenes)
         self._source = SharedScenes(source)
         self._closes_source = source is not scenes
-        slot = partial(
-            _slot, max_episode_steps, scenes=self._source, task=task,
-            robot=arm, cache=cache, masters=masters, **settings,
-        )  # fmt: skip
+        slot = partial(_slot, max_episode_steps, self._source, task, config)
         super().__init__([slot] * num_envs, autoreset_mode=_mode(autoreset_mode))
         self._hire(min(num_envs, threads or cores()))
         assert isinstance(self.single_action_space, spaces.Box)
@@ -298,9 +293,9 @@ class TabletopVectorEnv(SyncVectorEnv):
         return concatenate(space, self._seen, create_empty_array(space, self.num_envs))
 
 
-def _slot(max_episode_steps: int | None, **settings: Any) -> gym.Env:
-    env = make_env(**settings)
-    return env if max_episode_steps is None else TimeLimit(env, max_episode_steps)
+def _slot(limit: int | None, scenes: SceneChoice, task: Task, config: EnvConfig) -> gym.Env:
+    env = make_env(scenes, task=task, **vars(config))
+    return env if limit is None else TimeLimit(env, limit)
 
 
 def _caught(work: Callable[[int], T], k: int) -> T | Exception:

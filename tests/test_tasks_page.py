@@ -12,9 +12,9 @@ import gymnasium
 import numpy as np
 import pytest
 
-from tabletopgen_env.actions import ACTIONS, controller
+from tabletopgen_env.actions import ACTIONS, ActionConfig
 from tabletopgen_env.observations.modes import observation_space
-from tabletopgen_env.rendering.views import ObservationConfig
+from tabletopgen_env.rendering.config import ObservationConfig
 from tabletopgen_env.tasks.names import NAMES
 from tabletopgen_env.tasks.registry import task_named
 
@@ -63,9 +63,7 @@ def test_weights_and_time_limits_are_those_of_the_tasks(text: str) -> None:
 
 
 def test_the_table_of_the_state_covers_its_entries_with_their_ranges(text: str) -> None:
-    plain, space = (
-        observation_space("state", ObservationConfig(), hint=hint) for hint in (False, True)
-    )
+    plain, space = (observation_space(ObservationConfig(grasp_hint=hint)) for hint in (False, True))
     assert isinstance(space, gymnasium.spaces.Box) and plain.shape is not None
     end = 0
     for index, _, limits, _ in state_rows(text):
@@ -84,7 +82,7 @@ def test_the_table_of_actions_has_every_mode_and_its_size(text: str) -> None:
     for mode, *_ in rows(text, r"`\w+` \(\d\)"):
         name, _, size = mode.partition(" ")
         sizes[name.strip("`")] = (int(size.strip("()")),)
-    assert sizes == {mode: controller(mode).space.shape for mode in ACTIONS}
+    assert sizes == {mode: ActionConfig(mode).controller().space.shape for mode in ACTIONS}
 
 
 def test_every_strip_is_shown_and_small(text: str) -> None:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from tyro.conf import Positional
 
 from ..errors import DryRunError, InputError, escaped
-from .paying import answering, open_session, scene_key, told
+from .paying import NO_CALLS, Calls, answering, scene_key, told
 from .printing import emit
 from .store import find, one, some
 
@@ -33,10 +33,7 @@ def evaluate(
     truth: str | None = None,
     sweep: bool = False,
     judge: str | None = None,
-    budget: float | None = None,
-    dry_run: bool = False,
-    calls: Path | None = None,
-    prices: Path | None = None,
+    calls: Calls = NO_CALLS,
     json: bool = False,
 ) -> int:
     """Measure scenes: collisions, what floats or drifts, sizes, likeness to picture and truth.
@@ -51,10 +48,7 @@ def evaluate(
         sweep: Also look from 160 views for the one nearest to the picture (about 20 s a scene).
         judge: Backend whose reasoner marks each scene from 1 to 7 (VF, IA, PP), and ranks them if
             --picture and several bundles are given. The embedded one cannot.
-        budget: What the judge may cost, earlier runs with the same words counted; as for generate.
-        dry_run: Send nothing to the judge; print the first calls that would be made.
-        calls: Folder where the judge's answers are kept; as for generate.
-        prices: Table of what calls cost (TOML); as for generate.
+        calls: With --judge: what its requests may cost, and where responses are cached.
         json: Print one JSON object instead of tables.
     """
     from ..bundle import load
@@ -64,10 +58,10 @@ def evaluate(
 
     session, asked, who = None, None, None
     if judge is not None:
-        session = open_session(calls, prices, budget, dry_run)
+        session = calls.session()
         backends = _asked(judge, session)
         asked, who = backends.reasoner, backends.identity()["reasoner"]
-    elif budget is not None or dry_run or calls is not None or prices is not None:
+    elif calls != NO_CALLS:
         raise InputError(
             "--budget, --dry-run, --calls and --prices are of what a judge costs; name one with "
             "--judge."
@@ -79,7 +73,7 @@ def evaluate(
     scene = scene_key("evaluate", who, [str(path.resolve()) for path in paths], picture)
     with answering(session, scene) if session is not None else contextlib.nullcontext():
         found, order, would = _measured(paths, given, true, metrics, asked)
-    if dry_run:
+    if calls.dry_run:
         return told(DryRunError("\n".join(would)), None, json)
     summary = rates(e.collisions for _, e in found)
     if json:

@@ -33,7 +33,7 @@ def inspect(bundle: Positional[str], /, *, json: bool = False) -> int:
 def verify(bundles: Positional[tuple[str, ...]], /, *, json: bool = False) -> int:
     """Check bundles: hashes, paths, numbers, and whether they still simulate soundly.
 
-    A certificate beside a bundle is no part of it; environments check it when they read it.
+    Certificates beside bundles are not checked here; environments check those they read.
 
     Args:
         bundles: Names, digests, globs or paths.
@@ -100,7 +100,7 @@ def compare(
     out: Path | None = None,
     json: bool = False,
 ) -> int:
-    """Hold a bundle against its picture: masks, the scene from the same camera, both, figures.
+    """Compare a bundle with its picture: masks, the scene from its camera, an overlay, figures.
 
     Args:
         sources: A picture and a bundle (name, digest, glob or path); the bundle alone means the

@@ -42,9 +42,9 @@ def listed(*, folder: Path | None = None, json: bool = False) -> int:
 
 @app.command(name="pull")
 def fetch(names: Positional[tuple[str, ...]], /, *, folder: Path | None = None) -> int:
-    """Fetch models from Hugging Face: safetensors and configurations only, at their commits.
+    """Download models from Hugging Face: safetensors and configurations only, at fixed commits.
 
-    What is there already is not fetched again; an interrupted download goes on.
+    What is there is not downloaded again; an interrupted download resumes.
 
     Args:
         names: Names that `tabletopgen models list` shows.

@@ -65,7 +65,7 @@ def decompose(
     digest = hashlib.sha256(_CHILD.encode())
     for array in (vertices, faces, proportions):
         digest.update(array.tobytes())
-    kept = (cache or _user_cache()) / f"{digest.hexdigest()[:24]}.npz"
+    kept = (cache or hulls_folder()) / f"{digest.hexdigest()[:24]}.npz"
     hulls = _read(kept) if kept.is_file() else None
     if not hulls:
         hulls = _coacd(vertices * proportions, faces, seconds)
@@ -172,5 +172,6 @@ def _keep(path: Path, hulls: list[Float[np.ndarray, "k 3"]]) -> None:
         Path(part.name).replace(path)
 
 
-def _user_cache() -> Path:
+def hulls_folder() -> Path:
+    """Return where decompositions are cached on this machine."""
     return Path(platformdirs.user_cache_dir("tabletopgen")) / "hulls"

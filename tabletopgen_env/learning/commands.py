@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from tyro.conf import Positional, arg
+from tyro.conf import OmitArgPrefixes, Positional, arg
 
 from generator.errors import InputError, TabletopError, escaped, require_number, require_seed
 from generator.io.files import check_folder, check_target
@@ -34,6 +34,22 @@ class _Loaded:
     scenes: tuple[str, ...]
 
 
+@dataclass(frozen=True)
+class CheckOptions:
+    """How often a policy in training is evaluated.
+
+    Attributes:
+        evaluate_every: Steps between evaluations, each with a checkpoint.
+        episodes: Episodes of an evaluation.
+    """
+
+    evaluate_every: int = 10_000
+    episodes: int = 20
+
+
+_CHECKS = CheckOptions()
+
+
 def train(
     recipe: Positional[str],
     /,
@@ -44,12 +60,11 @@ def train(
     steps: int | None = None,
     out: Path | None = None,
     resume: bool = False,
-    evaluate_every: int = 10_000,
-    episodes: int = 20,
+    checks: OmitArgPrefixes[CheckOptions] = _CHECKS,
     changes: Annotated[tuple[str, ...], arg(name="set")] = (),
     keep_replay: bool = True,
 ) -> int:
-    """Train a policy by a recipe; Ctrl-C keeps what there is, --resume goes on.
+    """Train a policy by a recipe; after Ctrl-C, --resume continues from the last state.
 
     Args:
         recipe: Name of a recipe, or the path of a TOML file of your own.
@@ -60,9 +75,8 @@ def train(
         steps: Steps of the environments, if not as many as the recipe says; of clone recipes their
             rounds decide (--set cloning.rounds=4).
         out: The run's folder; runs/RECIPE-SEED if left out.
-        resume: Go on with the run in that folder.
-        evaluate_every: Steps between evaluations, each with a checkpoint.
-        episodes: Episodes of an evaluation.
+        resume: Resume the run in that folder.
+        checks: How often the policy is evaluated.
         changes: Settings in place of the recipe's, as KEY=VALUE: options.gamma=0.9.
         keep_replay: Keep the replay buffer in checkpoints.
     """
@@ -80,7 +94,7 @@ def train(
     chosen = dataclasses.replace(chosen, **{k: v for k, v in given.items() if v not in (None, ())})
     folder = out or Path("runs") / f"{Path(chosen.name).name}-{seed}"
     check_folder(folder)
-    plan = Plan(seed, evaluate_every, episodes, keep_replay, sys.stdout.isatty())
+    plan = Plan(seed, checks.evaluate_every, checks.episodes, keep_replay, sys.stdout.isatty())
     done = trained(chosen, folder, plan, resume, _say)
     _say(f"{done.steps:,} steps of {chosen.name} in {folder}")
     return 130 if done.interrupted else 0
@@ -98,9 +112,9 @@ def enjoy(
     trust: bool = False,
     recipe: str | None = None,
 ) -> None:
-    """Let a trained policy play, and report how often it succeeds.
+    """Run a trained policy and report how often it succeeds.
 
-    Says so where it was trained at some of the tables.
+    Warns if it was trained at some of the tables.
 
     Args:
         policy: Name of a shipped policy, a policy file, a run's folder (its best policy), or a zip
@@ -110,7 +124,7 @@ def enjoy(
         seed: The same seed plays the same episodes.
         render: Show it; needs a display.
         video_strip: Write pictures of the first episode to this PNG.
-        trust: Load a zip. Loading one runs whatever it contains: only those of your own.
+        trust: Load a zip, which unpickles it and may execute arbitrary code: only your own.
         recipe: What a zip was trained by, if it does not lie in its run's folder.
     """
     require_number("enjoy needs --episodes", episodes, least=1, whole=True)
@@ -156,7 +170,7 @@ def plot(
     out: Path = Path("success.png"),
     by: Literal["steps", "hours"] = "steps",
 ) -> None:
-    """Draw the success of runs in validation; those of one recipe and settings as mean and range.
+    """Draw learning curves: the success of runs in validation, with mean and range of each recipe.
 
     Args:
         runs: The runs' folders.
@@ -228,7 +242,7 @@ def _unzipped(path: Path, trust: bool, recipe: str | None) -> _Loaded:
 
     if not trust:
         raise InputError(
-            f"{path} is a zip of Stable-Baselines3, and loading one runs whatever it contains. "
+            f"{path} is a zip of Stable-Baselines3, and loading one may execute arbitrary code. "
             "Pass --trust if it is your own."
         )
     if recipe is not None:

@@ -6,7 +6,6 @@ keys at its top. A run keeps its recipe beside its weights.
 
 from __future__ import annotations
 
-import inspect
 import json
 import math
 from collections.abc import Iterable, Mapping
@@ -35,7 +34,7 @@ MOST_BYTES = 2**16
 """A recipe's file is not larger."""
 
 _ELSEWHERE = frozenset({
-    "scenes", "task", "render_mode", "render_size", "renderer", "robot", "cache", "masters",
+    "render", "render_mode", "render_size", "renderer", "worlds", "robot", "cache", "masters",
 })  # fmt: skip
 
 
@@ -171,10 +170,9 @@ class Recipe:
 
 def env_keywords() -> frozenset[str]:
     """Return what a recipe may say of its environment."""
-    from ..env import TabletopEnv
+    from ..settings import KEYWORDS
 
-    own = set(inspect.signature(TabletopEnv).parameters) - _ELSEWHERE
-    return frozenset(own | {"preset"})
+    return KEYWORDS - _ELSEWHERE | {"preset"}
 
 
 def recipe(name: str, changes: Iterable[str] = ()) -> Recipe:

@@ -4,13 +4,30 @@ from __future__ import annotations
 
 from contextlib import ExitStack
 from pathlib import Path
+from typing import Annotated
+
+from tyro.conf import OmitArgPrefixes
 
 from .config import Format, RecordConfig
 from .recorder import record as run
 
 
-def record(config: RecordConfig, out: Path | None, format: Format, workers: int) -> None:
-    """Record, show how far it is on standard error, and print where the dataset is."""
+def record(
+    config: Annotated[RecordConfig, OmitArgPrefixes],
+    *,
+    out: Path | None = None,
+    format: Format = "minari",
+    workers: int = 1,
+) -> None:
+    """Record the scripted expert's demonstrations of a task as a dataset.
+
+    Args:
+        config: What to record.
+        out: The dataset's own folder, or file (hdf5). A Minari dataset's name ends with its
+            version: data/lift-v0. Left out, it goes into your Minari store.
+        format: Its format.
+        workers: Processes; the result does not depend on them.
+    """
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 

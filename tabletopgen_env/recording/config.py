@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, Literal, get_args
 
 from generator.errors import InputError, choices, require, require_seed
 
+from ..rendering.config import CameraName
 from ..rendering.kinds import Kind
-from ..rendering.views import CameraName
 from ..tasks.names import NAMES
 
 if TYPE_CHECKING:

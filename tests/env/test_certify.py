@@ -14,10 +14,10 @@ import pytest
 from toy import toy_object, toy_scene
 
 from generator.bundle import load, save, verify
+from generator.cli import run
 from generator.errors import BundleError, InputError
 from generator.physics.gate import judge
 from generator.scene import Scene
-from tabletopgen_env.__main__ import run
 from tabletopgen_env.certificates import certify as certify_module
 from tabletopgen_env.certificates.certificate import (
     FILE,
@@ -286,7 +286,7 @@ def test_bad_bundles_are_named_also_when_the_rest_is_interrupted(
         raise KeyboardInterrupt
 
     path = save(scene(), tmp_path)
-    monkeypatch.setattr("tabletopgen_env.__main__.certify_all", interrupted)
+    monkeypatch.setattr("tabletopgen_env.certificates.certify.certify_all", interrupted)
     assert run(["certify", str(path)]) == 130
     assert "error: bad is not certified: it is damaged" in capsys.readouterr().err
 

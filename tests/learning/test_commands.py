@@ -16,7 +16,7 @@ import torch
 from PIL import Image
 from stable_baselines3 import SAC
 
-from tabletopgen_env.__main__ import run
+from generator.cli import run
 from tabletopgen_env.episodes import HOLD
 from tabletopgen_env.learning.evaluating import evaluate, play, seeds
 from tabletopgen_env.learning.making import single_env, source_of

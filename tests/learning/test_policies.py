@@ -28,7 +28,7 @@ from tabletopgen_env.learning.policies import (
     save_policy,
 )  # fmt: skip
 from tabletopgen_env.observations.modes import observation_space
-from tabletopgen_env.rendering.views import ObservationConfig
+from tabletopgen_env.rendering.config import ObservationConfig
 
 GOAL = {"observation": "goal"}
 KINDS = [
@@ -272,7 +272,7 @@ def test_policies_are_found_by_name_or_path(policy, tmp_path: Path, monkeypatch)
 
 
 def test_pictures_have_no_policy_files(small) -> None:
-    space = observation_space("pixels", ObservationConfig(("front",), ("rgb",), 64, 64))
+    space = observation_space(ObservationConfig("pixels", ("front",), ("rgb",), 64, 64))
     with pytest.raises(InputError, match="states and goals"):
         inputs_of(space)
 

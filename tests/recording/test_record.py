@@ -18,8 +18,8 @@ from minari import MinariDataset
 
 from assets_cache import find
 from generator.bundle import load_digest
+from generator.cli import run
 from generator.errors import InputError, SceneError, StorageError
-from tabletopgen_env.__main__ import run
 from tabletopgen_env.learning.demonstrations.recorded import demonstrate
 from tabletopgen_env.recording import RecordConfig, record
 from tabletopgen_env.recording.playing import played
@@ -318,7 +318,8 @@ def test_the_command_records_and_says_where(
 
 @pytest.mark.slow
 def test_the_command_line_loads_no_formats() -> None:
-    code = "import sys, tabletopgen_env.__main__ as m; print({'minari', 'h5py'} & set(sys.modules))"
+    code = "import sys; from generator import cli; cli.app('record'); "
+    code += "print({'minari', 'h5py'} & set(sys.modules))"
     done = subprocess.run(
         [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=300
     )
