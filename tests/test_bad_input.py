@@ -326,7 +326,7 @@ def test_trouble_at_the_last_rename_leaves_nothing(
 
 
 STAGE_FUNCTIONS = ("refer", "extract", "estimate_view", "make_models", "estimate_rotations",
-                   "align", "refine_scene", "assemble")  # fmt: skip
+                   "align", "refine_scene", "publish")  # fmt: skip
 
 
 @pytest.mark.parametrize("at", range(len(STAGES)), ids=STAGES)

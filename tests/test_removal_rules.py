@@ -6,7 +6,7 @@ import ast
 from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
-PACKAGES = ("generator", "tabletopgen_env", "assets_cache")
+PACKAGES = ("generator", "tabletopgen_env", "assets_cache", "research")
 REMOVING = {"rmtree", "unlink", "rmdir", "removedirs"}
 OF_OS = {"remove", "removedirs", "rmdir", "unlink"}
 

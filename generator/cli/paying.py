@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from tyro.conf import OmitArgPrefixes, arg
 
 from ..backends import Mix
-from ..errors import DryRunError, InputError
+from ..errors import DryRunError, InputError, escaped
 from ..io.reading import read_regular
 from ..scene.provenance import plain
 

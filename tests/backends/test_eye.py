@@ -121,14 +121,14 @@ def test_notes_beside_weights_are_checked(tmp_path, categories, temperature, why
 
 
 def test_missing_and_damaged_weights_say_how_to_restore_them(tmp_path):
-    with pytest.raises(BackendError, match=r"generator\.training\.train"):
+    with pytest.raises(BackendError, match=r"research\.eye\.train"):
         weights.load_weights(tmp_path / "gone.safetensors")
     damaged = tmp_path / "damaged.safetensors"
     damaged.write_bytes(b"\x10\0\0\0\0\0\0\0garbage")
     for load in (weights.load_weights, weights.load_judge):
         with pytest.raises(BackendError, match="cannot be used"):
             load(damaged)
-    with pytest.raises(BackendError, match=r"generator\.training\.judging"):
+    with pytest.raises(BackendError, match=r"research\.eye\.judging"):
         weights.load_judge(tmp_path / "gone.safetensors")
     other = tmp_path / "other.safetensors"
     weights.save_weights(other, {"heat": torch.zeros(2)}, {})

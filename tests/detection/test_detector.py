@@ -184,7 +184,7 @@ def test_weights_that_cannot_be_used_say_what_to_do(tmp_path: Path) -> None:
             read_detector(path)
 
     sound = dict(read_detector().weights)
-    refused(None, r"detection\.training")
+    refused(None, r"grasps\.training")
     refused(PATH.read_bytes()[:1000], "cannot be used")
     refused(b"x" * 2**23, "more than 4194304 bytes")
     save_weights({**sound, "0.bias": np.zeros(3)}, path, {})
