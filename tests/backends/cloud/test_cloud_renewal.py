@@ -14,8 +14,8 @@ from desk import VIEW, detections, instances, reference
 from openai_server import IMAGES, Request, Running
 
 from generator.backends.cloud.imager import REDRAWS, Imager
-from generator.backends.embedded.imager import Imager as EmbeddedImager
 from generator.backends.cloud.reasoner import Reasoner
+from generator.backends.embedded.imager import Imager as EmbeddedImager
 from generator.calls.http.waiting import Patience
 from generator.calls.money.prices import Price, Prices
 from generator.calls.session import Session
