@@ -10,9 +10,10 @@ import re
 import ssl
 import time
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any, Protocol
+from typing import Any, NoReturn, Protocol
 
 import httpx2
+import tenacity
 
 from ..errors import (
     BackendError,
@@ -29,9 +30,9 @@ from .http.exchange import (
     Trouble,
     exchange,
 )
-from .http.flight import Flight
+from .http.pending import PendingCall
 from .http.redaction import excerpt, holds, redacted
-from .http.waiting import Breakers, Patience, retry_after
+from .http.waiting import Breakers, Line, RetryPolicy, retry_after
 from .money.account import Account
 from .money.entries import Entry, Outcome
 from .money.prices import Prices
@@ -77,7 +78,7 @@ class Pacing(Protocol):
     @property
     def dry(self) -> bool: ...  # noqa: D102
     @property
-    def patience(self) -> Patience: ...  # noqa: D102
+    def retry_policy(self) -> RetryPolicy: ...  # noqa: D102
     @property
     def breakers(self) -> Breakers: ...  # noqa: D102
 
@@ -89,8 +90,8 @@ class Pacing(Protocol):
         """Wait, unless there is a reason to stop."""
         ...
 
-    def landing(self, flight: Flight[Any]) -> BaseException | None:
-        """Wait for a call under way; return what interrupted it."""
+    def wait_for(self, call: PendingCall[Any]) -> BaseException | None:
+        """Wait for a pending call; return what interrupted it."""
         ...
 
 
@@ -121,7 +122,7 @@ class PaidTransport(httpx2.BaseTransport):
         self._sign = sign
         self._warn_of_open_keys()
         origin = f"{self._base.scheme}://{self._base.netloc.decode()}"
-        self._breaker = session.breakers.of(server, origin, session.patience)
+        self._breaker = session.breakers.of(server, origin, session.retry_policy)
         self._trust = trust
         here = local(self._base.host)
         self._proxy = None if here else proxy_for(self._base.scheme, self._base.host)
@@ -160,9 +161,9 @@ class PaidTransport(httpx2.BaseTransport):
         body = reply.body if reply.good else _clean(reply.body, secrets)
         return _response(reply.status, reply.content_type, body, request, asked.key)
 
-    def _dial(self, until: float, most_bytes: int) -> Wire:
+    def _dial(self, until: float) -> Wire:
         """Return the connections of one attempt."""
-        return Wire(until, most_bytes, self._trust, self._proxy)
+        return Wire(until, self._trust, self._proxy)
 
     def _sendable(self, request: httpx2.Request) -> httpx2.Request:
         """Return a request with no more headers than this server is to see, and its time bounded.
@@ -207,35 +208,51 @@ class PaidTransport(httpx2.BaseTransport):
         session = self._session
         if session.dry:
             raise DryRunError(_would(asked, session.prices.currency))
-        request = self._sendable(request)
-        line, k, late = self._breaker.line(), 0, 0
-        while True:
-            session.check()
-            self._breaker.check(str(asked))
-            told, interrupt = self._attempt(request, asked, secrets)
-            if isinstance(told, Reply):
-                self._breaker.worked()
-                interrupted.extend(filter(None, [interrupt]))
-                return told
-            if interrupt is not None:
-                raise interrupt
-            reason = redacted(told.reason, secrets)
-            if told.alive:
-                self._breaker.worked()
-            else:
-                self._breaker.failed(reason, line)
-            if not told.again:
-                kind = UnusableError if told.unusable else BackendError
-                raise kind(f"{asked}: no answer. {reason}")
-            k, late = k + 1, late + told.late
-            if k >= session.attempts or late > _LATE:
-                break
-            session.pause(self._wait(told, k - 1, asked))
-        times = f"{k} times" if k > 1 else "once"
-        raise BackendError(
-            f"{asked}: no answer, asked {times}. {reason} What was answered before is kept; see "
-            "whether the server runs, and try again."
+        attempt = functools.partial(
+            self._judged_attempt, self._sendable(request), asked, secrets, interrupted,
+            self._breaker.line(),
+        )  # fmt: skip
+        late: list[Trouble] = []
+        retrying = tenacity.Retrying(
+            retry=tenacity.retry_if_result(lambda told: isinstance(told, Trouble)),
+            stop=lambda state: state.attempt_number >= session.attempts or len(late) > _LATE,
+            wait=lambda state: self._wait(state, asked),
+            sleep=session.pause,
+            retry_error_callback=functools.partial(_give_up, asked, secrets),
         )
+        told = retrying(attempt, late)
+        assert isinstance(told, Reply)  # else ``_give_up`` has raised
+        return told
+
+    def _judged_attempt(
+        self,
+        request: httpx2.Request,
+        asked: Question,
+        secrets: tuple[str, ...],
+        interrupted: list[BaseException],
+        line: Line,
+        late: list[Trouble],
+    ) -> Reply | Trouble:
+        """Send a request once, unless there is a reason not to; return what may be tried again."""
+        self._session.check()
+        self._breaker.check(str(asked))
+        told, interrupt = self._attempt(request, asked, secrets)
+        if isinstance(told, Reply):
+            self._breaker.worked()
+            interrupted.extend(filter(None, [interrupt]))
+            return told
+        if interrupt is not None:
+            raise interrupt
+        reason = redacted(told.reason, secrets)
+        if told.alive:
+            self._breaker.worked()
+        else:
+            self._breaker.failed(reason, line)
+        if not told.again:
+            kind = UnusableError if told.unusable else BackendError
+            raise kind(f"{asked}: no answer. {reason}")
+        late.extend([told] * told.late)
+        return told
 
     def _attempt(
         self, request: httpx2.Request, asked: Question, secrets: tuple[str, ...]
@@ -266,10 +283,10 @@ class PaidTransport(httpx2.BaseTransport):
                 enter(entry)
 
             sending = (self._dial, request, self._timeout, self._most_bytes, secrets)
-            flight = Flight(functools.partial(exchange, *sending))
+            call = PendingCall(functools.partial(exchange, *sending))
             try:
-                interrupt = session.landing(flight)
-                told = flight.result()
+                interrupt = session.wait_for(call)
+                told = call.result()
             except BaseException as error:  # it may be answered, and paid for, all the same
                 end("failed", asked.most)
                 if isinstance(error, TabletopError) or not isinstance(error, Exception):
@@ -288,18 +305,19 @@ class PaidTransport(httpx2.BaseTransport):
                 end("answered", asked.money(spent), spent)
         return told, interrupt
 
-    def _wait(self, told: Trouble, k: int, asked: Question) -> float:
-        """Return how long to wait after the k-th failure."""
-        patience, wanted = self._session.patience, retry_after(told.wait)
+    def _wait(self, state: tenacity.RetryCallState, asked: Question) -> float:
+        """Return how long to wait before the next attempt."""
+        assert state.outcome is not None
+        policy, wanted = self._session.retry_policy, retry_after(state.outcome.result().wait)
         if wanted is None:
-            return patience.drawn(k)
-        if wanted > patience.obeyed:
+            return policy.draw(state.attempt_number - 1)
+        if wanted > policy.obeyed:
             raise BackendError(
                 f"{asked}: the server asks to wait {wanted:.0f} s, more than the "
-                f"{patience.obeyed:g} s that are waited. What was answered is kept; run it again "
+                f"{policy.obeyed:g} s that are waited. What was answered is kept; run it again "
                 "then."
             )
-        return wanted + patience.pause(0, 0.0) / 10  # not at the very moment that ends the wait
+        return wanted + policy.pause(0, 0.0) / 10  # not at the very moment that ends the wait
 
     def _keep(self, asked: Question, reply: Reply) -> None:
         """Keep an answer; a disk that refuses must not lose it."""
@@ -309,6 +327,17 @@ class PaidTransport(httpx2.BaseTransport):
         except StorageError as error:
             self._session.account.note(str(error))
             logging.getLogger(__name__).warning("%s", error)
+
+
+def _give_up(asked: Question, secrets: tuple[str, ...], state: tenacity.RetryCallState) -> NoReturn:
+    """Raise the error of a question that had its last attempt."""
+    assert state.outcome is not None
+    k, reason = state.attempt_number, redacted(state.outcome.result().reason, secrets)
+    times = f"{k} times" if k > 1 else "once"
+    raise BackendError(
+        f"{asked}: no answer, asked {times}. {reason} What was answered before is kept; see "
+        "whether the server runs, and try again."
+    )
 
 
 @contextlib.contextmanager

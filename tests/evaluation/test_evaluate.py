@@ -13,7 +13,7 @@ import pytest
 from command import command
 from judging import SERVER
 from PIL import Image
-from running.paid_server import Says, Served, serving
+from calls.paid_server import Says, Served, serving
 from spoiling import Shot, shot, sound, spoiled, spoiled_four_ways
 
 from generator import bundle
