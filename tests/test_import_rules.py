@@ -229,6 +229,7 @@ RULES: tuple[tuple[str, tuple[str, ...]], ...] = (
             "generator.compose",
             "generator.language.distribution",
             "generator.pipeline",
+            "generator.jobs.workers",
             "assets_cache",
             "tabletopgen_env",
         ),
