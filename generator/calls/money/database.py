@@ -33,12 +33,13 @@ Operation = Callable[Concatenate[sqlite3.Connection, P], T]
 FILE = "spending.sqlite3"
 """The database's name in its folder."""
 
-_TABLES = (
+TABLES = (
     "CREATE TABLE calls (call INTEGER PRIMARY KEY, scene TEXT, facts TEXT)",
     "CREATE INDEX calls_of_scenes ON calls (scene)",
     "CREATE TABLE held (call INTEGER PRIMARY KEY, owner TEXT, money REAL)",
     "CREATE TABLE spent (mark TEXT, currency TEXT, money REAL, unpriced INTEGER)",
 )
+"""Calls of scenes; what calls under way may cost at most, by who makes them; what was spent."""
 _OLD = ("spent.json", "spending")  # where older versions kept it
 _OWNERS = "spenders"  # the folder with a locked file for each living owner
 _NAME = re.compile(r"[0-9a-f]{16,64}")  # of an owner
@@ -89,7 +90,7 @@ class LocalKeeper:
             new.touch(0o600)
             try:
                 with contextlib.closing(sqlite3.connect(new)) as database:
-                    for table in _TABLES:
+                    for table in TABLES:
                         database.execute(table)
                 with contextlib.suppress(FileExistsError):  # another process was faster
                     os.link(new, folder / FILE)
@@ -208,7 +209,7 @@ def _connected(path: Path) -> Iterator[sqlite3.Connection]:
         database.execute("PRAGMA cell_size_check = ON")
         database.execute("BEGIN IMMEDIATE")
         tables = [sql for (sql,) in database.execute("SELECT sql FROM sqlite_master LIMIT 9")]
-        if sorted(map(str, tables)) != sorted(_TABLES):
+        if sorted(map(str, tables)) != sorted(TABLES):
             raise damaged(path, f"It has other tables: {tables!r:.200}.")
         yield database
 
