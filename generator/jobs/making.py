@@ -149,10 +149,10 @@ class Generating:
 
         with contextlib.ExitStack() as open_:
             shared = self.shared_budget
-            spender = None if shared is None else open_.enter_context(shared.spending())
+            spending = None if shared is None else open_.enter_context(shared.spending())
             session = Session(
                 store=None if self.calls is None else CallStore(self.calls),
-                account=Account(spender),
+                account=Account(spending),
                 prices=self.prices or Prices.shipped(),
                 budget=self.budget,
                 dry=self.dry,

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..calls.money.database import LOCAL, Operation, P, T
+from ..calls.money.database import LOCAL, T
 from ..errors import BackendError
 from .workers import WorkerDied
 
@@ -84,11 +84,9 @@ class RayKeeper:
         """Make a folder's database, unless there is one."""
         self._ask("create", folder)
 
-    def transact(
-        self, folder: Path, operation: Operation[P, T], *args: P.args, **more: P.kwargs
-    ) -> T:
-        """Return what ``operation`` of a folder's database does, in one transaction."""
-        return self._ask("transact", folder, operation, *args, **more)
+    def transact(self, folder: Path, operation: Callable[..., T], *args: Any) -> T:
+        """Return ``operation(connection, *args)``, done in one transaction."""
+        return self._ask("transact", folder, operation, *args)
 
     @contextlib.contextmanager
     def owning(self, folder: Path) -> Iterator[str]:
@@ -102,11 +100,11 @@ class RayKeeper:
         finally:
             ray.get(self.actor.release.remote(name))
 
-    def _ask(self, method: str, *args: Any, **more: Any) -> Any:
+    def _ask(self, method: str, *args: Any) -> Any:
         import ray  # pyright: ignore[reportMissingImports]
 
         try:
-            return ray.get(self.actor.do.remote(method, args, more))
+            return ray.get(self.actor.do.remote(method, *args))
         except ray.exceptions.RayTaskError as error:
             raise error.cause from None
 
@@ -117,8 +115,8 @@ class _KeepingActor:
     def __init__(self) -> None:
         self._owners: dict[str, contextlib.ExitStack] = {}
 
-    def do(self, method: str, args: tuple[Any, ...], more: dict[str, Any]) -> Any:
-        return getattr(LOCAL, method)(*args, **more)
+    def do(self, method: str, *args: Any) -> Any:
+        return getattr(LOCAL, method)(*args)
 
     def hold(self, folder: Path, name: str) -> None:
         self._owners[name] = contextlib.ExitStack()

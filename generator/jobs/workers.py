@@ -1,9 +1,9 @@
 """The worker pool: processes that run the tasks of batches, fresh scenes, recording, certifying.
 
-A worker is a Python process of its own (``worker``), driven by a thread
-here. It is neither a ``multiprocessing`` process nor part of a ``ProcessPoolExecutor``: those run
-the user's script again, cannot be started by the daemonic processes of vector environments, and one
-death breaks a whole pool. Here a death fails one task, and the next task gets a new worker.
+A worker is a Python process of its own (``worker``), driven by a thread here. It is neither a
+``multiprocessing`` process nor part of a ``ProcessPoolExecutor``: those run the user's script
+again, cannot be started by the daemonic processes of vector environments, and one death breaks a
+whole pool. Here a death fails one task, and the next task gets a new worker.
 
 Tasks and results are pickled (``cloudpickle`` sends along what a script defines) and travel through
 the worker's standard input and output. The input ends with the process that owns the pool, however
@@ -35,9 +35,7 @@ from ..errors import SceneError
 
 T = TypeVar("T")
 
-SINGLE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
-"""Environment variables that are 1 in workers, unless they are set: others compute beside them."""
-
+_SINGLE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 _EXIT_TIME = 5.0  # seconds that a worker without a task has to exit
 
 
@@ -48,8 +46,9 @@ class WorkerDied(SceneError):
 class WorkerPool:
     """At most ``width`` worker processes, started as tasks come.
 
-    They ignore Ctrl-C, which is for the process that owns the pool: see ``close``. A forked copy of
-    a pool owns nothing and must not be used.
+    Each computes on one thread, unless OMP_NUM_THREADS and its like say otherwise. Ctrl-C is only
+    for the process that owns the pool: see ``close``. A forked copy of a pool owns nothing and must
+    not be used.
 
     Args:
         width: number of tasks at a time.
@@ -67,13 +66,13 @@ class WorkerPool:
     @property
     def pids(self) -> tuple[int, ...]:
         """The ids of the processes that run."""
-        running = [w.process for w in self._state.workers if w.process and w.process.poll() is None]
-        return tuple(process.pid for process in running)
+        processes = [worker.process for worker in self._state.workers]
+        return tuple(p.pid for p in processes if p is not None and p.poll() is None)
 
     def submit(
         self, function: Callable[..., T], *args: Any, timeout: float | None = None
     ) -> Future[T]:
-        """Have a worker call a picklable function; its result must be picklable, too.
+        """Have a worker call a function; both, and what it returns, must be picklable.
 
         Args:
             function: what to call.
@@ -83,15 +82,15 @@ class WorkerPool:
         Returns:
             The pending result: what the function returns or raises, or ``WorkerDied``.
         """
-        state, future = self._state, Future()
+        state, task = self._state, _Task(cloudpickle.dumps((function, args)), timeout)
         if len(state.workers) < self.width:
-            worker = _Worker(len(state.workers), state.begin, state.folder)
+            worker = _Worker(state, len(state.workers))
             state.workers.append(worker)
-            with contextlib.suppress(OSError):  # told by the task
+            with contextlib.suppress(OSError):  # the task tells of it
                 worker.start()
             threading.Thread(target=_serve, args=(state.tasks, worker), daemon=True).start()
-        state.tasks.put(_Task(cloudpickle.dumps((function, args)), timeout, future))
-        return future
+        state.tasks.put(task)
+        return task.future
 
     def map(self, function: Callable[[Any], T], items: Iterable[Any]) -> Iterator[T]:
         """Yield the function's result for every item, in their order."""
@@ -105,9 +104,13 @@ class WorkerPool:
             grace: seconds that running tasks have to end, once they are interrupted as by Ctrl-C;
                 0 kills them. An interrupt of this call ends the wait.
         """
+        busy = [w.process for w in self._state.workers if w.busy and w.process] if grace else []
         try:
-            if grace and self._finalizer.alive:
-                self._state.interrupt(grace)
+            self._state.cancel()
+            for process in busy:
+                with contextlib.suppress(OSError, ValueError):  # ValueError: Windows
+                    process.send_signal(signal.SIGINT)
+            _wait(busy, grace)
         finally:
             self._finalizer()
 
@@ -116,12 +119,12 @@ class WorkerPool:
 class _Task:
     packed: bytes
     timeout: float | None
-    future: Future[Any]
+    future: Future[Any] = field(default_factory=Future)
 
 
 @dataclass(eq=False)
 class _State:
-    """What must not outlive the pool; its threads hold parts of it, never the pool."""
+    """What must not outlive the pool; threads refer to this, never to the pool."""
 
     begin: bytes
     folder: Path | None
@@ -136,34 +139,16 @@ class _State:
                 if task := self.tasks.get_nowait():
                     task.future.cancel()
 
-    def interrupt(self, grace: float) -> None:
-        """Interrupt the running tasks, and wait for the end of their processes."""
-        self.cancel()
-        until = time.monotonic() + grace
-        busy = [w.process for w in self.workers if w.busy and w.process is not None]
-        for process in busy:
-            with contextlib.suppress(OSError, ValueError):  # ValueError: Windows
-                process.send_signal(signal.SIGINT)
-        for process in busy:
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                process.wait(max(0.0, until - time.monotonic()))
-
 
 @dataclass(eq=False)
 class _Worker:
-    """One process, replaced when it dies. ``busy``: it has a task. ``tried``: it has done one."""
+    """One process at a time. ``busy``: it has a task; ``proven``: it has done one."""
 
+    state: _State
     number: int
-    begin: bytes
-    folder: Path | None
     process: subprocess.Popen[bytes] | None = None
     busy: bool = False
-    tried: bool = False
-
-    @property
-    def log(self) -> Path | None:
-        """Where its standard error goes; None: where that of this process goes."""
-        return None if self.folder is None else self.folder / f"{self.number}.log"
+    proven: bool = False
 
     def start(self) -> None:
         """Start the process: in a session of its own, with this process's modules.
@@ -172,18 +157,20 @@ class _Worker:
             OSError: it cannot be started.
         """
         path = os.pathsep.join(entry or str(Path.cwd()) for entry in sys.path)
-        alone = {name: os.environ.get(name, "1") for name in SINGLE_THREAD}
-        if self.folder is not None:
-            self.folder.mkdir(exist_ok=True)  # who cleans temporary folders may have taken it
+        alone = {name: os.environ.get(name, "1") for name in _SINGLE_THREAD}
+        folder = self.state.folder
         with contextlib.ExitStack() as opened:
-            errors = None if self.log is None else opened.enter_context(self.log.open("wb"))
+            errors = None
+            if folder is not None:
+                folder.mkdir(exist_ok=True)  # who cleans temporary folders may have taken it
+                errors = opened.enter_context((folder / f"{self.number}.log").open("wb"))
             self.process = subprocess.Popen(
-                [sys.executable, "-P", "-m", f"{__package__}.worker", str(self.folder or "")],
+                [sys.executable, "-P", "-m", f"{__package__}.worker", str(folder or "")],
                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors, bufsize=0,
                 env={**os.environ, **alone, "PYTHONPATH": path}, start_new_session=True,
             )  # fmt: skip
-        self.tried = False
-        self._send(self.begin)
+        self.proven = False
+        _send(self.process, self.state.begin)
 
     def run(self, task: _Task) -> Any:
         """Return what the task returns, or raise what it raises.
@@ -191,7 +178,7 @@ class _Worker:
         Raises:
             WorkerDied: the process did not answer, or could not be started.
         """
-        if self.process is None or (self.tried and self.process.poll() is not None):
+        if self.process is None or (self.proven and self.process.poll() is not None):
             self.kill()  # it died without a task
             try:
                 self.start()
@@ -199,41 +186,32 @@ class _Worker:
                 raise WorkerDied(
                     f"A task was not begun: no process could be started ({error})."
                 ) from error
+        assert self.process is not None
         late = threading.Event()
+        timer = threading.Timer(task.timeout or 0.0, lambda: (late.set(), self.kill()))
+        timer.daemon = True
+        if task.timeout is not None:
+            timer.start()
         try:
-            with _killed_after(task.timeout, self, late):
-                self._send(task.packed)
-                packed = self._receive()
-        except (OSError, EOFError, pickle.UnpicklingError) as error:
+            _send(self.process, task.packed)
+            packed = _receive(self.process)
+        except (OSError, EOFError, ValueError, pickle.UnpicklingError) as error:
             code = self.kill()
             how = f"was given up after {task.timeout:g} s" if late.is_set() else _death(code)
             raise WorkerDied(
                 f"A worker process ended abruptly: it {how}{self._last_words()}. Use fewer workers "
                 "if memory is short."
             ) from error
-        self.tried = True
+        finally:
+            timer.cancel()
+        self.proven = True
         well, value = pickle.loads(packed)  # by our own process
         if well:
             return value
         raise value
 
-    def _send(self, packed: bytes) -> None:
-        assert self.process is not None and self.process.stdin is not None
-        left = memoryview(pickle.dumps(packed))
-        while left:
-            left = left[self.process.stdin.write(left) :]
-
-    def _receive(self) -> bytes:
-        assert self.process is not None and self.process.stdout is not None
-        with os.fdopen(os.dup(self.process.stdout.fileno()), "rb") as answers:
-            return pickle.load(answers)  # no more than this one is under way
-
     def kill(self) -> int:
-        """Kill the process and what it has started, which are a session of their own.
-
-        Returns:
-            How it ended: see ``subprocess.Popen.returncode``.
-        """
+        """Kill the process and what it has started, which are a session; return its exit code."""
         process = self.process
         if process is None:
             return 0
@@ -250,10 +228,73 @@ class _Worker:
     def _last_words(self) -> str:
         """Return the last line that the process wrote to its standard error."""
         with contextlib.suppress(OSError):
-            lines = self.log.read_text(errors="replace").split("\n") if self.log else ()
-            if said := [line.strip() for line in lines if line.strip()]:
-                return f": {said[-1][:300]}"
+            if self.state.folder is not None:
+                text = (self.state.folder / f"{self.number}.log").read_text(errors="replace")
+                if said := [line.strip() for line in text.split("\n") if line.strip()]:
+                    return f": {said[-1][:300]}"
         return ""
+
+
+def _serve(tasks: queue.SimpleQueue[_Task | None], worker: _Worker) -> None:
+    """Hand one task after another to a worker: what a thread of a pool does."""
+    while (task := tasks.get()) is not None:
+        if not task.future.set_running_or_notify_cancel():
+            continue
+        worker.busy, result, failure = True, None, None
+        try:
+            result = worker.run(task)
+        except BaseException as error:
+            failure = error
+        worker.busy = False
+        if failure is None:
+            task.future.set_result(result)
+        else:
+            task.future.set_exception(failure)
+        del task, result, failure  # the thread keeps nothing
+
+
+def _end(state: _State) -> None:
+    """End a pool: workers without a task exit, others are killed. A forked copy only hangs up."""
+    processes = [worker.process for worker in state.workers if worker.process is not None]
+    if os.getpid() != state.owner:
+        for process in processes:
+            _hang_up(process)
+            process.returncode = 0  # another process's child: nothing to wait for
+        return
+    state.cancel()
+    for worker in state.workers:
+        state.tasks.put(None)
+        if worker.busy:
+            worker.kill()
+        elif worker.process is not None and worker.process.stdin is not None:
+            with contextlib.suppress(OSError):
+                worker.process.stdin.close()
+    _wait(processes, _EXIT_TIME)
+    for worker in state.workers:
+        worker.kill()
+    if state.folder is not None:
+        shutil.rmtree(state.folder, ignore_errors=True)
+
+
+def _wait(processes: Iterable[subprocess.Popen[bytes]], seconds: float) -> None:
+    """Wait until processes have ended, no longer than so many seconds."""
+    until = time.monotonic() + seconds
+    for process in processes:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(max(0.0, until - time.monotonic()))
+
+
+def _send(process: subprocess.Popen[bytes], packed: bytes) -> None:
+    assert process.stdin is not None
+    left = memoryview(pickle.dumps(packed))
+    while left:
+        left = left[process.stdin.write(left) :]
+
+
+def _receive(process: subprocess.Popen[bytes]) -> bytes:
+    assert process.stdout is not None
+    with os.fdopen(os.dup(process.stdout.fileno()), "rb") as answers:
+        return pickle.load(answers)  # no more than this one is under way
 
 
 def _hang_up(process: subprocess.Popen[bytes]) -> None:
@@ -270,59 +311,3 @@ def _death(code: int) -> str:
     with contextlib.suppress(ValueError):
         return f"was killed ({signal.Signals(-code).name})"
     return f"was killed (signal {-code})"
-
-
-def _serve(tasks: queue.SimpleQueue[_Task | None], worker: _Worker) -> None:
-    """Hand one task after another to a worker: what a thread of a pool does."""
-    while (task := tasks.get()) is not None:
-        if not task.future.set_running_or_notify_cancel():
-            continue
-        worker.busy = True
-        try:
-            result = worker.run(task)
-        except BaseException as error:
-            worker.busy = False
-            task.future.set_exception(error)
-        else:
-            worker.busy = False
-            task.future.set_result(result)
-        del task  # nor does the thread hold the result
-
-
-@contextlib.contextmanager
-def _killed_after(timeout: float | None, worker: _Worker, late: threading.Event) -> Iterator[None]:
-    """Kill a worker that is still at it after ``timeout`` seconds, and set ``late``."""
-    timer = threading.Timer(timeout or 0.0, lambda: (late.set(), worker.kill()))
-    timer.daemon = True
-    if timeout is not None:
-        timer.start()
-    try:
-        yield
-    finally:
-        timer.cancel()
-
-
-def _end(state: _State) -> None:
-    """End a pool: workers without a task exit, others are killed. A forked copy only hangs up."""
-    if os.getpid() != state.owner:
-        for worker in state.workers:
-            if worker.process is not None:
-                _hang_up(worker.process)
-                worker.process.returncode = 0  # another process's child: nothing to wait for
-        return
-    state.cancel()
-    for worker in state.workers:
-        state.tasks.put(None)
-        if worker.busy:
-            worker.kill()
-        elif worker.process is not None and worker.process.stdin is not None:
-            with contextlib.suppress(OSError):
-                worker.process.stdin.close()
-    until = time.monotonic() + _EXIT_TIME
-    for worker in state.workers:
-        if (process := worker.process) is not None:
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                process.wait(max(0.0, until - time.monotonic()))
-            worker.kill()
-    if state.folder is not None:
-        shutil.rmtree(state.folder, ignore_errors=True)

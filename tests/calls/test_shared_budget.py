@@ -16,7 +16,7 @@ from bounded import LONG, at_once, line_of
 from paid_server import PRICES, Says, ask, serving, session
 
 from generator.calls.money.account import Account
-from generator.calls.money.budget import SharedBudget, Spender
+from generator.calls.money.budget import SharedBudget
 from generator.calls.money.database import FILE
 from generator.calls.money.entries import Entry
 from generator.errors import BudgetError, InputError, StorageError
@@ -183,7 +183,7 @@ def test_a_disk_that_refuses_loses_no_answer(
     def full(*known: object) -> None:
         raise StorageError("full")
 
-    monkeypatch.setattr(Spender, "settle", full)
+    monkeypatch.setattr(SharedBudget, "settle", full)
     shared = SharedBudget.open(tmp_path, "USD")
     with serving([Says()]) as server, shared.spending() as spender:
         asking = session(account=Account(spender))

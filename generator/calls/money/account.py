@@ -12,7 +12,7 @@ from typing import Any
 
 from ...errors import BudgetError, StorageError
 from ...io.files import write_whole
-from .budget import Spender
+from .budget import SharedBudget
 from .entries import Entry, Row, rows_of, table
 from .prices import Prices
 from .spending import Spending
@@ -26,11 +26,11 @@ _POLL = 0.1  # seconds between two looks at whether to stop
 class Account:
     """The calls of one scene, entered by any thread.
 
-    With a ``spender`` a budget is that of all who spend from its shared budget, in any process.
+    With a ``shared`` budget, see ``SharedBudget.spending``, a budget is that of all processes.
     """
 
-    def __init__(self, spender: Spender | None = None) -> None:
-        self._spender = spender
+    def __init__(self, shared: SharedBudget | None = None) -> None:
+        self._shared = shared
         self._lock = threading.Lock()
         self._ended = threading.Condition(self._lock)
         self._entries: list[Entry] = []
@@ -146,7 +146,7 @@ class Account:
                 f"{what}: its price is not known, so the budget of {budget:g} cannot be kept. "
                 'Add the model, or its server as "@host", to the price table, or give no budget.'
             )
-        if budget is not None and maximum and self._spender is None:  # a shared one has its own sum
+        if budget is not None and maximum and self._shared is None:  # a shared one has its own sum
             self._check_earlier(what, budget)
         with self._ended:
             while (reservation := self._reserve(maximum, budget, what)) is None:
@@ -183,8 +183,8 @@ class Account:
 
     def _reserve(self, maximum: float | None, budget: float | None, what: str) -> int | None:
         """Set aside what a call may cost, if it may be sent now; else others have to end first."""
-        if self._spender is not None:
-            return self._spender.reserve(maximum, budget, what)
+        if self._shared is not None:
+            return self._shared.reserve(maximum, budget, what)
         asked, spent = maximum or 0.0, sum(entry.money or 0.0 for entry in self._entries)
         if budget is None or not asked or spent + sum(self._reserved.values()) + asked <= budget:
             self._calls += 1
@@ -200,9 +200,9 @@ class Account:
     def _settle(self, reservation: int, money: float | None) -> None:
         """Put what a call cost in place of its reservation."""
         self._reserved.pop(reservation, None)
-        if self._spender is not None:
+        if self._shared is not None:
             try:
-                self._spender.settle(reservation, money)
+                self._shared.settle(reservation, money)
             except StorageError as error:  # it stays reserved; the answer must not be lost
                 if str(error) not in self._notes:
                     self._notes.append(str(error))

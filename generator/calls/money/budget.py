@@ -5,13 +5,14 @@ from __future__ import annotations
 import contextlib
 import secrets
 import sqlite3
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from ...errors import BudgetError, InputError, StorageError
 from ...io.reading import is_count, is_number, printable
-from .database import FILE, LOCAL, Keeper, NoDatabaseError, Operation, P, T, damaged, is_alive
+from .database import FILE, LOCAL, Keeper, NoDatabaseError, T, damaged, is_alive
 
 _MAX_HELD = 10_000  # calls under way at once
 
@@ -20,12 +21,8 @@ _MAX_HELD = 10_000  # calls under way at once
 class Spent:
     """What was spent of a budget.
 
-    Attributes:
-        mark: tells this budget from all others.
-        currency: of the money.
-        money: of the calls whose price is known.
-        unpriced: number of calls whose price is not.
-        held: the most that calls under way may cost.
+    ``money`` is of the calls whose price is known, ``unpriced`` counts the others, and ``held`` is
+    the most that calls under way may cost. ``mark`` tells this budget from all others.
     """
 
     mark: str
@@ -43,15 +40,17 @@ class SharedBudget:
         folder: where its database is; absolute.
         mark: that of the budget there, see ``Spent``.
         keeper: who works on the database.
+        owner: who reserves, see ``spending``.
     """
 
     folder: Path
     mark: str
     keeper: Keeper = LOCAL
+    owner: str = ""
 
     @classmethod
     def open(cls, folder: str | Path, currency: str) -> SharedBudget:
-        """Return the budget of a folder, which is there; a new one has nothing spent.
+        """Return the budget of a folder; a new one has nothing spent.
 
         Raises:
             InputError: what was spent from it was in another currency.
@@ -73,63 +72,49 @@ class SharedBudget:
         Raises:
             StorageError: here the folder is not the one that the budget was opened in.
         """
-        return self.transact(_spent, self.folder, self.mark)
+        return self._transact(_spent)
 
     @contextlib.contextmanager
-    def spending(self) -> Iterator[Spender]:
-        """Be one of those that spend from it.
+    def spending(self) -> Iterator[SharedBudget]:
+        """Yield it for one process, whose threads may reserve and settle at once.
 
         Raises:
             StorageError: as of ``spent``.
         """
         self.spent()
-        with self.keeper.owning(self.folder) as name:
-            yield Spender(self, name)
-
-    def transact(self, operation: Operation[P, T], *args: P.args, **more: P.kwargs) -> T:
-        """Return what ``operation`` of the database does, in one transaction."""
-        try:
-            return self.keeper.transact(self.folder, operation, *args, **more)
-        except NoDatabaseError as error:
-            raise _elsewhere(self.folder) from error
-
-
-@dataclass(frozen=True)
-class Spender:
-    """One process's part in a shared budget; its threads may use it at once."""
-
-    shared: SharedBudget
-    name: str
+        with self.keeper.owning(self.folder) as owner:
+            yield replace(self, owner=owner)
 
     def reserve(self, maximum: float | None, budget: float | None, what: str) -> int | None:
-        """Set aside what a call may cost at most; return the reservation.
+        """Set aside what a call may cost at most; return the number of the reservation.
 
-        None means: wait until other calls have ended. A call that is free needs no reservation.
+        None means: wait until other calls have ended. A call that is free gets the number 0.
 
         Args:
             maximum: what it may cost; None where nobody knows.
-            budget: what all calls of all spenders may cost; None for no limit.
+            budget: what all calls of all processes may cost; None for no limit.
             what: names the call in the message.
 
         Raises:
-            BudgetError: it might exceed the budget of all spenders.
+            BudgetError: it might exceed the budget.
             StorageError: the database cannot be read or written.
         """
-        if maximum == 0:
-            return 0
-        shared = self.shared
-        args = (shared.folder, shared.mark, self.name, maximum, budget, what)
-        return shared.transact(_reserve, *args)
+        return 0 if maximum == 0 else self._transact(_reserve, maximum, budget, what)
 
-    def settle(self, reservation: int, money: float | None) -> None:
+    def settle(self, number: int, money: float | None) -> None:
         """Spend what a call cost, in place of its reservation; None: nobody knows.
 
         Raises:
             StorageError: the database cannot be read or written.
         """
-        if reservation or money != 0:
-            shared = self.shared
-            shared.transact(_settle, shared.folder, shared.mark, self.name, reservation, money)
+        if number or money != 0:
+            self._transact(_settle, number, money)
+
+    def _transact(self, operation: Callable[..., T], *args: Any) -> T:
+        try:
+            return self.keeper.transact(self.folder, operation, self, *args)
+        except NoDatabaseError as error:
+            raise _elsewhere(self.folder) from error
 
 
 def _open(database: sqlite3.Connection, folder: Path, currency: str) -> Spent:
@@ -140,59 +125,50 @@ def _open(database: sqlite3.Connection, folder: Path, currency: str) -> Spent:
     return _read(database, folder)
 
 
-def _spent(database: sqlite3.Connection, folder: Path, mark: str, own: str | None = None) -> Spent:
-    """Return what was spent, reservations of dead owners included.
-
-    ``own`` is the owner that asks: alive, whatever the disk's locks make of it.
-    """
-    if _read(database, folder).mark != mark:
-        raise _elsewhere(folder)
-    for (owner,) in database.execute("SELECT DISTINCT owner FROM held").fetchall():
-        if owner != own and not is_alive(folder, owner):
-            dead = "SELECT call, money FROM held WHERE owner = ?"
-            for call, money in database.execute(dead, (owner,)).fetchall():
-                _spend(database, call, money)
-    return _read(database, folder)
+def _spent(database: sqlite3.Connection, shared: SharedBudget) -> Spent:
+    """Return what was spent, reservations of dead owners included."""
+    if _read(database, shared.folder).mark != shared.mark:
+        raise _elsewhere(shared.folder)
+    held = database.execute("SELECT * FROM held").fetchall()
+    others = {owner for _, owner, _ in held if not shared.owner or owner != shared.owner}
+    dead = {owner for owner in others if not is_alive(shared.folder, owner)}
+    for call, owner, money in held:
+        if owner in dead:
+            _spend(database, call, money)
+    return _read(database, shared.folder)
 
 
 def _reserve(
     database: sqlite3.Connection,
-    folder: Path,
-    mark: str,
-    owner: str,
+    shared: SharedBudget,
     maximum: float | None,
     budget: float | None,
     what: str,
 ) -> int | None:
-    spent = _spent(database, folder, mark, owner)
+    spent, asked = _spent(database, shared), maximum or 0.0
     if budget is not None and spent.unpriced:
         raise BudgetError(
             f"{what}: not sent, for {spent.unpriced} calls of earlier runs into this folder have "
             f"no known price, so the budget of {budget:g} cannot be kept. Use another folder "
             "(what was answered is kept), or give no budget."
         )
-    if budget is not None and spent.money + (maximum or 0.0) > budget:
+    if budget is not None and spent.money + asked > budget:
         raise BudgetError(
-            f"{what}: not sent, for it may cost {maximum:.4f}. Of the budget of {budget:g} for all "
+            f"{what}: not sent, for it may cost {asked:.4f}. Of the budget of {budget:g} for all "
             f"scenes, {spent.money:.4f} is spent. What was answered is kept; raise the budget to "
-            "go on."
+            "resume."
         )
-    if budget is not None and spent.money + spent.held + (maximum or 0.0) > budget:
+    if budget is not None and spent.money + spent.held + asked > budget:
         return None
-    insert = "INSERT INTO held (owner, money) VALUES (?, ?)"
-    return database.execute(insert, (owner, maximum)).lastrowid
+    values = (shared.owner, maximum)
+    return database.execute("INSERT INTO held (owner, money) VALUES (?, ?)", values).lastrowid
 
 
 def _settle(
-    database: sqlite3.Connection,
-    folder: Path,
-    mark: str,
-    owner: str,
-    reservation: int,
-    money: float | None,
+    database: sqlite3.Connection, shared: SharedBudget, number: int, money: float | None
 ) -> None:
-    _spent(database, folder, mark, owner)
-    _spend(database, reservation, money)
+    _spent(database, shared)
+    _spend(database, number, money)
 
 
 def _spend(database: sqlite3.Connection, call: int, money: float | None) -> None:
@@ -205,26 +181,25 @@ def _read(database: sqlite3.Connection, folder: Path) -> Spent:
     """Return what a database says of its budget, checked.
 
     Raises:
-        StorageError: it is not what was ever written.
+        StorageError: it was never written so.
     """
-    path = folder / FILE
     rows = database.execute("SELECT * FROM spent LIMIT 2").fetchall()
     held = database.execute("SELECT owner, money FROM held LIMIT ?", (_MAX_HELD + 1,)).fetchall()
-    if len(rows) > 1 or len(held) > _MAX_HELD:
-        raise damaged(path, f"It has {len(rows)} budgets and {len(held)} calls under way.")
     if not rows:
         raise _elsewhere(folder)
     mark, currency, money, unpriced = rows[0]
+    amounts = [amount for _, amount in held if amount is not None]
     try:
-        printable(mark, "Its mark", StorageError, max_length=64)
-        printable(currency, "Its currency", StorageError, max_length=64)
+        for text in (mark, currency):
+            printable(text, "A name in it", StorageError, max_length=64)
+        owned = all(isinstance(owner, str) for owner, _ in held)
+        if not (owned and all(map(is_number, (money, *amounts))) and is_count(unpriced)):
+            raise StorageError("Its amounts have to be numbers from 0 on.")
+        if len(rows) > 1 or len(held) > _MAX_HELD:
+            raise StorageError(f"It has {len(rows)} budgets and {len(held)} calls under way.")
     except StorageError as error:
-        raise damaged(path, str(error)) from error
-    amounts = [money, *(amount for _, amount in held if amount is not None)]
-    owners = all(isinstance(owner, str) for owner, _ in held)
-    if not (all(map(is_number, amounts)) and is_count(unpriced) and owners):
-        raise damaged(path, "Its amounts have to be numbers from 0 on.")
-    return Spent(mark, currency, money, unpriced, sum(amounts[1:]))
+        raise damaged(folder / FILE, str(error)) from error
+    return Spent(mark, currency, money, unpriced, sum(amounts))
 
 
 def _elsewhere(folder: Path) -> StorageError:

@@ -18,17 +18,14 @@ import sqlite3
 import stat
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Concatenate, ParamSpec, Protocol, TypeVar
+from typing import Any, Protocol, TypeVar
 
 from filelock import FileLock, Timeout
 
 from ...errors import StorageError
 from ...io.files import make_private, remove_file
 
-P = ParamSpec("P")
 T = TypeVar("T")
-Operation = Callable[Concatenate[sqlite3.Connection, P], T]
-"""What is done within a transaction: a function of a module, so that it can be pickled."""
 
 FILE = "spending.sqlite3"
 """The database's name in its folder."""
@@ -61,10 +58,11 @@ class Keeper(Protocol):
         """Make a folder's database, unless there is one."""
         ...
 
-    def transact(
-        self, folder: Path, operation: Operation[P, T], *args: P.args, **more: P.kwargs
-    ) -> T:
-        """Return what ``operation`` of a folder's database does, in one transaction."""
+    def transact(self, folder: Path, operation: Callable[..., T], *args: Any) -> T:
+        """Return ``operation(connection, *args)``, done to a folder's database in one transaction.
+
+        The operation is a function of a module, so that it can be pickled.
+        """
         ...
 
     def owning(self, folder: Path) -> contextlib.AbstractContextManager[str]:
@@ -99,10 +97,8 @@ class LocalKeeper:
         except (OSError, sqlite3.Error) as error:
             raise _refused(folder / FILE, str(error)) from error
 
-    def transact(
-        self, folder: Path, operation: Operation[P, T], *args: P.args, **more: P.kwargs
-    ) -> T:
-        """Return what ``operation`` of a folder's database does, in one transaction.
+    def transact(self, folder: Path, operation: Callable[..., T], *args: Any) -> T:
+        """Return ``operation(connection, *args)``, done in one transaction.
 
         Raises:
             StorageError: the database is foreign, damaged or missing, or the disk refuses. It is
@@ -111,7 +107,7 @@ class LocalKeeper:
         path = folder / FILE
         try:
             with _connected(path) as database:
-                result = operation(database, *args, **more)
+                result = operation(database, *args)
                 database.execute("COMMIT")
                 return result
         except (FileNotFoundError, NotADirectoryError) as error:
