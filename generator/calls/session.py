@@ -30,7 +30,7 @@ from .store import CallStore
 if TYPE_CHECKING:
     import httpx2
 
-    from .transport import Sign
+    from .asking import Sign
 
 T = TypeVar("T")
 R = TypeVar("R")
