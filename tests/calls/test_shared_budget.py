@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import os
 import pickle
+import random
 import signal
 import subprocess
 import sys
 import threading
+import time
 from contextlib import ExitStack
+from functools import partial
 from pathlib import Path
 
 import pytest
-from bounded import LONG, at_once, line_of
+from bounded import LONG, at_once, line_of, running
 from paid_server import PRICES, Says, ask, serving, session
 
 from generator.calls.money.account import Account
@@ -107,6 +110,46 @@ def test_what_a_killed_process_had_under_way_is_spent(tmp_path: Path) -> None:
     process.wait(LONG)
     process.stdout.close()
     assert (shared.spent().money, shared.spent().held) == (0.375, 0.0)
+
+
+SPENDS = """
+import sys
+from generator.calls.money.budget import SharedBudget
+from generator.errors import BudgetError
+with SharedBudget.open(sys.argv[1], "USD").spending() as spender, open(sys.argv[2], "a") as log:
+    print("begun", flush=True)
+    while True:
+        try:
+            call = spender.reserve(0.25, 100.0, "a call")
+        except BudgetError:
+            break
+        if call is not None:
+            log.write("x")  # sent, and paid for
+            log.flush()
+            spender.settle(call, 0.125)
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name == "nt", reason="kills by signal")
+def test_whenever_processes_are_killed_no_call_is_forgotten_and_no_budget_exceeded(
+    tmp_path: Path,
+) -> None:
+    log, rng = tmp_path / "log", random.Random(0)
+    shared = SharedBudget.open(tmp_path / "budget", "USD")
+
+    def killed(_: int) -> None:
+        command = [sys.executable, "-c", SPENDS, str(tmp_path / "budget"), str(log)]
+        path = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+        with running(*command, stdout=subprocess.PIPE, env=path) as process:
+            assert line_of(process) == b"begun\n"
+            time.sleep(rng.uniform(0.0, 0.2))
+
+    for _ in range(3):
+        at_once(*(partial(killed, k) for k in range(4)))
+        spent, sent = shared.spent(), log.stat().st_size
+        assert 0.125 * sent <= spent.money <= 100.0
+        assert spent.money <= 0.125 * sent + 0.25 * 12 and spent.held == 0.0
 
 
 def test_a_call_that_broke_off_is_spent(tmp_path: Path) -> None:
