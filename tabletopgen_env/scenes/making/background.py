@@ -27,7 +27,7 @@ NICENESS = 10
 
 
 @dataclass(frozen=True)
-class Made:
+class MadeScene:
     """A scene that is done: its bundle, alone in a folder of its own, and how hard it is."""
 
     recipe: SceneRecipe
@@ -36,7 +36,7 @@ class Made:
 
 
 @dataclass(frozen=True)
-class Failed:
+class FailedScene:
     """A scene that cannot be had, and why."""
 
     recipe: SceneRecipe
@@ -64,7 +64,7 @@ class Background:
             ) from error
         self._workers = WorkerPool(count, begin=_step_back, folder=self.folder)
         self._waiting: deque[SceneRecipe] = deque()
-        self._pending: dict[Future[Made], tuple[SceneRecipe, Path]] = {}
+        self._pending: dict[Future[MadeScene], tuple[SceneRecipe, Path]] = {}
         self._started = self._failures = 0
         self._rest, self._timeout, self._resting_until = rest, timeout, 0.0
 
@@ -82,11 +82,11 @@ class Background:
         """Have a scene made, in its turn."""
         self._waiting.append(recipe)
 
-    def collect(self) -> list[Made | Failed]:
+    def collect(self) -> list[MadeScene | FailedScene]:
         """Return what has ended since the last call, and hand out what waits."""
         ended = [self._result(future) for future in list(self._pending) if future.done()]
         for end in ended:
-            self._failures = self._failures + 1 if isinstance(end, Failed) else 0
+            self._failures = self._failures + 1 if isinstance(end, FailedScene) else 0
         if ended and self._failures:
             rest = min(self._rest * 2.0 ** (self._failures - 1), LONGEST_REST)
             self._resting_until = time.monotonic() + rest
@@ -106,14 +106,14 @@ class Background:
         future = self._workers.submit(_make, recipe, folder, timeout=self._timeout)
         self._pending[future] = recipe, folder
 
-    def _result(self, future: Future[Made]) -> Made | Failed:
+    def _result(self, future: Future[MadeScene]) -> MadeScene | FailedScene:
         recipe, folder = self._pending.pop(future)
         try:
             return future.result()
         except Exception as error:
             shutil.rmtree(folder, ignore_errors=True)
             kind = "" if isinstance(error, WorkerDied) else f"{type(error).__name__}: "
-            return Failed(recipe, f"{kind}{error}")
+            return FailedScene(recipe, f"{kind}{error}")
 
 
 def _step_back() -> None:
@@ -121,7 +121,7 @@ def _step_back() -> None:
         os.nice(NICENESS)
 
 
-def _make(recipe: SceneRecipe, folder: Path) -> Made:
+def _make(recipe: SceneRecipe, folder: Path) -> MadeScene:
     """Make a scene and save it as a bundle in a folder."""
     from generator.bundle import save
 
@@ -129,4 +129,4 @@ def _make(recipe: SceneRecipe, folder: Path) -> Made:
 
     scene = recipe.make()
     path = save(scene, folder, allow_failed=True)  # recipes judge what needs judging
-    return Made(recipe, path, difficulty(scene))
+    return MadeScene(recipe, path, difficulty(scene))

@@ -16,7 +16,7 @@ from generator.errors import SceneError
 from ..fixed import Bundle, FixedScenes, is_there
 from ..fresh import FreshScenes
 from ..source import SceneRef
-from .background import Background, Failed, Made
+from .background import Background, FailedScene, MadeScene
 
 MOST_FAILURES = 5
 """So many scenes in a row may fail while the first pool is made."""
@@ -118,8 +118,8 @@ class ScenePool:
             self._resting_until = time.monotonic() + REST
             self._fail(str(error))
 
-    def _take(self, end: Made | Failed) -> None:
-        if isinstance(end, Failed):
+    def _take(self, end: MadeScene | FailedScene) -> None:
+        if isinstance(end, FailedScene):
             return self._fail(end.reason)
         return self._add(SceneRef(end.recipe.key, Bundle(end.bundle), end.difficulty))
 
