@@ -98,8 +98,8 @@ def batch(
     if calls.dry_run and isinstance(make, batches.Generating) and asks is not None:
         return _tried(jobs, out, make, asks, pool.workers, retry, json)
     if isinstance(make, batches.Generating) and asks is not None and asks.asks_servers():
-        purse = batches.purse_of(out, make.prices)
-        make = replace(make, purse=purse, budget=calls.budget)
+        shared = batches.shared_budget(out, make.prices)
+        make = replace(make, shared_budget=shared, budget=calls.budget)
     try:
         with _progress(len(jobs), quiet=json) as shown:
             summary = batches.run(
@@ -125,11 +125,11 @@ def _generating(mix: Mix, calls: CallOptions) -> Generating:
 
 
 def _spent(make: Maker) -> dict[str, Any]:
-    """Return what was spent from a maker's purse in all runs, nothing where it has none."""
-    purse, budget = getattr(make, "purse", None), getattr(make, "budget", None)
-    if purse is None:
+    """Return what was spent of a maker's shared budget in all runs, nothing where it has none."""
+    shared, budget = getattr(make, "shared_budget", None), getattr(make, "budget", None)
+    if shared is None:
         return {}
-    told = purse.sum()
+    told = shared.spent()
     return {
         "spent": {
             "money": round(told.money, 6),

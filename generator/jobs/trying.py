@@ -1,4 +1,4 @@
-"""What a batch would ask, and asks not."""
+"""Dry run of a batch."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def try_out(
     known = {job: recorded(job, folder, key_of(job, make), retry) for job in jobs}
     left = [job for job, outcome in known.items() if outcome is None]
     if left:
-        dry = replace(make, dry=True, purse=None, budget=None)
+        dry = replace(make, dry=True, shared_budget=None, budget=None)
         with tempfile.TemporaryDirectory(prefix="tabletopgen-dry-") as elsewhere:
             known |= {o.job: o for o in run(left, elsewhere, dry, workers=workers).outcomes}
     return Summary(tuple(outcome for job in jobs if (outcome := known[job]) is not None))

@@ -15,19 +15,17 @@ task's id.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
 from contextlib import closing
 from dataclasses import replace
 from importlib import metadata
 from itertools import chain, repeat
-from multiprocessing import get_context
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from generator.errors import BundleError, SceneError, TabletopError, require_number
+from generator.jobs.workers import WorkerPool
 
 from ..episodes import Held
 from ..goals.goal import SPOT
@@ -141,18 +139,8 @@ def _in_turn(jobs: Sequence[_Job], workers: int) -> Iterator[_Listed]:
     if workers == 1 or len(jobs) < 2:
         yield from map(_played, jobs)
         return
-    pool = ProcessPoolExecutor(min(workers, len(jobs)), get_context("spawn"))
-    try:
-        begun: list[Future[_Listed]] = [pool.submit(_played, job) for job in jobs]
-        for future in begun:
-            yield future.result()
-    except BrokenProcessPool as error:
-        raise SceneError(
-            "A process that played episodes has ended abruptly: killed, or out of memory. Use "
-            "fewer workers. A script calls certify under `if __name__ == '__main__':`."
-        ) from error
-    finally:
-        pool.shutdown(cancel_futures=True)
+    with closing(WorkerPool(min(workers, len(jobs)))) as pool:
+        yield from pool.map(_played, jobs)
 
 
 # ------------------------------------------------------------------------------------- instances

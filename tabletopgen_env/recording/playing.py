@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+import atexit
 from collections import deque
 from collections.abc import Generator, Mapping, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from concurrent.futures import Future
+from contextlib import closing
 from contextvars import ContextVar
 from dataclasses import dataclass
+from functools import partial
 from itertools import count
-from multiprocessing import get_context
-from multiprocessing.util import Finalize
 from typing import Any
 
 import gymnasium as gym
@@ -18,6 +18,7 @@ import numpy as np
 from jaxtyping import Float, Shaped
 
 from generator.errors import SceneError
+from generator.jobs.workers import WorkerPool
 
 from ..learning.demonstrations.recorded import demonstrate
 from .config import RecordConfig
@@ -71,8 +72,7 @@ def played(
     if workers == 1:
         yield from (_attempt(config, env, number) for number in count())
     few = min(CHUNK, -(-config.episodes // workers))
-    pool = ProcessPoolExecutor(workers, get_context("spawn"), _begin, (config,))
-    try:
+    with closing(WorkerPool(workers, begin=partial(_begin, config))) as pool:
         numbers, begun = count(0, few), count(0, few)
         ahead: deque[Future[list[Played | SceneError]]] = deque()
         for done in numbers:
@@ -80,13 +80,6 @@ def played(
             while len(ahead) < min(2 * workers, wanted):
                 ahead.append(pool.submit(_chunk, config, next(begun), few))
             yield from ahead.popleft().result()
-    except BrokenProcessPool as error:
-        raise SceneError(
-            "A process that played episodes has ended abruptly: killed, or out of memory. Use "
-            "fewer workers. A script calls record under `if __name__ == '__main__':`."
-        ) from error
-    finally:
-        pool.shutdown(cancel_futures=True)
 
 
 _environment: ContextVar[gym.Env[Any, Any]] = ContextVar("_environment")
@@ -96,7 +89,7 @@ _environment: ContextVar[gym.Env[Any, Any]] = ContextVar("_environment")
 def _begin(config: RecordConfig) -> None:
     """Make the environment of a process, kept until the process ends."""
     env = config.environment()
-    Finalize(env, env.close, exitpriority=0)
+    atexit.register(env.close)
     _environment.set(env)
 
 

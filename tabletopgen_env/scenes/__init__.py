@@ -31,7 +31,7 @@ from .finding import REFRESHING as REFRESHING
 from .finding import STARTER as STARTER
 from .fixed import FixedScenes as FixedScenes
 from .fresh import FreshScenes as FreshScenes
-from .making.recipe import Recipe as Recipe
+from .making.recipe import SceneRecipe as SceneRecipe
 from .refreshing import RefreshingScenes as RefreshingScenes
 from .sharing import SharedScenes as SharedScenes
 from .source import SceneRef as SceneRef

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from running.paid_server import ask
+from calls.paid_server import ask
 
 from generator.backends.embedded.reasoner import Reasoner
 from generator.calls import Session

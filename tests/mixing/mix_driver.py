@@ -18,7 +18,7 @@ from generator.backends import Backends
 from generator.backends.huggingface.encoder import Encoder
 from generator.backends.huggingface.segmenter import Segmenter
 from generator.calls import Session
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.money.prices import Price, Prices
 from generator.calls.store import CallStore
 from generator.generation import Config, Generation
@@ -61,7 +61,7 @@ def main(out: str, calls: str, workers: str) -> None:
     logging.basicConfig(level=logging.DEBUG)
     session = Session(
         store=CallStore(calls), prices=PRICES, workers=int(workers), attempts=2,
-        patience=Patience(first=0.01),
+        retry_policy=RetryPolicy(first=0.01),
     )  # fmt: skip
     made = scene(session)
     path = made.save(out)

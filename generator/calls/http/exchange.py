@@ -25,8 +25,8 @@ _PIECE = 2**18  # bytes that are unpacked at once
 UNPACKED = "gzip, deflate"
 """How an answer's body may be packed, as a request says it; it is packed once, or not at all."""
 
-Dial = Callable[[float, int], httpx2.BaseTransport]
-"""Gives the connections of one call, by when it must be over and what its answer may have."""
+Dial = Callable[[float], httpx2.BaseTransport]
+"""Gives the connections of one call, by when it must be over."""
 
 
 @dataclass(frozen=True)
@@ -79,18 +79,19 @@ def exchange(
     until = time.monotonic() + timeout
     paid = request.method not in ("GET", "HEAD")
     try:
-        with dial(until, most_bytes) as wire:
+        with dial(until) as wire:
             reply = _read(wire, request, until, most_bytes)
-    except (httpx2.ConnectTimeout, httpx2.PoolTimeout):
-        connect = request.extensions["timeout"]["connect"]
-        return Trouble(f"It did not take the call within {connect:g} s.", again=True)
-    except (httpx2.TimeoutException, _TooSlow):
-        told = f"It did not answer within {timeout:g} s."
-        return Trouble(told, again=True, charged=paid, late=True)
-    except (httpx2.ConnectError, httpx2.ProxyError) as error:
-        again = "certificate" not in str(error).lower()
-        return Trouble(f"It cannot be reached ({error}).", again=again)
-    except (httpx2.TransportError, zlib.error) as error:
+    except (httpx2.ConnectTimeout, httpx2.PoolTimeout, httpx2.ConnectError, httpx2.ProxyError) as e:
+        late = time.monotonic() >= until  # then the connection was shut down
+        if late or not isinstance(e, httpx2.ConnectError | httpx2.ProxyError):
+            connect = request.extensions["timeout"]["connect"]
+            return Trouble(f"It did not take the call within {connect:g} s.", again=True)
+        again = "certificate" not in str(e).lower()
+        return Trouble(f"It cannot be reached ({e}).", again=again)
+    except (httpx2.TransportError, zlib.error, _TooSlow) as error:
+        if isinstance(error, _TooSlow | httpx2.TimeoutException) or time.monotonic() >= until:
+            told = f"It did not answer within {timeout:g} s."
+            return Trouble(told, again=True, charged=paid, late=True)
         if isinstance(error, httpx2.UnsupportedProtocol | httpx2.LocalProtocolError):
             return Trouble(f"The request cannot be sent ({error}).", again=False)
         told = f"Its answer broke off ({str(error)[:_EXCERPT] or type(error).__name__})."

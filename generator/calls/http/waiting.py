@@ -14,7 +14,7 @@ from ...errors import BackendError, require
 
 
 @dataclass(frozen=True)
-class Patience:
+class RetryPolicy:
     """How calls are tried again; all in seconds but ``factor`` and ``failures``.
 
     The k-th wait is drawn evenly from half to all of ``first * factor**k``, at most ``longest``.
@@ -40,11 +40,11 @@ class Patience:
 
     def pause(self, k: int, share: float) -> float:
         """Return the wait after the k-th failure, k from 0; ``share`` in [0, 1] is the draw."""
-        whole = min(self.first * self.factor ** min(k, 64), self.longest)
-        return whole * (0.5 + 0.5 * share)
+        longest = min(self.first * self.factor ** min(k, 64), self.longest)
+        return longest * (0.5 + 0.5 * share)
 
-    def drawn(self, k: int) -> float:
-        """Return the wait after the k-th failure, drawn anew each time."""
+    def draw(self, k: int) -> float:
+        """Return the wait after the k-th failure, drawn at random."""
         return self.pause(k, random.random())
 
 
@@ -85,11 +85,11 @@ class Breaker:
     """Keeps calls from a server that does not work: one for each server, shared by all threads."""
 
     def __init__(
-        self, server: str, patience: Patience, clock: Callable[[], float] = time.monotonic
+        self, server: str, policy: RetryPolicy, clock: Callable[[], float] = time.monotonic
     ) -> None:
         """``server`` is its name in messages; ``clock`` tells seconds."""
         self._server = server
-        self._patience = patience
+        self._policy = policy
         self._clock = clock
         self._lock = threading.Lock()
         self._failures = 0
@@ -104,7 +104,7 @@ class Breaker:
             BackendError: the server failed too often in a row, and has not rested yet.
         """
         with self._lock:
-            if self._failures < self._patience.failures:
+            if self._failures < self._policy.failures:
                 return
             left = self._closed_again - self._clock()
             if left > 0:
@@ -113,7 +113,7 @@ class Breaker:
                     f"last: {self._reason} It is left alone for {left:.0f} s more. "
                     "See whether it runs, then try again."
                 )
-            self._closed_again = self._clock() + self._patience.rest  # others wait for this one
+            self._closed_again = self._clock() + self._policy.rest  # others wait for this one
 
     def line(self) -> Line:
         """Return the line of a call that begins now."""
@@ -134,7 +134,7 @@ class Breaker:
             line.length += 1
             self._failures = max(self._failures, line.length)
             self._reason = reason
-            self._closed_again = self._clock() + self._patience.rest
+            self._closed_again = self._clock() + self._policy.rest
 
 
 class Breakers:
@@ -144,7 +144,7 @@ class Breakers:
         self._lock = threading.Lock()
         self._made: dict[tuple[str, str], Breaker] = {}
 
-    def of(self, server: str, origin: str, patience: Patience) -> Breaker:
+    def of(self, server: str, origin: str, policy: RetryPolicy) -> Breaker:
         """Return the breaker of the server of that name at ``origin``."""
         with self._lock:
-            return self._made.setdefault((server, origin), Breaker(server, patience))
+            return self._made.setdefault((server, origin), Breaker(server, policy))

@@ -30,7 +30,7 @@ Maker = Callable[[str | ScenePlan, int], Scene]
 
 
 @dataclass(frozen=True)
-class Recipe:
+class SceneRecipe:
     """What decides a scene that is made on demand: the same recipe makes the same scene.
 
     Attributes:
@@ -120,26 +120,6 @@ class Recipe:
                 raise SceneError(f"Scene {scene.name!r} is not for {rule}.")
         return scene
 
-    def to_json(self) -> dict[str, Any]:
-        """Return the recipe as plain JSON values."""
-        facts = dataclasses.asdict(self)
-        return facts if isinstance(self.what, str) else facts | {"what": _facts(self.what)}
-
-    @classmethod
-    def from_json(cls, values: dict[str, Any]) -> Recipe:
-        """Read a recipe back.
-
-        Raises:
-            InputError: the values are no recipe's.
-        """
-        what = values["what"]
-        return cls(
-            what if isinstance(what, str) else SceneDistribution(**what),
-            values["seed"],
-            values["making"],
-            tuple(Rule(**rule) for rule in values["rules"]),
-        )
-
 
 def _facts(distribution: SceneDistribution) -> dict[str, Any]:
     """Return a distribution as plain JSON values; without needs as before there were any."""
@@ -150,7 +130,7 @@ def _facts(distribution: SceneDistribution) -> dict[str, Any]:
 
 
 def maker(making: str) -> Maker:
-    """Return the function that ``Recipe.making`` names.
+    """Return the function that ``SceneRecipe.making`` names.
 
     Raises:
         InputError: there is none.

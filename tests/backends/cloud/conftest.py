@@ -12,10 +12,10 @@ from openai_server import CHAT, IMAGES, KEY, Running, start
 from generator.backends.cloud.imager import Imager
 from generator.backends.cloud.reasoner import Reasoner
 from generator.backends.embedded.imager import Imager as EmbeddedImager
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.session import Session
 
-QUICK = Patience(first=0.01, longest=0.02, rest=0.05)
+QUICK = RetryPolicy(first=0.01, longest=0.02, rest=0.05)
 
 
 @pytest.fixture
@@ -34,7 +34,7 @@ def server(monkeypatch: pytest.MonkeyPatch) -> Iterator[Running]:
 
 @pytest.fixture
 def session() -> Session:
-    return Session(patience=QUICK, attempts=3)
+    return Session(retry_policy=QUICK, attempts=3)
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ from openai_server import IMAGES, Request, Running
 from generator.backends.cloud.imager import REDRAWS, Imager
 from generator.backends.cloud.reasoner import Reasoner
 from generator.backends.embedded.imager import Imager as EmbeddedImager
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.money.prices import Price, Prices
 from generator.calls.session import Session
 from generator.calls.store import CallStore
@@ -31,8 +31,8 @@ Ask = Callable[..., tuple[str, ...]]
 
 def keeping(folder: Path, **settings: object) -> Session:
     """A session of a run of its own, whose answers are kept in ``folder``."""
-    quick = Patience(first=0.01, longest=0.02, rest=0.05)
-    return Session(**{"store": CallStore(folder), "patience": quick, "attempts": 2, **settings})
+    quick = RetryPolicy(first=0.01, longest=0.02, rest=0.05)
+    return Session(**{"store": CallStore(folder), "retry_policy": quick, "attempts": 2, **settings})
 
 
 @pytest.fixture

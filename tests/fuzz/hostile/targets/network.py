@@ -18,7 +18,7 @@ from generator.backends.cloud.imager import Imager
 from generator.backends.cloud.reasoner import Reasoner
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
 from generator.backends.modelers.tencent import Tencent
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.session import Session
 from generator.calls.store import CallStore
 from generator.errors import BackendError
@@ -46,8 +46,8 @@ _ADDRESSES = (
 def session(folder: Path, rng: random.Random) -> Session:
     """Return a session that does not wait long, with a store of its own now and then."""
     store = CallStore(folder / "calls") if rng.random() < 0.3 else None
-    patience = Patience(first=0.001, longest=0.002, obeyed=0.05, rest=0.05)
-    return Session(store=store, attempts=rng.choice((1, 1, 2)), patience=patience, grace=0.2)
+    policy = RetryPolicy(first=0.001, longest=0.002, obeyed=0.05, rest=0.05)
+    return Session(store=store, attempts=rng.choice((1, 1, 2)), retry_policy=policy, grace=0.2)
 
 
 def _named(url: str) -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from asking_maker import AskingMaker
 from bounded import until
-from running.paid_server import Asked, Says, Served, serving
+from calls.paid_server import Asked, Says, Served, serving
 
 from generator import jobs as batch
 from generator.calls.store import CallStore

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-import shutil
+import sqlite3
+import subprocess
 import sys
 from functools import partial
 from pathlib import Path
@@ -15,7 +16,8 @@ from paid_server import KEY, PRICES, Asked, Says, ask, serving, session
 
 from generator.calls import Session
 from generator.calls.money.account import Account
-from generator.calls.money.budget import Purse
+from generator.calls.money.budget import SharedBudget
+from generator.calls.money.database import FILE, LOCAL
 from generator.calls.money.entries import Entry
 from generator.calls.money.prices import Price, Prices
 from generator.calls.money.spending import Spending
@@ -88,26 +90,25 @@ def test_a_killed_run_leaves_what_it_spent_and_may_have(tmp_path: Path) -> None:
     assert resumed.account.money == pytest.approx(0.021 + MOST, abs=1e-4)
 
 
-def test_each_line_has_the_key_of_its_answer_and_no_secret(tmp_path: Path) -> None:
+def test_each_call_has_the_key_of_its_answer_and_no_secret(tmp_path: Path) -> None:
     with serving([Says()]) as server:
-        ask(run(tmp_path), server.url)
-    (path,) = (tmp_path / "spending").glob("*.jsonl")
-    (answer,) = (tmp_path / "answers").glob("*/*")
-    lines = path.read_text().splitlines()
-    assert len(lines) == 2 and all(answer.name in line for line in lines)
-    assert KEY not in path.read_text()
-    assert path.stat().st_mode & 0o077 == path.parent.stat().st_mode & 0o077 == 0
+        ask(run(tmp_path / "calls"), server.url)
+    (answer,) = (tmp_path / "calls" / "answers").glob("*/*")
+    raw = (tmp_path / "calls" / FILE).read_bytes()
+    assert answer.name.encode() in raw and KEY.encode() not in raw
+    assert (tmp_path / "calls" / FILE).stat().st_mode & 0o077 == 0
+    assert (tmp_path / "calls").stat().st_mode & 0o077 == 0
 
 
 def test_what_is_free_is_not_written_down(tmp_path: Path) -> None:
     with serving([Says()]) as server:
         ask(run(tmp_path, prices=Prices()), server.url)
-    assert not (tmp_path / "spending").exists()
+    assert not (tmp_path / FILE).exists()
 
 
 def test_what_nobody_knows_the_price_of_stays_so(tmp_path: Path) -> None:
-    spending = Spending(tmp_path / "a.jsonl", "USD")
-    spending.write("one", "k", Entry("s", "q", money=None))
+    spending = Spending(tmp_path, "a")
+    spending.write("k", Entry("s", "q", money=None))
     account = Account()
     account.resume(spending)
     assert (account.money, account.unpriced) == (0.0, 1)
@@ -115,8 +116,8 @@ def test_what_nobody_knows_the_price_of_stays_so(tmp_path: Path) -> None:
 
 def unpriced(folder: Path, *entries: Entry) -> None:
     """Leave calls that a run without a budget made at an unknown price."""
-    for k, entry in enumerate(entries):
-        Spending.beside(folder, "scene").write(str(k), "k", entry)
+    for entry in entries:
+        Spending(folder, "scene").write("k", entry)
 
 
 def test_answers_are_priced_as_soon_as_their_model_is(tmp_path: Path) -> None:
@@ -137,10 +138,10 @@ def test_calls_of_a_server_of_ones_own_are_priced_by_its_host(tmp_path: Path) ->
     assert run(tmp_path, prices=prices).account.money == 0.5
 
 
-def test_a_purse_s_budget_is_of_its_own_calls_alone(tmp_path: Path) -> None:
+def test_a_shared_budget_is_of_its_own_calls_alone(tmp_path: Path) -> None:
     """Earlier calls of the scene were made into another folder."""
     unpriced(tmp_path, Entry("s", "q", "m", "failed", money=None))
-    with serving([Says()]) as server, Purse.open(tmp_path, "USD").spending() as spender:
+    with serving([Says()]) as server, SharedBudget.open(tmp_path, "USD").spending() as spender:
         shared = run(tmp_path, budget=5.0, account=Account(spender))
         assert ask(shared, server.url).status_code == 200
 
@@ -160,7 +161,7 @@ def test_no_budget_is_kept_while_earlier_calls_have_no_price(tmp_path: Path, ent
     with serving([Says()]) as server:
         with pytest.raises(BudgetError, match="1 calls whose price is not known") as refused:
             ask(run(tmp_path, budget=5.0), server.url)
-        assert "scene.jsonl" in str(refused.value)
+        assert FILE in str(refused.value)
         assert (f'[models."{entry.model}"]' in str(refused.value)) == bool(entry.model)
         assert server.asked == []
         free = run(tmp_path, budget=5.0, prices=Prices(models={"m": Price()}))
@@ -169,69 +170,91 @@ def test_no_budget_is_kept_while_earlier_calls_have_no_price(tmp_path: Path, ent
         assert ask(run(tmp_path), server.url).status_code == 200  # without a budget
 
 
-def test_half_a_line_spoils_no_other(tmp_path: Path) -> None:
-    spending = Spending(tmp_path / "a.jsonl", "USD")
-    spending.write("one", "k", Entry("s", "q", money=0.25))
-    with spending.path.open("ab") as file:
-        file.write(b'{"call": "0"}\n[1]\n{"call": "two", "mon')
-    spending.write("three", "k", Entry("s", "q", money=0.5))
-    assert [told["money"] for told in spending.earlier()] == [0.25, 0.5]
+def test_a_write_that_was_killed_spoils_no_other(tmp_path: Path) -> None:
+    spending = Spending(tmp_path, "a")
+    spending.write("k", Entry("s", "q", money=0.25))
+    writer = "import sys; from pathlib import Path; from test_spending import die; die(sys.argv[1])"
+    path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
+    done = subprocess.run(
+        [sys.executable, "-c", writer, str(tmp_path)], env={**os.environ, "PYTHONPATH": path}
+    )
+    assert done.returncode == 9 and (tmp_path / f"{FILE}-journal").stat().st_size > 0
+    spending.write("k", Entry("s", "q", money=0.5))
+    assert [entry.money for entry in spending.earlier()] == [0.25, 0.5]
 
 
-def test_lines_of_many_at_once_are_whole(tmp_path: Path) -> None:
-    spending = Spending(tmp_path / "a.jsonl", "USD")
+def die(folder: str) -> None:
+    """Die within a transaction, half of it on the disk."""
 
+    def half(database: sqlite3.Connection) -> None:
+        database.execute("PRAGMA cache_size = 0")
+        database.execute("PRAGMA cache_spill = 1")
+        for _ in range(200):
+            database.execute("INSERT INTO calls VALUES (NULL, 'a', ?)", ("x" * 5000,))
+        os._exit(9)
+
+    LOCAL.transact(Path(folder), half)
+
+
+def test_calls_of_many_at_once_are_whole(tmp_path: Path) -> None:
     def write(k: int) -> None:
-        Spending(spending.path, "USD").write(str(k), "k", Entry("s", "q" * 500, money=1.0))
+        Spending(tmp_path, "a").write("k", Entry("s", f"{k} " + "q" * 500, money=1.0))
 
     at_once(*(partial(write, k) for k in range(16)))
-    assert {told["call"] for told in spending.earlier()} == {str(k) for k in range(16)}
+    found = Spending(tmp_path, "a").earlier()
+    assert {entry.question.split()[0] for entry in found} == {str(k) for k in range(16)}
 
 
 def test_a_disk_that_refuses_loses_no_answer_and_says_so(tmp_path: Path) -> None:
-    (tmp_path / "spending").write_text("no folder")
+    (tmp_path / "file").write_text("no folder")
     shared = run(tmp_path / "calls")
-    shared.account.resume(Spending(tmp_path / "spending" / "a.jsonl", "USD"))
+    shared.account.resume(Spending(tmp_path / "file" / "calls", "a"))
     with serving([Says()]) as server:
         assert ask(shared, server.url).status_code == 200
-    assert "What this scene's calls cost cannot be written" in shared.account.notes[0]
+    assert "What was spent cannot be read or written" in shared.account.notes[0]
 
 
 def test_with_a_budget_nothing_is_sent_that_cannot_be_written_down(tmp_path: Path) -> None:
-    purse = Purse.open(tmp_path, "USD")
-    (tmp_path / "spending").write_text("no folder")
-    with serving([Says()]) as server, purse.spending() as spender:
+    budget = SharedBudget.open(tmp_path, "USD")
+    (tmp_path / "file").write_text("no folder")
+    with serving([Says()]) as server, budget.spending() as spender:
         shared = session(budget=1.0, account=Account(spender))
-        shared.account.resume(Spending(tmp_path / "spending" / "a.jsonl", "USD"))
-        with pytest.raises(StorageError, match=r"not sent, .* cannot be written"):
+        shared.account.resume(Spending(tmp_path / "file" / "calls", "a"))
+        with pytest.raises(StorageError, match=r"not sent, .* cannot be read or written"):
             ask(shared, server.url)
         assert server.asked == []
-    assert purse.sum().money == shared.account.money == 0.0
+    assert budget.spent().money == shared.account.money == 0.0
 
 
 def test_an_answer_under_a_budget_outlives_a_disk_that_refuses_late(tmp_path: Path) -> None:
     shared = run(tmp_path, budget=1.0)
 
     def spoil(asked: Asked, k: int) -> Says:
-        shutil.rmtree(tmp_path / "spending")
-        (tmp_path / "spending").write_text("no folder")
+        (tmp_path / FILE).unlink()
+        (tmp_path / FILE).mkdir()
         return Says()
 
     with serving(spoil) as server:
         assert ask(shared, server.url).status_code == 200
-    assert "cannot be written" in shared.account.notes[0]
+    assert "is not a regular file" in shared.account.notes[0]
 
 
 def test_what_cannot_be_read_is_not_taken_for_nothing(tmp_path: Path) -> None:
-    (tmp_path / "a.jsonl").mkdir()
-    with pytest.raises(StorageError, match="cannot be read"):
-        Account().resume(Spending(tmp_path / "a.jsonl", "USD"))
+    (tmp_path / FILE).mkdir()
+    with pytest.raises(StorageError, match="not a regular file"):
+        Account().resume(Spending(tmp_path, "a"))
+
+
+def test_what_an_older_version_kept_is_not_taken_for_nothing(tmp_path: Path) -> None:
+    (tmp_path / "spending").mkdir()
+    with pytest.raises(StorageError, match="spending is from an older version"):
+        Account().resume(Spending(tmp_path, "a"))
 
 
 def test_money_of_another_kind_is_not_added_up(tmp_path: Path) -> None:
-    Spending.beside(tmp_path, "a", "EUR").write("one", "k", Entry("s", "q", money=0.25))
+    Spending(tmp_path, "a", "EUR").write("k", Entry("s", "q", money=0.25))
     with pytest.raises(InputError, match="in 'EUR', and the price table is in USD"):
-        Account().resume(Spending.beside(tmp_path, "a", "USD"))
+        Account().resume(Spending(tmp_path, "a", "USD"))
 
 
 def test_a_call_that_was_given_up_is_written_down_with_the_most(tmp_path: Path) -> None:

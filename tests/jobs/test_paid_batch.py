@@ -6,14 +6,15 @@ import json
 import pickle
 import shutil
 from collections.abc import Callable, Iterator
+from concurrent.futures import Future
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from calls.paid_server import Says, Served, ask, serving
 from command import command
-from running.paid_server import Says, Served, ask, serving
 from toy import toy_object, toy_scene
 from toy_maker import ToyMaker, made
 
@@ -39,7 +40,7 @@ def test_processes_spend_one_sum_and_go_on_with_a_larger_one(tmp_path: Path) -> 
     with serving([Says(delay=0.1)]) as server:
 
         def run(budget: float) -> batch.Summary:
-            make = ToyMaker(str(log), server.url, batch.purse_of(out), budget)
+            make = ToyMaker(str(log), server.url, batch.shared_budget(out), budget)
             return batch.run(texts, out, make, workers=2)
 
         first = run(0.07)  # 0.021 and 0.021, then 0.04 might be too much
@@ -53,26 +54,28 @@ def test_processes_spend_one_sum_and_go_on_with_a_larger_one(tmp_path: Path) -> 
         more = run(0.1)
         assert [o.state for o in more.outcomes].count("made") == 1 and more.unpaid == ()
     assert len(server.asked) == 3
-    assert batch.purse_of(out).sum().money == pytest.approx(0.063)
+    assert batch.shared_budget(out).spent().money == pytest.approx(0.063)
     assert made(log).count("a cube 0") == 1
 
 
 @pytest.mark.slow
 def test_a_folder_that_the_workers_do_not_share_ends_the_batch(tmp_path: Path) -> None:
     """They would each spend the whole sum."""
-    purse = batch.purse_of(tmp_path / "theirs")
+    budget = batch.shared_budget(tmp_path / "theirs")
     shutil.rmtree(tmp_path / "theirs")
-    make = ToyMaker(str(tmp_path / "log"), "http://127.0.0.1:9", purse, 1.0)
-    with pytest.raises(StorageError, match="folder that all machines share"):
+    make = ToyMaker(str(tmp_path / "log"), "http://127.0.0.1:9", budget, 1.0)
+    with pytest.raises(
+        StorageError, match="is here not the folder that the batch was started with"
+    ):
         batch.run(["paid one"], tmp_path / "out", make)
 
 
 def test_a_budget_needs_a_sum_on_disk(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="purse_of"):
+    with pytest.raises(InputError, match="shared_budget"):
         batch.Generating(budget=1.0)
     with pytest.raises(InputError, match="budget"):
-        batch.Generating(budget=-1.0, purse=batch.purse_of(tmp_path))
-    rich = batch.Generating(budget=1.0, purse=batch.purse_of(tmp_path), dry=True)
+        batch.Generating(budget=-1.0, shared_budget=batch.shared_budget(tmp_path))
+    rich = batch.Generating(budget=1.0, shared_budget=batch.shared_budget(tmp_path), dry=True)
     assert rich.identity() == batch.Generating().identity()  # money decides no byte
 
 
@@ -113,27 +116,18 @@ class Remote:
     stacking_order = draw = complete = top_view = segment = model = features = plan_scene
 
 
-@dataclass(frozen=True, eq=False)
-class Done:
-    outcome: batch.Outcome
-
-
 class Here:
-    """A crew that works in this process, one task after another."""
+    """A pool that works in this process, one task after another."""
 
     def __init__(self, width: int) -> None:
         self.width = width
 
-    def give(self, task: Callable[[], batch.Outcome]) -> Done:
-        return Done(task())
+    def submit(self, function: Callable[..., batch.Outcome], *args: Any) -> Future[batch.Outcome]:
+        done: Future[batch.Outcome] = Future()
+        done.set_result(function(*args))
+        return done
 
-    def first(self, given: list[Done]) -> Done:
-        return given[0]
-
-    def result(self, given: Done) -> batch.Outcome:
-        return given.outcome
-
-    def close(self, *, now: bool) -> None: ...
+    def close(self, grace: float = 0.0) -> None: ...
 
 
 @pytest.fixture
@@ -143,7 +137,7 @@ def run(
     """A server, and the command whose scenes each ask it twice: 0.02 each time, at most 0.04."""
     roles = dict.fromkeys(select.PROTOCOLS, f"{__name__}:Remote")
     monkeypatch.setattr(select, "TABLE", {**select.TABLE, "remote": roles})
-    monkeypatch.setattr("generator.jobs.running.Processes", Here)
+    monkeypatch.setattr("generator.jobs.running.WorkerPool", Here)
     prompts, table = tmp_path / "prompts.txt", tmp_path / "prices.toml"
     prompts.write_text("one\ntwo\n")
     table.write_text(PRICES)

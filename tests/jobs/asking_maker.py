@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from running.paid_server import ask, session
+from calls.paid_server import ask, session
 from toy import toy_scene
 
 from generator import bundle

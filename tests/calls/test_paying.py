@@ -19,6 +19,7 @@ from toy import toy_scene
 from generator import bundle
 from generator.backends import select
 from generator.calls import Session
+from generator.calls.money.database import FILE
 from generator.physics.gate import judge
 from generator.scene import Scene
 
@@ -181,8 +182,8 @@ def test_a_failure_after_a_paid_call_says_what_it_cost(
     failing()
     told = capsys.readouterr().err
     assert "plan_scene" in told and "0.0200" in told and "kept" in told
-    (ledger,) = (tmp_path / "usual" / "spending").glob("*.jsonl")
-    assert str(ledger) in told and '"money": 0.02' in ledger.read_text()
+    path = tmp_path / "usual" / FILE
+    assert str(path) in told and b'"money": 0.02' in path.read_bytes()
     assert told.splitlines()[-1].startswith("error: ")
 
 

@@ -14,13 +14,13 @@ from typing import Any
 from local_server import local_server
 
 from generator.calls import Session
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.money.prices import Price, Prices
 
 KEY = "marker-key-5d1f0c"
 """The secret that nothing may hold."""
 
-HASTY = Patience(first=0.004, longest=0.02, obeyed=5.0, failures=50, rest=60.0)
+HASTY = RetryPolicy(first=0.004, longest=0.02, obeyed=5.0, failures=50, rest=60.0)
 PRICES = Prices("2026-01-01", "USD", {"m": Price(input=1.0, output=10.0), "i": Price(image=0.5)})
 
 CHAT = {
@@ -124,7 +124,7 @@ def serving(script: Script | list[Says]) -> Iterator[Served]:
 
 def session(**settings: Any) -> Session:
     """A session that waits little, with the prices of the tests."""
-    return Session(**{"prices": PRICES, "patience": HASTY, **settings})
+    return Session(**{"prices": PRICES, "retry_policy": HASTY, **settings})
 
 
 def ask(

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import os
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from bounded import until
-from running.paid_server import ask, session
+from calls.paid_server import ask, session
 from toy import toy_object, toy_scene
 
 from generator import bundle
 from generator import jobs as batch
 from generator.calls.money.account import Account
-from generator.calls.money.budget import Purse
+from generator.calls.money.budget import SharedBudget
+from generator.calls.money.database import Keeper
 from generator.errors import InputError
 from generator.scene import Provenance, Report
 from generator.threads import threads
@@ -27,17 +28,20 @@ class ToyMaker:
 
     "bad ..." cannot be read, "broken ..." is a fault of the code, "deadly ..." ends the process,
     "half ..." leaves something unfinished and waits for the file ``log``.go, "paid ..." asks the
-    server at ``url``, which costs 0.021 and at most 0.04, of ``budget`` from ``purse``, "wide ..."
-    notes in the file ``log``.threads on how many threads it may compute.
+    server at ``url``, which costs 0.021 and at most 0.04, of the ``shared`` budget of ``budget``,
+    "wide ..." notes in the file ``log``.threads on how many threads it may compute.
     """
 
     log: str
     url: str = ""
-    purse: Purse | None = None
+    shared: SharedBudget | None = None
     budget: float | None = None
 
     def identity(self) -> dict[str, Any]:
         return {"route": "toy"}
+
+    def kept_by(self, keeper: Keeper) -> ToyMaker:
+        return replace(self, shared=self.shared and replace(self.shared, keeper=keeper))
 
     def __call__(self, job: batch.Job, folder: Path) -> Path:
         with Path(self.log).open("a") as log:
@@ -52,10 +56,9 @@ class ToyMaker:
         if word == "half":
             (folder / "toy-half").mkdir(parents=True)
             until(Path(f"{self.log}.go").exists)
-        if word == "paid" and self.purse is not None:
-            with self.purse.spending() as spender:
-                shared = session(account=Account(spender), budget=self.budget)
-                ask(shared, self.url, job.text)
+        if word == "paid" and self.shared is not None:
+            with self.shared.spending() as spender:
+                ask(session(account=Account(spender), budget=self.budget), self.url, job.text)
         if word == "wide":
             Path(f"{self.log}.threads").write_text(str(threads()))
         cube = toy_object("cube_1", (0.05, 0.05, 0.05), (0.01 * job.seed, 0.0))

@@ -6,27 +6,27 @@ from datetime import UTC, datetime
 
 import pytest
 
-from generator.calls.http.waiting import Breaker, Patience, retry_after
+from generator.calls.http.waiting import Breaker, RetryPolicy, retry_after
 from generator.errors import BackendError, InputError
 
 
 def test_waits_double_up_to_the_longest() -> None:
-    patience = Patience(first=1.0, longest=10.0)
-    assert [patience.pause(k, 1.0) for k in range(5)] == [1.0, 2.0, 4.0, 8.0, 10.0]
-    assert [patience.pause(k, 0.0) for k in range(5)] == [0.5, 1.0, 2.0, 4.0, 5.0]
-    assert patience.pause(10**6, 1.0) == 10.0
+    policy = RetryPolicy(first=1.0, longest=10.0)
+    assert [policy.pause(k, 1.0) for k in range(5)] == [1.0, 2.0, 4.0, 8.0, 10.0]
+    assert [policy.pause(k, 0.0) for k in range(5)] == [0.5, 1.0, 2.0, 4.0, 5.0]
+    assert policy.pause(10**6, 1.0) == 10.0
 
 
 def test_waits_are_drawn() -> None:
-    drawn = {Patience().drawn(0) for _ in range(8)}
+    drawn = {RetryPolicy().draw(0) for _ in range(8)}
     assert len(drawn) > 1 and all(0.5 <= wait <= 1.0 for wait in drawn)
 
 
 def test_impatience_is_refused() -> None:
     with pytest.raises(InputError, match="factor"):
-        Patience(factor=0.5)
+        RetryPolicy(factor=0.5)
     with pytest.raises(InputError, match="failures"):
-        Patience(failures=0)
+        RetryPolicy(failures=0)
 
 
 NOW = datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC)
@@ -53,7 +53,7 @@ def test_retry_after_is_a_number_or_a_date(text: str | None, seconds: float | No
 
 def test_a_breaker_opens_rests_and_lets_one_try() -> None:
     now = [0.0]
-    breaker = Breaker("maker", Patience(failures=2, rest=10.0), lambda: now[0])
+    breaker = Breaker("maker", RetryPolicy(failures=2, rest=10.0), lambda: now[0])
     line = breaker.line()
     breaker.failed("It is down.", line)
     breaker.check("a call")
@@ -76,7 +76,7 @@ def test_a_breaker_opens_rests_and_lets_one_try() -> None:
 
 
 def test_an_answer_in_between_starts_the_count_again() -> None:
-    breaker = Breaker("maker", Patience(failures=2))
+    breaker = Breaker("maker", RetryPolicy(failures=2))
     line = breaker.line()
     for _ in range(3):
         breaker.failed("It is down.", line)
@@ -85,7 +85,7 @@ def test_an_answer_in_between_starts_the_count_again() -> None:
 
 
 def test_calls_that_fail_beside_each_other_count_once() -> None:
-    breaker = Breaker("maker", Patience(failures=3))
+    breaker = Breaker("maker", RetryPolicy(failures=3))
     beside = [breaker.line() for _ in range(8)]
     for _ in range(2):
         for line in beside:

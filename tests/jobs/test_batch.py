@@ -11,12 +11,13 @@ import threading
 import time
 from concurrent.futures import Future
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 import toy_maker
 from bounded import LONG, join, until
-from running.paid_server import Says, serving
+from calls.paid_server import Says, serving
 from toy_maker import ToyMaker, made
 
 from generator import bundle
@@ -24,8 +25,8 @@ from generator import jobs as batch
 from generator.backends import Mix
 from generator.errors import InputError, StorageError
 from generator.generation import Config
-from generator.jobs.crews import Processes, Task
 from generator.jobs.records import PLACE, key_of
+from generator.jobs.workers import WorkerPool
 from generator.scene.provenance import plain
 
 HERE = Path(__file__).parent
@@ -94,26 +95,23 @@ def test_a_process_that_dies_between_two_scenes_ends_no_batch(
     tmp_path: Path, log: Path, monkeypatch: pytest.MonkeyPatch, busy: bool
 ) -> None:
     """Killed while the next scene is handed out, others at work or not."""
-    given, renewed = [], []
+    given, killed = [], []
 
-    class Killed(Processes):
-        def give(self, task: Task) -> Future[batch.Outcome]:
+    class Killed(WorkerPool):
+        def submit(self, *task: Any) -> Future[Any]:
             given.append(task)
             if len(given) == 2:
-                for process in list(self._pool._processes.values()):
-                    process.kill()
-                until(lambda: self._pool._broken)
-            return super().give(task)
+                for pid in self.pids:
+                    os.kill(pid, signal.SIGKILL)
+                    killed.append(pid)
+                until(lambda: not self.pids)
+            return super().submit(*task)
 
-        def renew(self) -> None:
-            renewed.append(1)
-            super().renew()
-
-    monkeypatch.setattr("generator.jobs.running.Processes", Killed)
+    monkeypatch.setattr("generator.jobs.running.WorkerPool", Killed)
     texts = ["a cube", "another cube", "third cube"]
     summary = batch.run(texts, tmp_path / "out", ToyMaker(str(log)), workers=1 + busy)
     assert [o.state for o in summary.outcomes] == ["made"] * 3
-    assert len(bundles(tmp_path / "out")) == 3 and renewed
+    assert len(bundles(tmp_path / "out")) == 3 and killed
 
 
 @pytest.mark.slow
@@ -263,7 +261,7 @@ def test_ray_makes_the_same_bytes(
     monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
     texts, out = ["wide cube", "bad words", "deadly one", "another cube"], tmp_path / "ray"
     with serving([Says()]) as server:
-        make = ToyMaker(str(log), server.url, batch.purse_of(out), 0.05)
+        make = ToyMaker(str(log), server.url, batch.shared_budget(out), 0.05)
         paid = ["paid one", "paid two"]
         summary = batch.run([*texts, *paid], out, make, workers=2, ray="local")
     assert [o.state for o in summary.outcomes[:4]] == ["made", "failed", "failed", "made"]

@@ -10,11 +10,11 @@ import pytest
 from bounded import join, until
 from paid_server import Asked, Says, ask, serving, session
 
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.store import CallStore
 from generator.errors import BackendError, DryRunError, InputError, StoppedError
 
-PATIENT = Patience(first=20.0, longest=20.0)
+PATIENT = RetryPolicy(first=20.0, longest=20.0)
 
 
 def test_results_come_in_order_and_at_once() -> None:
@@ -100,7 +100,7 @@ def test_calls_answered_beside_a_failed_one_are_kept(tmp_path) -> None:
 
 @pytest.mark.slow
 def test_stop_ends_waits_and_calls_to_come() -> None:
-    shared = session(patience=PATIENT)
+    shared = session(retry_policy=PATIENT)
 
     def busy(asked: Asked, k: int) -> Says:
         threading.Timer(0.2, shared.stop.set).start()  # while the caller waits to ask again

@@ -17,9 +17,9 @@ from bounded import running, until
 from paid_server import CHAT, KEY, Asked, Says, ask, serving, session
 
 from generator.calls import Session
-from generator.calls.http.waiting import Patience
+from generator.calls.http.waiting import RetryPolicy
 from generator.calls.money.account import Account
-from generator.calls.money.budget import Purse
+from generator.calls.money.budget import SharedBudget
 from generator.calls.money.prices import Price, Prices
 from generator.calls.store import CallStore
 from generator.calls.used import Used
@@ -172,16 +172,16 @@ def test_what_cannot_be_signed_costs_nothing(tmp_path: Path) -> None:
     def sign(request: httpx2.Request) -> dict[str, str]:
         raise OSError("no clock")
 
-    purse = Purse.open(tmp_path, "USD")
-    with serving([Says()]) as server, purse.spending() as spender:
+    shared_budget = SharedBudget.open(tmp_path, "USD")
+    with serving([Says()]) as server, shared_budget.spending() as spender:
         shared = session(
             budget=1.0, account=Account(spender), prices=Prices(models={"m": Price(call=0.5)})
         )
         with pytest.raises(OSError, match="no clock"):
             ask(shared, server.url, sign=sign)
         assert server.asked == []
-    assert shared.account.money == purse.sum().money == 0.0
-    assert purse.sum().held == {}
+    assert shared.account.money == shared_budget.spent().money == 0.0
+    assert shared_budget.spent().held == 0.0
 
 
 def test_answers_of_no_use_are_dropped(tmp_path: Path) -> None:
@@ -404,7 +404,7 @@ def test_a_redirect_that_leads_nowhere_is_told(status: int, words: str) -> None:
 
 
 def test_a_server_that_fails_too_often_is_left_alone() -> None:
-    shared = session(attempts=2, patience=Patience(first=0.001, failures=3, rest=60))
+    shared = session(attempts=2, retry_policy=RetryPolicy(first=0.001, failures=3, rest=60))
     with serving([Says(status=500)]) as server:
         with pytest.raises(BackendError, match="asked 2 times"):
             ask(shared, server.url)
@@ -422,8 +422,8 @@ def test_a_bad_moment_befalls_calls_at_once_and_all_are_tried_again(
     wait: tuple[tuple[str, str], ...],
 ) -> None:
     usual = Session()
-    quick = Patience(first=0.01, longest=0.02, failures=usual.patience.failures)
-    shared = session(patience=quick, workers=usual.workers, attempts=usual.attempts)
+    quick = RetryPolicy(first=0.01, longest=0.02, failures=usual.retry_policy.failures)
+    shared = session(retry_policy=quick, workers=usual.workers, attempts=usual.attempts)
     busy = 2 * usual.workers  # answers: all fail twice
 
     def script(asked: Asked, k: int) -> Says:
@@ -436,7 +436,7 @@ def test_a_bad_moment_befalls_calls_at_once_and_all_are_tried_again(
 
 
 def test_a_server_that_says_when_it_will_work_is_not_left_alone() -> None:
-    shared = session(attempts=2, patience=Patience(first=0.001, failures=2, rest=60))
+    shared = session(attempts=2, retry_policy=RetryPolicy(first=0.001, failures=2, rest=60))
     later = Says(status=503, headers=(("retry-after", "0"),))
     with serving([later, later, Says()]) as server:
         with pytest.raises(BackendError, match="asked 2 times"):
