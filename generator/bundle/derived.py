@@ -11,12 +11,7 @@ import numpy as np
 
 from ..errors import BundleError, SceneError
 from ..io.png import encode_png
-from ..physics.mjcf import (
-    Document,
-    compiled,
-    document,
-    spec_of,
-)
+from ..physics.mjcf import Document, compiled, document, spec_of
 from .decoding import Decoded
 
 if TYPE_CHECKING:

@@ -15,36 +15,12 @@ from ..catalogue import Category
 from ..catalogue.build.matter import friction
 from ..errors import require
 from ..geometry import to_unit_box
-from ..scene import (
-    Instance,
-    Mesh,
-    Model,
-    Physics,
-    SizePrior,
-)
-from .coloring import (
-    best_size,
-    own_texture,
-    painted_faces,
-    painted_shape,
-)
-from .reading.surface import (
-    Axis,
-    Kind,
-    Surface,
-    read_surface,
-    surface_of,
-)
+from ..scene import Instance, Mesh, Model, Physics, SizePrior
+from .coloring import best_size, own_texture, painted_faces, painted_shape
+from .reading.surface import Axis, Kind, Surface, read_surface, surface_of
 from .reading.textures import MOST_TEXTURE
 from .reducing import reduced, volume
-from .repairing import (
-    check_surface,
-    cleaned,
-    filled,
-    inside_out,
-    tidied,
-    welded_shape,
-)
+from .repairing import check_surface, cleaned, filled, inside_out, tidied, welded_shape
 
 _FILLED = 0.4  # share of its box that an open mesh is taken to fill
 

@@ -55,14 +55,7 @@ from ..expert.arm import turn_left
 from ..expert.driver import NEAR
 from ..expert.path import ROOM, clear_height
 from ..expert.planning.choosing import Chooser, Plan, choose
-from ..expert.planning.dropping import (
-    Drop,
-    breadth,
-    hanging,
-    let_go_at,
-    lift_of,
-    lost,
-)
+from ..expert.planning.dropping import Drop, breadth, hanging, let_go_at, lift_of, lost
 from ..expert.planning.grasps import TIP, Grasp
 from ..expert.planning.placing import Placer, middle_place, plan_place
 from ..expert.planning.plans import first_plan

@@ -32,12 +32,7 @@ from generator.geometry import inside_margin
 from generator.scene import TABLE, Scene
 
 from ..robot.mount import CLEARANCE, TALL, obstacle
-from ..tasks.goals.goal import (
-    Goal,
-    OnSpot,
-    Pushed,
-    named_by,
-)
+from ..tasks.goals.goal import Goal, OnSpot, Pushed, named_by
 from ..world.workspace import FREE_MARGIN
 from .arranging import bundles, moved
 from .feasible import Feasible, touches_robot

@@ -22,12 +22,7 @@ from gymnasium import spaces
 from jaxtyping import Float, Shaped
 
 from ..actions import WORKSPACE
-from .views import (
-    CAMERAS,
-    LAST_LABEL,
-    ObservationConfig,
-    geom_labels,
-)
+from .views import CAMERAS, LAST_LABEL, ObservationConfig, geom_labels
 
 if TYPE_CHECKING:
     from generator.geometry import Camera

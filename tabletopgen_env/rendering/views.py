@@ -32,12 +32,7 @@ from generator.errors import InputError, choices
 from generator.scene import TABLE
 
 from ..robot.mount import PEDESTAL
-from ..world.composition import (
-    FRONT_CAMERA,
-    MARKER,
-    TOP_CAMERA,
-    WRIST_CAMERA,
-)
+from ..world.composition import FRONT_CAMERA, MARKER, TOP_CAMERA, WRIST_CAMERA
 from ..world.world import World
 from .kinds import Drawer, Kind
 

@@ -30,16 +30,7 @@ from generator.scene import Object
 from ..expert.planning.plans import has_grasp
 from .goals.goal import SPOT, Goal
 from .goals.needs import FLAT, SMALL, TRAYS
-from .goals.sampling import (
-    NO_GRASP,
-    blocked,
-    containers,
-    into,
-    liftable,
-    nothing,
-    on_spot,
-    spot_of,
-)
+from .goals.sampling import NO_GRASP, blocked, containers, into, liftable, nothing, on_spot, spot_of
 from .names import TaskName
 from .stack import on_top, supports
 from .swap import Swap

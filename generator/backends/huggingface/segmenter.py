@@ -18,23 +18,12 @@ from ..installing import working
 from .detection.detections import Find, Finder, Masker
 from .detection.ground import on_table
 from .detection.grounding_dino import GroundingDino
-from .detection.merging import (
-    ALIKE,
-    cleaned,
-    distinct,
-    named,
-    separate,
-)
+from .detection.merging import ALIKE, cleaned, distinct, named, separate
 from .detection.sam2 import Sam2
 from .detection.sam3 import Sam3
 from .detection.tiles import Tile, tiles_of
 from .weights.folder import models_folder
-from .weights.loading import (
-    Once,
-    device_for,
-    load_model,
-    load_tokenizer,
-)
+from .weights.loading import Once, device_for, load_model, load_tokenizer
 from .weights.pins import pin
 
 DETECTOR = "TABLETOPGEN_DETECTOR"

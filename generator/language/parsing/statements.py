@@ -9,24 +9,10 @@ import numpy as np
 
 from ...errors import InputError
 from ...scene import TABLE
-from ..drafts import (
-    Draft,
-    Group,
-    Reading,
-    assumed_relation,
-    said,
-    same,
-    shares,
-)
+from ..drafts import Draft, Group, Reading, assumed_relation, said, same, shares
 from .clauses import closes, is_fronted, returns
 from .grammar import Chunk, NounPhrase
-from .linking import (
-    amount,
-    headed,
-    link,
-    packed,
-    stack,
-)
+from .linking import amount, headed, link, packed, stack
 from .vocabulary import SEVERAL, SUBSTANCES
 
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")

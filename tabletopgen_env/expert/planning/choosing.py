@@ -11,13 +11,7 @@ from jaxtyping import Float
 
 from generator.geometry import wrap
 
-from ..arm import (
-    easiest,
-    knuckle_is_free,
-    stretch,
-    up,
-    wrists_are_free,
-)
+from ..arm import easiest, knuckle_is_free, stretch, up, wrists_are_free
 from .grasps import TIP, Grasp, plan_grasps
 from .heights import surroundings
 

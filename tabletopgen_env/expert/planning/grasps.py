@@ -18,23 +18,8 @@ from jaxtyping import Bool, Float, Int
 from generator.geometry import rotation_yaw, rotation_z
 
 from ...robot import franka
-from .heights import (
-    HeightMap,
-    Solid,
-    moved,
-    solid,
-    surroundings,
-)
-from .runs import (
-    FINGER_HALF,
-    PAD_HEIGHT,
-    RISE,
-    STEP_U,
-    STEP_V,
-    Slabs,
-    find_runs,
-    slabs,
-)
+from .heights import HeightMap, Solid, moved, solid, surroundings
+from .runs import FINGER_HALF, PAD_HEIGHT, RISE, STEP_U, STEP_V, Slabs, find_runs, slabs
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

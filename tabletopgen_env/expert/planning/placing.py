@@ -15,21 +15,10 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_z, wrap
 
-from ...tasks.goals.goal import (
-    INSIDE,
-    Goal,
-    Into,
-    OnTop,
-    Region,
-)
+from ...tasks.goals.goal import INSIDE, Goal, Into, OnTop, Region
 from ..arm import knuckle_is_free, stretch, wrist_is_free
 from .grasps import TIP
-from .heights import (
-    HeightMap,
-    moved,
-    solid,
-    surroundings,
-)
+from .heights import HeightMap, moved, solid, surroundings
 
 if TYPE_CHECKING:
     from ...world.world import World

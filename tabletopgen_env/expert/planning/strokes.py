@@ -17,12 +17,7 @@ from generator.scene import ConvexPart
 
 from ..arm import stretch, turn_left, wrist_is_free
 from .grasps import TIP
-from .heights import (
-    HeightMap,
-    height_map,
-    moved,
-    surroundings,
-)
+from .heights import HeightMap, height_map, moved, surroundings
 
 if TYPE_CHECKING:
     from ...world.world import World

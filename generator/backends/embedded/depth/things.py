@@ -17,13 +17,7 @@ from ....geometry import mask_box
 from ....language.naming import shape_word
 from ....scene import Detection
 from ..plane.plane import TablePlane, outline_distance
-from .measure import (
-    Solid,
-    holds,
-    measure_solid,
-    steady,
-    table_points,
-)
+from .measure import Solid, holds, measure_solid, steady, table_points
 from .plane import TALLEST, noise
 
 Mask = Bool[np.ndarray, "h w"]

@@ -17,23 +17,10 @@ from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
 from ....errors import SceneError
-from ....geometry import (
-    Camera,
-    convex_outline,
-    main_parts,
-    rotation_z,
-    view_rotation,
-    wrap,
-)
+from ....geometry import Camera, convex_outline, main_parts, rotation_z, view_rotation, wrap
 from ....meshes.pixels import distance_to, hull_corners
 from ....scene import View
-from .plane import (
-    TABLE_LENGTH,
-    OutlineShape,
-    TablePlane,
-    outline_distance,
-    outline_points,
-)
+from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance, outline_points
 
 CUT_SHARE = 0.15
 """A top whose outline lies on the frame for more than this share of its length is cut."""
