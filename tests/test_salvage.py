@@ -9,12 +9,7 @@ import pytest
 
 from generator.errors import InputError
 from generator.generation import Config
-from generator.method.salvage import (
-    allowance,
-    misfit,
-    salvaged,
-    without,
-)
+from generator.method.salvage import allowance, misfit, salvaged, without
 from generator.method.supplement import NOTHING, Supplement
 from generator.scene import TABLE, Placement, Provenance, Report, Scene, SizePrior, Table
 

@@ -19,14 +19,7 @@ from generator.meshes.baking import sample
 from generator.meshes.pixels import mask_iou
 from generator.meshes.projection import Projection, camera_view
 from generator.render.raster import Item, place, render
-from generator.scene import (
-    Detection,
-    Instance,
-    Model,
-    Reference,
-    SizePrior,
-    View,
-)
+from generator.scene import Detection, Instance, Model, Reference, SizePrior, View
 
 VIEW = View(0.0, np.deg2rad(48), np.deg2rad(36))
 SIZE = 480, 640

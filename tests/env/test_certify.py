@@ -19,19 +19,8 @@ from generator.physics.gate import judge
 from generator.scene import Scene
 from tabletopgen_env.__main__ import run
 from tabletopgen_env.certificates import certify as certify_module
-from tabletopgen_env.certificates.certificate import (
-    FILE,
-    STARTS,
-    Instance,
-    Terms,
-    read_certificate,
-)
-from tabletopgen_env.certificates.certify import (
-    DEFAULT,
-    certify,
-    is_certified,
-    played_again,
-)
+from tabletopgen_env.certificates.certificate import FILE, STARTS, Instance, Terms, read_certificate
+from tabletopgen_env.certificates.certify import DEFAULT, certify, is_certified, played_again
 from tabletopgen_env.env import TabletopEnv, make_env
 
 
