@@ -131,11 +131,7 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
 
 
 def _like(kept: np.ndarray, own: np.ndarray) -> np.ndarray:
-    """Return an array that is of the kind and shape of another.
-
-    Raises:
-        ValueError: it is not.
-    """
+    """Return an array that is of the kind and shape of another (ValueError: it is not)."""
     if kept.shape != own.shape or kept.dtype.kind != own.dtype.kind:
         raise ValueError(f"{kept.dtype} of {kept.shape} stands for {own.dtype} of {own.shape}")
     return kept

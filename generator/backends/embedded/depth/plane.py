@@ -201,11 +201,7 @@ class _Candidate:
 
 
 def _choose(points: Float[np.ndarray, "h w 3"], table: Bool[np.ndarray, "h w"] | None) -> Level:
-    """Return the plane that looks most like a tabletop.
-
-    Raises:
-        SceneError: none does.
-    """
+    """Return the plane that looks most like a tabletop (SceneError: none does)."""
     height, width = points.shape[:2]
     stride = max(1, int(np.sqrt(height * width / _SAMPLES)))
     grid = points[::stride, ::stride]
