@@ -68,13 +68,10 @@ def load_external(folder: str | Path, *, decompose: bool = True) -> Scene:
     """Read a foreign result as a scene of ours, at the poses it states.
 
     Nothing is moved: what overlaps or floats does so in the scene, too. Mass and friction are this
-    project's defaults.
-
-    Args:
-        folder: holds ``transforms.json`` and its GLB files (see the module).
-        decompose: find convex parts for simulation (seconds to a minute an object, kept for the
-            next time). Otherwise each object has its convex hull, which is enough for meshes and
-            pictures, and a warning in its provenance says so.
+    project's defaults. The folder holds ``transforms.json`` and its GLB files (see the module).
+    ``decompose`` finds convex parts for simulation (seconds to a minute an object, kept for the
+    next time). Otherwise each object has its convex hull, which is enough for meshes and pictures,
+    and a warning in its provenance says so.
 
     Raises:
         InputError: a file is missing, damaged, too large or outside the folder, or a value is no

@@ -60,13 +60,9 @@ def normal_mesh(
     triangles stay as are wanted, and a texture that all parts share, does not repeat, and needs no
     other triangles stays as it is, of 2048 texels at most.
 
-    Args:
-        raw: the file's content.
-        what: how messages call it: backend, question, name.
-        kind: the format.
-        up: the file's upward axis.
-        to: how light it is to be.
-        beside: the files that an OBJ names, by name; see ``companions``.
+    ``what`` names it in messages: backend, question, name. ``up`` is the file's upward axis, ``to``
+    how light it is to be; ``beside`` holds the files that an OBJ names, by name; see
+    ``companions``.
 
     Raises:
         BackendError: it cannot be read (``inspection``), repaired (``repairing``) or reduced.

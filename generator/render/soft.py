@@ -263,18 +263,14 @@ def render(
     window: Window | None = None,
     normals: bool = False,
 ) -> SoftImages:
-    """Draw objects in ``b`` poses, each in its own square crop.
+    """Draw objects in ``b`` poses, each in its own square crop of side ``resolution``.
 
-    Args:
-        surface: sample points of the objects.
-        rotation: object frame to camera axes, see ``object_to_camera``.
-        center: the objects' centres in camera axes, metres, in front of the camera.
-        resolution: side of the crops in pixels.
-        keep_aspect: fit the longer side and pad the other; False stretches both to the crop.
-        owner: which object each pose is of; None if there is only one.
-        fit: moves the objects in their crops; None leaves them tight.
-        window: what the crops show; None makes them tight.
-        normals: draw the surface's normals as well.
+    ``surface`` are sample points of the objects, ``owner`` which object each pose is of; None if
+    there is only one. ``rotation`` takes object frames to camera axes, see ``object_to_camera``;
+    ``center`` are the objects' centres in camera axes, metres, in front of the camera.
+    ``keep_aspect`` fits the longer side and pads the other; else both are stretched. ``fit`` moves
+    the objects in their crops, which are tight around them, or around what ``window`` says.
+    ``normals`` are drawn as well if asked for.
     """
     index = torch.zeros_like(rotation[:, 0, 0], dtype=torch.long) if owner is None else owner
     if window is None:

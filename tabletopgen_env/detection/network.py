@@ -120,11 +120,9 @@ def _between(
 def rate(
     weights: Mapping[str, Float32[np.ndarray, "..."]], seen: Float32[np.ndarray, "t 3 48 48"]
 ) -> Rated:
-    """Return the ratings of an object seen at every turn.
+    """Return the ratings of an object seen at every turn, as ``turned`` gives it.
 
-    Args:
-        weights: of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
-        seen: what ``turned`` gives.
+    Weights are of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
     """
     values = np.ascontiguousarray(np.moveaxis(seen, 1, -1))
     for number, layer in enumerate(LAYERS):

@@ -164,13 +164,8 @@ class Eye(nn.Module):
     def quality(self, maps: Maps, image: Tensor, cells: Tensor, drawn: Tensor) -> Tensor:
         """Return (n,) logits of how much ``drawn`` overlaps (IoU) the thing it is meant to show.
 
-        As in Huang et al., "Mask Scoring R-CNN", CVPR 2019, but from pooled features.
-
-        Args:
-            maps: of the batch.
-            image: (n,) which picture each cell is of.
-            cells: (n, 2) column and row.
-            drawn: (n, h, w) probabilities of the visible masks of :meth:`masks`.
+        As in Huang et al., "Mask Scoring R-CNN", CVPR 2019, but from pooled features. ``drawn`` (n,
+        h, w) are probabilities of the visible masks of :meth:`masks`, the others as there.
         """
         inside = (drawn > 0.5).to(drawn.dtype)
         around = functional.max_pool2d(inside[:, None], 7, 1, 3)[:, 0] - inside

@@ -75,15 +75,11 @@ def plane_from_view(
 ) -> TablePlane:
     """Return the tabletop of a picture whose camera is known, whole or cut.
 
-    Args:
-        mask: the visible tabletop (the surface, without legs and apron; things on it may be part
-            of the mask or holes in it).
-        view: the camera's elevation, field of view and roll; its azimuth is found anew from the
-            edges.
-        hidden: pixels that may hide more of the top, such as the things on it; an edge of ``mask``
-            beside them is not an edge of the table.
-        length: metres of the top's longer side; default: ``VISIBLE_LENGTH`` if the frame cuts the
-            top, else the usual ``TABLE_LENGTH``.
+    ``mask`` is the visible tabletop (the surface, without legs and apron; things on it may be part
+    of the mask or holes in it). Of ``view`` the azimuth is found anew from the edges. ``hidden``
+    are pixels that may hide more of the top, such as the things on it; an edge of the mask beside
+    them is not an edge of the table. ``length``, metres of the top's longer side, is
+    ``VISIBLE_LENGTH`` by default if the frame cuts the top, else the usual ``TABLE_LENGTH``.
 
     Raises:
         SceneError: the mask is too small, or lies at or above the horizon.
