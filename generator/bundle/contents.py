@@ -14,7 +14,7 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..errors import BundleError
-from ..meshes.triangles import areas
+from ..scene.triangles import areas
 from .bounds import BOUNDS, Bounds
 
 if TYPE_CHECKING:

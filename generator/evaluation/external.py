@@ -33,7 +33,6 @@ from ..bundle import MOST_BYTES, read_inside
 from ..errors import BundleError, InputError, choices
 from ..geometry import convex_outline, hull_points, quaternion_yaw, to_unit_box
 from ..io.reading import parse_object, printable
-from ..meshes.triangles import scaled_normals
 from ..physics.inertia import body_mass
 from ..physics.parts import model_parts
 from ..scene import (
@@ -48,6 +47,7 @@ from ..scene import (
     Scene,
     Table,
 )
+from ..scene.triangles import scaled_normals
 from .glb import read_glb
 
 TRANSFORMS = "transforms.json"

@@ -9,8 +9,8 @@ from jaxtyping import Bool, Float, Int
 
 from ..errors import BackendError
 from ..render.scanlines import nearest
+from ..scene.triangles import closed
 from .pixels import mask_iou
-from .triangles import closed
 
 _TRIES = (1, 2, 4)  # times the wanted number of faces
 _OVERLAP = 0.97  # least overlap of the silhouettes before and after

@@ -9,7 +9,7 @@ from jaxtyping import Float, Int
 from scipy import sparse
 
 from ..render.scanlines import rasterise
-from .triangles import face_normals, welded
+from ..scene.triangles import face_normals, welded
 
 _GUTTER = 2.0  # texels between charts
 

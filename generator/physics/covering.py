@@ -22,8 +22,8 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
-from ..meshes.triangles import scaled_normals
 from ..scene import ConvexPart
+from ..scene.triangles import scaled_normals
 from .mjcf import primitive
 
 TOLERANCE = 2.5e-4

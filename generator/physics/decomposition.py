@@ -20,8 +20,8 @@ from jaxtyping import Float, Int
 
 from ..errors import SceneError
 from ..io.npz import read_arrays
-from ..meshes.triangles import closed
 from ..scene import ConvexPart, Mesh
+from ..scene.triangles import closed
 from .inertia import welded
 
 MOST_FACES = 1200

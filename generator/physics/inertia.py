@@ -9,8 +9,8 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from ..errors import SceneError
-from ..meshes.triangles import closed, scaled_normals
 from ..scene import ConvexPart, Mesh, Physics
+from ..scene.triangles import closed, scaled_normals
 
 LEAST_MASS = 2e-3
 """Lighter things are given this mass, kg, so that contacts stay well conditioned."""

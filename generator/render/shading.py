@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 import numpy as np
 from jaxtyping import Float, Int, UInt8
 
-from ..meshes.triangles import scaled_normals, welded
 from ..scene import frozen_array
+from ..scene.triangles import scaled_normals, welded
 
 _CREASE = np.cos(np.deg2rad(40.0))
 _MOST_PAIRS = 64  # of corners in the same place, for each corner on average; solids have about 6

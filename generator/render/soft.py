@@ -22,8 +22,8 @@ from torch.nn import functional
 
 from ..errors import InputError
 from ..geometry import hull_points
-from ..meshes.triangles import scaled_normals
 from ..scene import Mesh
+from ..scene.triangles import scaled_normals
 from .crop import MARGIN
 from .shading import sample_texture
 

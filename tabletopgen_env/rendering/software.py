@@ -11,7 +11,7 @@ import numpy as np
 from jaxtyping import Float, Int, Shaped, UInt8
 
 from generator.geometry import Camera
-from generator.meshes.triangles import scaled_normals
+from generator.scene.triangles import scaled_normals
 
 from ..world.composition import MARKER
 from ..world.room import backdrop

@@ -11,7 +11,7 @@ from scipy import spatial
 
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection
-from ....meshes.triangles import scaled_normals
+from ....scene.triangles import scaled_normals
 from .boxes import fit_box, fit_carved
 from .extrusions import base_line, fit_prism, fit_upright
 from .framing import proportion_gap
