@@ -99,7 +99,8 @@ def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
     for stage in STAGES:
         wall, cpu = (column(done, f"{kind}_{stage.replace(' ', '_')}") for kind in ("wall", "cpu"))
         whole = 100 * wall.sum() / max(total.sum(), 1e-9)
-        cells = [stage, *_middle(wall), f"{whole:.0f} %", _middle(cpu)[0], _paper(stage)]
+        cells = [stage, *_middle(wall), f"{whole:.0f} %", _middle(cpu)[0]]
+        cells.append(f"≈ {PAPER[stage]:.0f}" if stage in PAPER else "-")
         lines.append("| " + " | ".join(cells) + " |")
     cells = ["**all**", *_middle(total), "100 %", _middle(column(done, "cpu_total"))[0], "≈ 1920"]
     built = column(done, "built")
@@ -120,10 +121,6 @@ def _middle(values: np.ndarray) -> list[str]:
     if not len(values):
         return ["-", "-"]
     return [f"{np.median(values):.1f}", f"{np.percentile(values, 90):.1f}"]
-
-
-def _paper(stage: str) -> str:
-    return f"≈ {PAPER[stage]:.0f}" if stage in PAPER else "-"
 
 
 def bars(rows: Sequence[Row]) -> UInt8[np.ndarray, "h w 3"]:

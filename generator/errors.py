@@ -99,16 +99,10 @@ def require(
     whole: bool = False,
     endless: bool = False,
 ) -> None:
-    """Check that some fields of a settings object are numbers within a range.
+    """Check that the fields ``names`` of a settings object are numbers within a range.
 
-    Args:
-        settings: the object; its class is named by the message.
-        names: the fields.
-        least: the least value.
-        above: what the value is above.
-        most: the largest value.
-        whole: they are integers.
-        endless: infinity is a number too.
+    ``above`` is what the value is above; ``whole`` ones are integers; ``endless`` lets infinity
+    pass.
 
     Raises:
         InputError: one is not.
@@ -130,16 +124,7 @@ def require_number(
     whole: bool = False,
     endless: bool = False,
 ) -> None:
-    """Check one number as ``require`` does.
-
-    Args:
-        needs: how the message begins: who needs what, as in "certify needs episodes".
-        value: the number.
-        least: see ``require``, as for the others.
-        above: likewise.
-        most: likewise.
-        whole: likewise.
-        endless: likewise.
+    """Check one number as ``require`` does; ``needs`` begins the message: "certify needs episodes".
 
     Raises:
         InputError: it is none, or out of range.
@@ -163,12 +148,8 @@ def require_number(
 def require_seed(seed: object, most: int = MAX_SEED) -> None:
     """Check a seed: the one rule for all commands and functions.
 
-    Args:
-        seed: it.
-        most: the largest that what it seeds takes.
-
     Raises:
-        InputError: it is no whole number from 0 to ``most``.
+        InputError: it is no whole number from 0 to ``most``, the largest that what it seeds takes.
     """
     whole = isinstance(seed, numbers.Integral) and not isinstance(seed, bool)
     if not (whole and 0 <= seed <= most):  # type: ignore[operator]

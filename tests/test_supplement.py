@@ -10,12 +10,7 @@ import pytest
 from generator.language.planner import plan_scene
 from generator.layout import build_models, lay_out
 from generator.layout.footprint import footprint, gaps
-from generator.method.supplement import (
-    NOTHING,
-    Supplement,
-    matched,
-    supplement,
-)
+from generator.method.supplement import NOTHING, Supplement, matched, supplement
 from generator.scene import TABLE, Instance, Model, Placement, ScenePlan
 
 TEXT = (

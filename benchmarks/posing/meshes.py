@@ -45,11 +45,10 @@ def mesh_files(folder: Path) -> list[Path]:
 
 
 def load_model(path: Path, up: Up = "auto") -> Model:
-    """Read a mesh file as a canonical model whose size is that of the file, in metres.
+    """Read an OBJ, GLB or PLY file as a canonical model whose size is that of the file, in metres.
 
-    Args:
-        path: an OBJ, GLB or PLY file; textures and materials must lie beside or below it.
-        up: its axis that points up; "auto" is y in a GLB, as that format says, z in others.
+    Textures and materials must lie beside or below it. ``up`` is its axis that points up; "auto" is
+    y in a GLB, as that format says, z in others.
 
     Raises:
         InputError: the file is missing, too large, damaged, empty, refers to files elsewhere, or

@@ -18,6 +18,7 @@ from scipy.optimize import linear_sum_assignment
 from generator.errors import SceneError
 from generator.evaluation.surfaces.symmetry import cloud, order, yaw_error
 from generator.generation import Generation
+from generator.meshes.pixels import mask_iou
 from generator.pipeline import generate
 from generator.scene import TABLE, Object
 
@@ -63,14 +64,10 @@ def match(
     """
     if not true or not found:
         return {}
-    overlap = np.array([[_iou(a, b) for b in found] for a in true])
+    overlap = np.array([[mask_iou(a, b) for b in found] for a in true])
     rows, columns = linear_sum_assignment(-overlap)
     pairs = zip(rows, columns, strict=True)
     return {int(i): (int(j), float(overlap[i, j])) for i, j in pairs if overlap[i, j] >= MATCH}
-
-
-def _iou(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
-    return float((a & b).sum() / max(int((a | b).sum()), 1))
 
 
 def compare(truth: Truth, made: Generation, seconds: float) -> list[Row]:

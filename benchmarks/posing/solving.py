@@ -16,8 +16,6 @@ from generator.method.rotation import RotationConfig, optimise_rotation
 
 from .cases import Case, looking_camera
 
-CONFIGS = ("default", "paper")
-
 FIELDS = (
     "case", "config", "object", "order", "yaw_deg", "found_deg", "error_deg", "flip",
     "margin", "width_deg", "scale_error_percent", "cpu_seconds", "hidden",
@@ -96,6 +94,7 @@ def row_of(case: Case, number: int, config: str) -> dict[str, Any]:
     sizes = np.prod(case.model.size / case.true.size) ** (1 / 3)
     scale = implied_scale(case, found.yaw) * sizes
     box = case.instance.box
+    elevation = float(np.arcsin(np.clip(-case.camera.rotation[2, 2], -1, 1)))
     reasons = [reason for _, reason in case.dropped]
     return start_of_row(number, config) | {
         "object": case.variant,
@@ -109,7 +108,7 @@ def row_of(case: Case, number: int, config: str) -> dict[str, Any]:
         "scale_error_percent": round(100 * abs(float(scale) - 1), 2),
         "cpu_seconds": round(seconds, 2),
         "hidden": round(case.hidden, 3),
-        "elevation_off_deg": round(_off(case.view.elevation, _elevation(case)), 2),
+        "elevation_off_deg": round(_off(case.view.elevation, elevation), 2),
         "azimuth_off_deg": round(_off(case.view.azimuth, _azimuth(case.camera.rotation)), 2),
         "pixels": round(float((box[2:] - box[:2]).max())),
         "apart": round(case.apart, 3),
@@ -122,10 +121,6 @@ def row_of(case: Case, number: int, config: str) -> dict[str, Any]:
 def start_of_row(number: int, config: str) -> dict[str, Any]:
     """Return a row that says no more than which case it is of."""
     return dict.fromkeys(FIELDS, "") | {"case": number, "config": config}
-
-
-def _elevation(case: Case) -> float:
-    return float(np.arcsin(np.clip(-case.camera.rotation[2, 2], -1, 1)))
 
 
 def _off(believed: float, true: float) -> float:

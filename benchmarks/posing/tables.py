@@ -25,11 +25,8 @@ def resume(
 ) -> list[Row]:
     """Return the rows of the cases that a table holds whole, and leave just these in the file.
 
-    Args:
-        path: the table; it is made if there is none.
-        fields: its columns. A table with other columns is another benchmark's, or an older one's.
-        key: the columns that tell cases apart.
-        of: the column that says how many rows the case has; None for one.
+    It is made if there is none. Columns ``key`` tell cases apart; column ``of`` says how many rows
+    a case has; None for one. A table with other columns is another benchmark's, or an older one's.
 
     Raises:
         InputError: the file holds another table.

@@ -20,8 +20,8 @@ from generator.geometry import (
     quaternion_matrix,
     quaternion_yaw,
     rotation_z,
+    turned_quaternion,
     wrap,
-    yaw_quaternion,
 )
 from generator.language.planner import plan_scene
 from generator.language.themes import THEMES
@@ -97,9 +97,7 @@ def turned_about(scene: Scene, rng: np.random.Generator) -> Scene:
 
 def _turned(thing: Object, angle: float) -> Object:
     """Return an object turned about the vertical where it stands."""
-    turn, own = yaw_quaternion(angle), thing.pose.quaternion
-    w, z, (a, b, c, d) = turn[0], turn[3], own
-    quaternion = np.array([w * a - z * d, w * b - z * c, w * c + z * b, w * d + z * a])
+    quaternion = turned_quaternion(thing.pose.quaternion, angle)
     placement = dataclasses.replace(thing.placement, yaw=wrap(thing.placement.yaw + angle))
     pose = Pose(thing.pose.position, quaternion / np.linalg.norm(quaternion))
     return dataclasses.replace(thing, placement=placement, pose=pose)

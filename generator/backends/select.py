@@ -129,11 +129,9 @@ class Backends:
     ) -> Backends:
         """Return backends by name, with single roles replaced by a name or by your own object.
 
-        Args:
-            default: the backend that answers whatever ``roles`` leaves open.
-            session: what the backends chosen by name share that ask servers: store, ledger,
-                budget; None for a new one that keeps nothing.
-            roles: ``reasoner``, ``imager``, ``segmenter``, ``modeler``, ``encoder``.
+        ``default`` answers whatever ``roles`` (``reasoner``, ``imager``, ``segmenter``,
+        ``modeler``, ``encoder``) leave open. Backends chosen by name that ask servers share
+        ``session``: store, ledger, budget; None is a new one that keeps nothing.
 
         Raises:
             BackendError: unknown backend or role, a backend that does not answer a role's

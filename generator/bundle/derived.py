@@ -11,12 +11,7 @@ import numpy as np
 
 from ..errors import BundleError, SceneError
 from ..io.png import encode_png
-from ..physics.mjcf import (
-    Document,
-    compiled,
-    document,
-    spec_of,
-)
+from ..physics.mjcf import Document, compiled, document, spec_of
 from .decoding import Decoded
 
 if TYPE_CHECKING:
@@ -60,12 +55,7 @@ def check_builds(decoded: Decoded, xml: str, contents: Mapping[str, bytes]) -> m
     """Return what MuJoCo builds of all that a scene's document draws, textures aside.
 
     It keeps three copies of a texture meanwhile, so textures are built one by one, and the scene
-    with a single pixel for each.
-
-    Args:
-        decoded: the scene.
-        xml: its document.
-        contents: the files that it refers to, by path.
+    with a single pixel for each. ``contents`` are the files that it refers to, by path.
 
     Raises:
         SceneError: it does not.

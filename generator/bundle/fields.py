@@ -23,10 +23,7 @@ _MOST_INTEGER = 2**64
 def made(kind: type[T], entry: object, what: str) -> T:
     """Return the dataclass of an object of JSON: known fields only, each of its own type.
 
-    Args:
-        kind: the dataclass.
-        entry: the parsed JSON value.
-        what: where it stands: "objects[3]".
+    ``what`` says where it stands: "objects[3]".
 
     Raises:
         BundleError: a field is missing, unknown or of another type.

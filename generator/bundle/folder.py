@@ -57,14 +57,12 @@ def save(
     segments: Segments | None = None,
     allow_failed: bool = False,
 ) -> Path:
-    """Publish ``scene`` as a bundle inside ``folder``; return the bundle's path.
+    """Publish ``scene`` as a bundle inside ``folder``, made if missing; return the bundle's path.
 
-    Args:
-        scene: the scene; numbers are rounded (lengths to 0.1 micrometre) as they are written.
-        folder: made if missing.
-        images: pictures by file stem ("reference", "preview", ...), as pixels or PNG bytes.
-        segments: what was found in the reference picture, if there was one.
-        allow_failed: publish although the scene's report failed or is missing.
+    Numbers are rounded (lengths to 0.1 micrometre) as they are written. ``images`` are pictures by
+    file stem ("reference", "preview", ...), as pixels or PNG bytes; ``segments`` what was found in
+    the reference picture, if there was one. ``allow_failed`` publishes although the scene's report
+    failed or is missing.
 
     Raises:
         SceneError: the report failed or is missing, or a picture is none or too large to be read.

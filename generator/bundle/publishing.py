@@ -47,15 +47,10 @@ Reader = Callable[Concatenate[str | Path, P], R]
 def publish(
     folder: Path, name: str, files: Mapping[str, bytes], *, beside: Collection[str] = ()
 ) -> Path:
-    """Publish files as ``folder / name``, all at once; return that path.
+    """Publish files, by their paths of at most two parts, as ``folder / name``; return that path.
 
-    What is there already stays if it holds the same, and makes way otherwise.
-
-    Args:
-        folder: made if missing.
-        name: plain name of the new folder.
-        files: contents by path within it, of at most two parts.
-        beside: other files that may lie in it.
+    All come at once. What is there already stays if it holds the same, and makes way otherwise;
+    files ``beside`` may lie in it too.
 
     Raises:
         OSError: the folder cannot be written, or the disk is full.

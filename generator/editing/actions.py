@@ -46,15 +46,8 @@ def swap(
 
     It has its own usual size, and lies as the other did if both are long. Where it finds no room
     there, it stands at the nearest free place, which a warning says. What stood on or in the other
-    is set down on or in it.
-
-    Args:
-        bundle: a bundle's folder.
-        name: which thing goes.
-        text: what comes.
-        seed: the same bundle, edit and seed give the same scene.
-        backends: who draws and models it; None takes it from the catalogue.
-        config: settings of the stages.
+    is set down on or in it. ``backends`` draw and model it; with None it is the catalogue's. The
+    same bundle, edit and seed give the same scene.
 
     Raises:
         InputError: no such thing in the scene, or nothing to put there.
@@ -102,13 +95,8 @@ def add(
 ) -> Edited:
     """Put one more thing on the table: ``add(bundle, "a red mug left of the laptop")``.
 
-    Args:
-        bundle: a bundle's folder.
-        text: the thing, and where it goes if that is not left open; things of the scene are meant
-            by their words, or by their names where several are alike.
-        seed: as for ``swap``.
-        backends: as for ``swap``.
-        config: as for ``swap``.
+    The text says where it goes, if that is not left open; things of the scene are meant by their
+    words, or by their names where several are alike. Seed and backends are as for ``swap``.
 
     Raises:
         InputError: nothing to put there, or a place beside what is not on the table.
@@ -134,11 +122,6 @@ def add(
 
 def remove(bundle: str | Path, name: str, config: Config | None = None) -> Edited:
     """Take a thing off the table: what is in it goes along, what stood on it is set down.
-
-    Args:
-        bundle: a bundle's folder.
-        name: which thing goes.
-        config: settings of the assembly.
 
     Raises:
         InputError: no such thing in the scene.
@@ -174,15 +157,10 @@ def move(
 ) -> Edited:
     """Put a thing elsewhere, with what stands on and in it.
 
-    Args:
-        bundle: a bundle's folder.
-        name: which thing moves.
-        where: words ("left of the laptop", "on book_2"); or x and y of its centre in metres from
-            the table's, +x right and +y away; None turns it where it stands.
-        turn: by how much it turns, radians, counter-clockwise seen from above.
-        seed: of the choice among places.
-        backends: whose reasoner reads the words; None is the embedded one.
-        config: settings of the assembly.
+    ``where`` is words ("left of the laptop", "on book_2"), or x and y of its centre in metres from
+    the table's, +x right and +y away; None turns it where it stands. ``turn`` is in radians,
+    counter-clockwise seen from above. The reasoner of ``backends``, or the embedded one, reads
+    words; ``seed`` chooses among places.
 
     Raises:
         InputError: no such thing, or no place.
@@ -228,15 +206,10 @@ def restyle(
     backends: Backends | None = None,
     config: Config | None = None,
 ) -> Edited:
-    """Make things again in another style, as large as they are and where they are.
+    """Make things, or all of them, again in another style, as large as they are and where they are.
 
-    Args:
-        bundle: a bundle's folder.
-        style: "plain", "cartoon" or "low-poly"; with backends, any word that they understand.
-        names: which things; none means all. The table stays as it is.
-        seed: as for ``swap``.
-        backends: as for ``swap``.
-        config: as for ``swap``.
+    A style is "plain", "cartoon" or "low-poly"; with backends, any word that they understand. The
+    table stays as it is. Seed and backends are as for ``swap``.
 
     Raises:
         InputError: no such style or thing, or a thing that the catalogue does not know.

@@ -6,14 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from ..bundle import (
-    Segments,
-    load,
-    load_fingerprint,
-    load_pictures,
-    load_segments,
-    save,
-)
+from ..bundle import Segments, load, load_fingerprint, load_pictures, load_segments, save
 from ..errors import InputError, SceneError
 from ..method.figures import preview
 from ..scene import TABLE, Edit, Object, Scene

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..errors import SceneError
-from ..geometry import rotation_z, yaw_quaternion
+from ..geometry import rotation_z, turned_quaternion, yaw_quaternion
 from ..layout import arrange_more, unmet
 from ..layout.arranging import sunk
 from ..physics.parts import highest, lowest
@@ -68,15 +68,10 @@ def set_down(scene: Scene, names: Sequence[str]) -> Scene:
 def related(
     scene: Scene, planned: PlannedObject, model: Model, yaw: float, away: Sequence[str], seed: int
 ) -> Placement:
-    """Return a free place for a thing by its relations.
+    """Return a free place for a thing by its relations to things of the scene.
 
-    Args:
-        scene: what is there; ``away`` names what is not to be minded.
-        planned: the thing, its relations to things of the scene.
-        model: its model, at its size.
-        yaw: which way it faces on the table, radians.
-        away: things in hand.
-        seed: of the choice among places.
+    ``model`` is at its size, ``yaw`` is which way it faces on the table, radians; things ``away``
+    are in hand and not minded.
 
     Raises:
         SceneError: there is no room where it was asked for.
@@ -140,17 +135,10 @@ def carried_to(scene: Scene, name: str, pose: Pose, turn: float) -> Scene:
             return thing
         aside = rotation_z(turn) @ (thing.pose.position - start)
         placement = replace(thing.placement, yaw=thing.placement.yaw + turn)
-        there = Pose(pose.position + aside, turned(thing.pose.quaternion, turn))
+        there = Pose(pose.position + aside, turned_quaternion(thing.pose.quaternion, turn))
         return replace(thing, placement=placement, pose=there)
 
     return scene.replace(objects=tuple(moved(o) for o in scene.objects))
-
-
-def turned(quaternion: np.ndarray, yaw: float) -> np.ndarray:
-    """Return an orientation (wxyz) turned about the vertical by ``yaw`` radians."""
-    w, x, y, z = quaternion
-    c, _, _, s = yaw_quaternion(yaw)
-    return np.array([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w])
 
 
 def check_held(scene: Scene, names: Sequence[str]) -> None:

@@ -36,13 +36,8 @@ def tried(
 ) -> Scene:
     """Return the first scene to pass its gate of those with ``name`` placed so or so.
 
-    Args:
-        placed: gives the scene with the thing at its place, by the number of the attempt.
-        name: the thing.
-        fresh: what is new.
-        config: settings.
-        loose: what is not new, but elsewhere.
-        attempts: how many places are tried.
+    ``placed`` gives the scene with the thing at its place, by the number of the attempt. ``fresh``
+    is what is new, ``loose`` what is not new, but elsewhere.
 
     Raises:
         SceneError: none of the places is free, or holds the thing. Where they do, but no scene

@@ -14,14 +14,10 @@ MOST_FACES = 400_000
 
 
 def read_glb(raw: bytes, what: str) -> Mesh:
-    """Return everything in a GLB file as one mesh, node transforms applied.
+    """Return everything in a GLB file as one mesh, node transforms applied; ``what`` names it.
 
     Of materials only the base colour counts: a texture if all faces show the same one, otherwise
     each face in one colour. Nothing outside the file is opened.
-
-    Args:
-        raw: the file's content.
-        what: how messages call it.
 
     Raises:
         InputError: no GLB, a damaged one, one without triangles or with NaN, or a too large one.

@@ -77,12 +77,9 @@ class Marks:
 
 
 def judged(judge: object, reference: Picture, pictures: Sequence[Picture]) -> Marks:
-    """Ask a judge for marks on the scene that ``pictures`` show.
+    """Ask a judge, such as a reasoner, for marks on the scene that ``pictures`` show.
 
-    Args:
-        judge: a reasoner (or anything) with the ``Judge`` protocol's methods.
-        reference: the picture the scene was made from.
-        pictures: the scene from one or more sides.
+    ``reference`` is the picture that the scene was made from.
 
     Raises:
         BackendError: it is no judge, or its answer lacks a mark or leaves the scale.

@@ -174,11 +174,8 @@ def evaluate_bundle(
 ) -> Evaluation:
     """Evaluate a bundle, or a folder of another method's result (see ``external``), from disk.
 
-    Args:
-        path: the folder.
-        picture: the reference picture; the one that the bundle keeps if left out.
-        metrics: perceptual metrics; left out, with a note, where there is no picture at all.
-        options: as for :func:`evaluate`.
+    The reference picture is the one that the bundle keeps, unless another is given; without any,
+    metrics are left out, with a note. Other ``options`` are those of :func:`evaluate`.
 
     Raises:
         BundleError: there is no bundle, or it is damaged.
@@ -206,12 +203,7 @@ def evaluate_bundle(
 def ranking(
     evaluations: Mapping[str, Evaluation], picture: Picture, judge: object
 ) -> tuple[str, ...]:
-    """Ask a judge to order several methods' scenes of one picture, the best first.
-
-    Args:
-        evaluations: one scene a method, by the method's name.
-        picture: the reference picture that all were made from.
-        judge: who ranks them.
+    """Ask a judge to order several methods' scenes of one picture, by method, the best first.
 
     Raises:
         BackendError: ``judge`` is none, or its answer does not name each method once.

@@ -176,11 +176,6 @@ def soundness(scene: Scene, rule: Rule = PLAIN) -> Soundness:
     )
 
 
-def robustness(scene: Scene, variants: Mapping[str, Rule] = VARIANTS) -> Mapping[str, Soundness]:
-    """Return a scene's soundness under each of several rules, by their names."""
-    return {name: soundness(scene, rule) for name, rule in variants.items()}
-
-
 def _set(simulation: Simulation, rule: Rule) -> None:
     options = simulation.model.opt
     if rule.timestep is not None:

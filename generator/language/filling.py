@@ -11,13 +11,7 @@ import numpy as np
 from ..catalogue import CATEGORIES
 from ..catalogue.surfaces.look import SIZE_FACTORS
 from ..errors import InputError, choices
-from ..scene import (
-    OutlineKind,
-    PlannedObject,
-    PlannedTable,
-    Relation,
-    RelationKind,
-)
+from ..scene import OutlineKind, PlannedObject, PlannedTable, Relation, RelationKind
 from . import relations
 from .drafts import Reading
 from .furniture import plan_table

@@ -40,13 +40,10 @@ def weighed(
     """Return the probabilities after a look at sizes and shapes, on the likeliest table.
 
     All things share one table, so that one scale must do for all: it is chosen to make the names
-    likeliest together. A category that was not looked at is as likely as one that is unlike.
-
-    Args:
-        names: probabilities of each thing over the categories and, last, "unknown".
-        looks: by category index, what ``apparent_scale`` returns on a table of usual size; None for
-            a thing that the frame cuts.
-        metric: whether the table's scale was measured, so that there is none to choose.
+    likeliest together, unless ``metric`` says that it was measured. A category that was not looked
+    at is as likely as one that is unlike. ``names`` are probabilities of each thing over the
+    categories and, last, "unknown"; ``looks``, by category index, what ``apparent_scale`` returns
+    on a table of usual size; None for a thing that the frame cuts.
     """
     shifts = np.zeros(1) if metric else _SHIFTS
     joint = [names * _likely(names, looks, shift) for shift in shifts]

@@ -8,12 +8,7 @@ from typing import cast, get_args
 
 from ..catalogue import CATEGORIES
 from ..errors import InputError
-from ..scene import (
-    TABLE,
-    PlannedObject,
-    Relation,
-    RelationKind,
-)
+from ..scene import TABLE, PlannedObject, Relation, RelationKind
 
 KINDS: frozenset[str] = frozenset(get_args(RelationKind))
 OPPOSITE: Mapping[str, str] = {

@@ -11,10 +11,11 @@ from jaxtyping import Float, Int
 from scipy.spatial import KDTree
 
 from ..scene import Mesh
+from ..scene.triangles import areas, face_normals
 from .baking import lay_out, textured
-from .reading.surface import Surface, areas
+from .reading.surface import Surface
 from .reading.textures import MOST_TEXTURE
-from .unwrap import Atlas, face_normals, unwrap
+from .unwrap import Atlas, unwrap
 
 _SAMPLES = 60_000  # points by which the nearest triangles are found, besides one on each
 _MOST_SAMPLES = 400_000  # of them; more triangles than that do not have one each

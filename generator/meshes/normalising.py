@@ -37,14 +37,7 @@ from .reading.surface import (
 )
 from .reading.textures import MOST_TEXTURE
 from .reducing import reduced, volume
-from .repairing import (
-    check_surface,
-    cleaned,
-    filled,
-    inside_out,
-    tidied,
-    welded_shape,
-)
+from .repairing import check_surface, cleaned, filled, inside_out, tidied, welded_shape
 
 _FILLED = 0.4  # share of its box that an open mesh is taken to fill
 
@@ -84,13 +77,9 @@ def normal_mesh(
     triangles stay as are wanted, and a texture that all parts share, does not repeat, and needs no
     other triangles stays as it is, of 2048 texels at most.
 
-    Args:
-        raw: the file's content.
-        what: how messages call it: backend, question, name.
-        kind: the format.
-        up: the file's upward axis.
-        to: how light it is to be.
-        beside: the files that an OBJ names, by name; see ``companions``.
+    ``what`` names it in messages: backend, question, name. ``up`` is the file's upward axis, ``to``
+    how light it is to be; ``beside`` holds the files that an OBJ names, by name; see
+    ``companions``.
 
     Raises:
         BackendError: it cannot be read (``inspection``), repaired (``repairing``) or reduced.

@@ -9,6 +9,8 @@ from jaxtyping import Bool, Float, Int
 
 from ..errors import BackendError
 from ..render.scanlines import nearest
+from ..scene.triangles import closed
+from .pixels import mask_iou
 
 _TRIES = (1, 2, 4)  # times the wanted number of faces
 _OVERLAP = 0.97  # least overlap of the silhouettes before and after
@@ -43,7 +45,7 @@ def reduced(vertices: Vertices, faces: Faces, most: int, what: str) -> tuple[Ver
             said = f"no fewer than {len(fewer[1])} can hold it"
             continue
         after = silhouettes(*fewer, vertices)
-        overlap = min(_overlap(a, b) for a, b in zip(before, after, strict=True))
+        overlap = min(mask_iou(a, b) for a, b in zip(before, after, strict=True))
         change = abs(volume(*fewer) / solid - 1) if solid else 0.0
         if overlap >= _OVERLAP and change <= _VOLUME:
             return fewer
@@ -76,11 +78,7 @@ def silhouettes(
 
 def volume(vertices: Vertices, faces: Faces) -> float:
     """Return the volume that a closed shape encloses; 0 for an open one."""
-    radix = int(faces.max()) + 1
-    ends = [(faces[:, k].astype(np.int64), faces[:, (k + 1) % 3]) for k in range(3)]
-    there = np.sort(np.concatenate([a * radix + b for a, b in ends]))
-    back = np.sort(np.concatenate([b * radix + a for a, b in ends]))
-    if not np.array_equal(there, back):
+    if not closed(faces):
         return 0.0
     centred, total = vertices - vertices.mean(0), 0.0
     for first in range(0, len(faces), _AT_ONCE):
@@ -97,7 +95,3 @@ def _simplified(vertices: Vertices, faces: Faces, count: int) -> tuple[Vertices,
         vertices / span, faces.astype(np.int32), target_count=count, agg=_CARE
     )
     return np.asarray(made[0], np.float64) * span, np.asarray(made[1], np.int64)
-
-
-def _overlap(a: Bool[np.ndarray, "s s"], b: Bool[np.ndarray, "s s"]) -> float:
-    return float((a & b).sum() / max((a | b).sum(), 1))

@@ -14,8 +14,8 @@ from scipy import sparse
 from scipy.sparse.csgraph import connected_components
 
 from ..errors import BackendError
-from .reading.surface import Surface, areas
-from .unwrap import welded
+from ..scene.triangles import areas, welded
+from .reading.surface import Surface
 
 _CRUMB = 5e-4  # share of the whole area below which a loose piece is none
 _SHEET = 0.5  # share of faces with a back of their own from which a mesh is a doubled sheet

@@ -9,6 +9,7 @@ from jaxtyping import Float, Int
 from scipy import sparse
 
 from ..render.scanlines import rasterise
+from ..scene.triangles import face_normals, welded
 
 _GUTTER = 2.0  # texels between charts
 
@@ -28,23 +29,6 @@ class Atlas:
     texel: Int[np.ndarray, "t"]
     face: Int[np.ndarray, "t"]
     weights: Float[np.ndarray, "t 3"]
-
-
-def welded(vertices: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "n"]:
-    """Return one common index for vertices that share a position."""
-    span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
-    keys = np.round(vertices / span * 1e5).astype(np.int64)
-    x, y, z = (keys - keys.min(0)).T  # each below 2**17
-    return np.unique((x << 40) + (y << 20) + z, return_inverse=True)[1].reshape(-1)
-
-
-def face_normals(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> Float[np.ndarray, "m 3"]:
-    """Return the unit normal of each face (zero for degenerate faces)."""
-    a, b, c = (vertices[faces[:, k]] for k in range(3))
-    normal = np.cross(b - a, c - a)
-    return normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
 
 
 def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

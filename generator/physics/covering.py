@@ -23,6 +23,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import ConvexHull, QhullError
 
 from ..scene import ConvexPart
+from ..scene.triangles import scaled_normals
 from .mjcf import primitive
 
 TOLERANCE = 2.5e-4
@@ -50,12 +51,7 @@ def covering(
     """Return parts that hold the mesh to ``TOLERANCE``: ``parts`` grown, and hulls added to them.
 
     A piece of the mesh that is convex by itself and sticks out is hulled as it is; parts that lie
-    within such a hull are left out.
-
-    Args:
-        parts: convex parts, metres.
-        vertices: the drawn mesh's vertices, metres, same frame.
-        faces: its triangles.
+    within such a hull are left out. All is in metres and in one frame.
     """
     places, index = np.unique(vertices.round(6), axis=0, return_inverse=True)
     faces = index.reshape(-1)[faces]
@@ -113,8 +109,7 @@ def _surface(
 
     Two parts may hold the ends of an edge and not its middle.
     """
-    a, b, c = places[faces].transpose(1, 0, 2)
-    turn = np.cross(b - a, c - a)
+    turn = scaled_normals(places[faces])
     normals = np.zeros_like(places)
     for k in range(3):
         np.add.at(normals, faces[:, k], turn)

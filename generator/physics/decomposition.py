@@ -21,7 +21,8 @@ from jaxtyping import Float, Int
 from ..errors import SceneError
 from ..io.npz import read_arrays
 from ..scene import ConvexPart, Mesh
-from .inertia import closed, welded
+from ..scene.triangles import closed
+from .inertia import welded
 
 MOST_FACES = 1200
 """Meshes are reduced to this many faces: CoACD's time grows with them."""

@@ -10,6 +10,7 @@ from jaxtyping import Float, Int
 
 from ..errors import SceneError
 from ..scene import ConvexPart, Mesh, Physics
+from ..scene.triangles import closed, scaled_normals
 
 LEAST_MASS = 2e-3
 """Lighter things are given this mass, kg, so that contacts stay well conditioned."""
@@ -67,8 +68,7 @@ def surface_mass(triangles: Float[np.ndarray, "m 3 3"], areal_density: float) ->
 
     A triangle's second moment is A / 12 (aaᵀ + bbᵀ + ccᵀ + ssᵀ).
     """
-    a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
-    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    areas = np.linalg.norm(scaled_normals(triangles), axis=1) / 2
     return _from_moments(areal_density * areas, triangles, 3.0, 12.0)
 
 
@@ -80,8 +80,7 @@ def parts_mass(parts: Sequence[ConvexPart], density: float) -> MassProperties:
     for part in parts:
         hull = ConvexHull(part.vertices)
         triangles = part.vertices[hull.simplices]
-        normals = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-        inward = np.einsum("ij,ij->i", normals, hull.equations[:, :3]) < 0
+        inward = np.einsum("ij,ij->i", scaled_normals(triangles), hull.equations[:, :3]) < 0
         triangles[inward] = triangles[inward][:, ::-1]
         pieces.append(triangles)
     if not pieces:
@@ -115,14 +114,6 @@ def is_watertight(mesh: Mesh) -> bool:
         return False
     a, b, c = vertices[faces].transpose(1, 0, 2)
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) > 0
-
-
-def closed(faces: Int[np.ndarray, "m 3"]) -> bool:
-    """Whether every edge is used as often in one direction as in the other."""
-    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]).astype(np.int64)
-    radix = int(edges.max()) + 1
-    there, back = edges @ [radix, 1], edges @ [1, radix]
-    return bool(np.array_equal(np.sort(there), np.sort(back)))
 
 
 def welded(mesh: Mesh) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:

@@ -22,14 +22,7 @@ from jaxtyping import Float
 from ..errors import SceneError
 from ..geometry import framing_camera, quaternion_matrix
 from ..io.png import encode_png
-from ..scene import (
-    TABLE,
-    ConvexPart,
-    Mesh,
-    Object,
-    Scene,
-    View,
-)
+from ..scene import TABLE, ConvexPart, Mesh, Object, Scene, View
 
 if TYPE_CHECKING:
     import mujoco

@@ -210,17 +210,12 @@ def render(
     ground_shadow: float = 0.0,
     backdrop: Backdrop | None = None,
 ) -> Rendered:
-    """Draw ``items`` as ``camera`` sees them.
+    """Draw ``items``, meshes in the world frame, as ``camera`` sees them.
 
-    Args:
-        items: world-frame meshes; those with ``opacity`` below 1 are blended in front.
-        camera: pinhole camera; its width and height are the picture's.
-        light: the sun and the ambient light; None for the default.
-        background: colour of empty pixels.
-        supersample: samples per pixel and axis (1 is fast, 2 or 3 smooth).
-        shadows: whether the sun casts shadows.
-        ground_shadow: how strongly shadows darken the background as if a floor lay at z = 0.
-        backdrop: floor and haze in place of the background.
+    Items with ``opacity`` below 1 are blended in front. ``supersample`` is samples per pixel and
+    axis (1 is fast, 2 or 3 smooth); ``background`` the colour of empty pixels; ``ground_shadow``
+    how strongly shadows darken it as if a floor lay at z = 0; ``backdrop`` floor and haze in place
+    of it.
     """
     light = light or Light()
     width, height = camera.width * supersample, camera.height * supersample

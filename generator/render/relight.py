@@ -23,14 +23,11 @@ _TINY = 1e-6
 def relit(
     images: SoftImages, picture: Float[Tensor, "b 3 h w"], weight: Float[Tensor, "b h w"]
 ) -> Float[Tensor, "b 3 h w"]:
-    """Return the renders' images in the light of their pictures.
+    """Return the renders' images, over grey and with normals, in the light of their pictures.
 
-    Args:
-        images: renders with normals, over grey; see ``generator.render.soft.render``.
-        picture: what each is compared with, over the same grey.
-        weight: how much each pixel tells about the light, >= 0; 0 outside of the picture's mask.
-
-    The light is found without gradient: the image's gradients are those of a given light.
+    ``weight`` is how much each pixel of ``picture``, over the same grey, tells about the light, >=
+    0; 0 outside of its mask. The light is found without gradient: the image's gradients are those
+    of a given light.
 
     Raises:
         InputError: the renders have no normals.

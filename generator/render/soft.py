@@ -23,6 +23,7 @@ from torch.nn import functional
 from ..errors import InputError
 from ..geometry import hull_points
 from ..scene import Mesh
+from ..scene.triangles import scaled_normals
 from .crop import MARGIN
 from .shading import sample_texture
 
@@ -154,8 +155,8 @@ def sample_surface(
         InputError: the surface has no area.
     """
     vertices = np.asarray(mesh.vertices, np.float64) * np.asarray(size)
-    a, b, c = (vertices[mesh.faces[:, k]] for k in range(3))
-    cross = np.cross(b - a, c - a)
+    corners = vertices[mesh.faces]
+    cross = scaled_normals(corners)
     areas = np.linalg.norm(cross, axis=1) / 2
     total = float(areas.sum())
     if total <= 0:
@@ -167,7 +168,7 @@ def sample_surface(
     u, v = (index[:, None] * (0.7548776662466927, 0.5698402909980532) + shift[1:]).T % 1.0
     root = np.sqrt(u)
     weights = np.stack([1 - root, root * (1 - v), root * v], 1)[:, :, None]
-    position = (np.stack([a, b, c], 1)[face] * weights).sum(1)
+    position = (corners[face] * weights).sum(1)
     normal = cross[face] / np.maximum(2 * areas[face, None], 1e-30)
     color = sample_texture(mesh.texture, (mesh.uv[mesh.faces[face]] * weights).sum(1))
     color = color * (0.75 + 0.25 * normal[:, 2:])
@@ -262,18 +263,14 @@ def render(
     window: Window | None = None,
     normals: bool = False,
 ) -> SoftImages:
-    """Draw objects in ``b`` poses, each in its own square crop.
+    """Draw objects in ``b`` poses, each in its own square crop of side ``resolution``.
 
-    Args:
-        surface: sample points of the objects.
-        rotation: object frame to camera axes, see ``object_to_camera``.
-        center: the objects' centres in camera axes, metres, in front of the camera.
-        resolution: side of the crops in pixels.
-        keep_aspect: fit the longer side and pad the other; False stretches both to the crop.
-        owner: which object each pose is of; None if there is only one.
-        fit: moves the objects in their crops; None leaves them tight.
-        window: what the crops show; None makes them tight.
-        normals: draw the surface's normals as well.
+    ``surface`` are sample points of the objects, ``owner`` which object each pose is of; None if
+    there is only one. ``rotation`` takes object frames to camera axes, see ``object_to_camera``;
+    ``center`` are the objects' centres in camera axes, metres, in front of the camera.
+    ``keep_aspect`` fits the longer side and pads the other; else both are stretched. ``fit`` moves
+    the objects in their crops, which are tight around them, or around what ``window`` says.
+    ``normals`` are drawn as well if asked for.
     """
     index = torch.zeros_like(rotation[:, 0, 0], dtype=torch.long) if owner is None else owner
     if window is None:

@@ -64,11 +64,6 @@ class Rotation:
                 f"width in (0, pi], got yaw {self.yaw}, margin {self.margin}, width {self.width}."
             )
 
-    @property
-    def confidence(self) -> float:
-        """How much ``margin`` speaks for this side, in [0, 1): 0.5 where others fit 10 % worse."""
-        return self.margin / (self.margin + 0.1)
-
 
 @dataclass(frozen=True)
 class Stacking:

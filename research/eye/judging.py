@@ -72,12 +72,10 @@ def lesson(
     visible: UInt8[np.ndarray, "h w"],
     full: Bool[np.ndarray, "n h w"],
 ) -> Lesson:
-    """Return what one picture teaches: the eye looks at it, ``Sample`` says what there is to see.
+    """Return what one sRGB picture teaches: the eye looks, ``Sample`` says what there is to see.
 
-    Args:
-        image: sRGB.
-        visible: which thing each pixel shows, from 1; 0 none.
-        full: each thing's whole mask.
+    ``visible`` is which thing each pixel shows, from 1, 0 none; ``full`` is each thing's whole
+    mask.
     """
     glance = glance_at(load_weights(), np.ascontiguousarray(image))
     clues = clues_of(glance.finds, glance.region)

@@ -23,14 +23,7 @@ from jaxtyping import Bool, Float, UInt8, UInt16
 from generator.errors import InputError, StorageError
 from generator.scene import View
 
-from .sample import (
-    BACKGROUND,
-    OBJECT,
-    TABLE_REST,
-    TOP,
-    Sample,
-    filled,
-)
+from .sample import BACKGROUND, OBJECT, TABLE_REST, TOP, Sample, filled
 
 FORMAT = 1
 _NEAREST = 0.1  # metres; nearness is _NEAREST / depth in units of 2^-16

@@ -35,12 +35,7 @@ from generator.backends.embedded.eye.network import Eye
 from generator.catalogue import CATEGORIES
 from generator.errors import BackendError, InputError
 
-from .losses import (
-    WEIGHTS,
-    Batch,
-    terms,
-    total,
-)
+from .losses import WEIGHTS, Batch, terms, total
 from .sample import UNKNOWN
 from .shards import ShardReader
 from .targets import Crop, blank, cut

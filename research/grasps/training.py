@@ -32,14 +32,7 @@ from generator.io.pictures import write_picture
 from tabletopgen_env.detection.detector import GraspDetector, save_weights
 from tabletopgen_env.detection.look import CELLS
 from tabletopgen_env.detection.model import GraspNetwork
-from tabletopgen_env.detection.network import (
-    PLACE,
-    PLACES,
-    TURNS,
-    UNITS,
-    Rated,
-    turned,
-)
+from tabletopgen_env.detection.network import PLACE, PLACES, TURNS, UNITS, Rated, turned
 from tabletopgen_env.expert.planning.grasps import Grasp
 from tabletopgen_env.scenes import FreshScenes, split
 from tabletopgen_env.scenes.splitting import Side

@@ -44,7 +44,7 @@ from typing import Literal, get_args
 from generator.errors import InputError, choices
 
 from .joints import JOINT_LEASH, JOINT_STEP, JointDelta, JointTarget
-from .servos import CONTROL_HZ, SUBSTEPS, Controller, GripperMode, Servos, checked
+from .servos import CONTROL_HZ, Controller, GripperMode, Servos, checked
 from .tool import (
     EE_LEASH,
     EE_STEP,
@@ -65,7 +65,6 @@ __all__ = [
     "EE_TURN",
     "JOINT_LEASH",
     "JOINT_STEP",
-    "SUBSTEPS",
     "WORKSPACE",
     "YAW_LEASH",
     "ActionConfig",

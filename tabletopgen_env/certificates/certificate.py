@@ -127,15 +127,10 @@ class Certificate:
     versions: Mapping[str, str]
     instances: tuple[Instance, ...]
 
-
-def certified_instances(path: str | Path) -> tuple[Instance, ...]:
-    """Return the certified instances of a bundle; none where there is no certificate.
-
-    Raises:
-        BundleError: the certificate is damaged, or another scene's.
-    """
-    found = read_certificate(path)
-    return () if found is None else tuple(i for i in found.instances if i.certified)
+    @property
+    def certified(self) -> tuple[Instance, ...]:
+        """Those of the instances that count as certified."""
+        return tuple(i for i in self.instances if i.certified)
 
 
 def read_certificate(path: str | Path) -> Certificate | None:

@@ -17,7 +17,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import closing
 from dataclasses import replace
-from importlib import metadata
 from itertools import chain, repeat
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +25,7 @@ import numpy as np
 
 from generator.errors import BundleError, SceneError, TabletopError, require_number
 from generator.jobs.workers import WorkerPool
+from generator.scene.provenance import versions
 
 from ..episodes import Held
 from ..goals.goal import SPOT
@@ -42,7 +42,6 @@ from .certificate import (
     scene_digest,
     write_certificate,
 )
-from .certificate import certified_instances as certified_instances
 
 if TYPE_CHECKING:
     from ..env import TabletopEnv
@@ -61,10 +60,7 @@ _VERSIONS = ("tabletopgen", "mujoco", "numpy")
 def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certificate:
     """Let the expert play what a bundle's scene offers, write the certificate and return it.
 
-    Args:
-        path: the bundle.
-        terms: tasks, episodes, instances and seed.
-        workers: processes; they do not change what is written.
+    The number of processes, ``workers``, does not change what is written.
 
     Raises:
         InputError: ``workers`` is out of range.
@@ -81,15 +77,10 @@ def certify(path: str | Path, terms: Terms = DEFAULT, workers: int = 1) -> Certi
 def certify_all(
     paths: Sequence[Path], terms: Terms = DEFAULT, workers: int = 1
 ) -> Iterator[tuple[Path, Certificate | TabletopError]]:
-    """Certify bundles, and yield each with its certificate once that is written.
+    """Certify bundles, see ``certify``, and yield each with its certificate once that is written.
 
-    One that cannot be certified comes with the error that says why, and the others follow. What
-    is written stays when it is interrupted.
-
-    Args:
-        paths: the bundles.
-        terms: see ``certify``.
-        workers: see ``certify``.
+    One that cannot be certified comes with the error that says why, and the others follow. What is
+    written stays when it is interrupted.
 
     Raises:
         InputError: ``workers`` is out of range.
@@ -109,9 +100,8 @@ def _written(path: Path, terms: Terms, listed: Sequence[_Listed]) -> Certificate
         if isinstance(found, TabletopError):
             return found
         instances += found
-    versions = {name: metadata.version(name) for name in _VERSIONS}
     try:
-        made = Certificate(scene_digest(path), terms, versions, tuple(instances))
+        made = Certificate(scene_digest(path), terms, versions(_VERSIONS), tuple(instances))
         write_certificate(path, made)
     except TabletopError as error:
         return error

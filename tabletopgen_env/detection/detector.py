@@ -122,12 +122,7 @@ def shipped_digest() -> str:
 def save_weights(
     weights: Mapping[str, Float[np.ndarray, "..."]], path: Path, card: Mapping[str, object]
 ) -> None:
-    """Write a network's weights, whole or not at all.
-
-    Args:
-        weights: what to write.
-        path: where.
-        card: what it learned from.
+    """Write a network's weights, with the card of what it learned from, whole or not at all.
 
     Raises:
         StorageError: the file cannot be written.

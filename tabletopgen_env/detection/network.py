@@ -80,12 +80,7 @@ class Rated(NamedTuple):
 
 
 def rated(out: Any, middles: Any) -> Rated:
-    """Return what the network's last layer says.
-
-    Args:
-        out: its values (..., 7, i, j), an array or a tensor.
-        middles: ``MIDDLES``, the same.
-    """
+    """Return what the network's last layer (..., 7, i, j) says; of arrays or of tensors."""
     best, possible, *answers = (out[..., k, :, :] for k in range(7))
     along, across, *rest = (part * unit for part, unit in zip(answers, UNITS, strict=True))
     return Rated(best, possible, middles[:, None] + along, middles + across, *rest)
@@ -125,11 +120,9 @@ def _between(
 def rate(
     weights: Mapping[str, Float32[np.ndarray, "..."]], seen: Float32[np.ndarray, "t 3 48 48"]
 ) -> Rated:
-    """Return the ratings of an object seen at every turn.
+    """Return the ratings of an object seen at every turn, as ``turned`` gives it.
 
-    Args:
-        weights: of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
-        seen: what ``turned`` gives.
+    Weights are of each layer, ``"0.weight"`` (out, in, side, side), ``"0.bias"`` and so on.
     """
     values = np.ascontiguousarray(np.moveaxis(seen, 1, -1))
     for number, layer in enumerate(LAYERS):

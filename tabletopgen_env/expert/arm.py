@@ -52,10 +52,7 @@ _ROLL = rotation_yaw(forward(HOME)[1])
 def stretch(world: World, points: Iterable[Float[np.ndarray, "3"]], yaw: float) -> float | None:
     """Return how far from home the joints are at most at ``points``, None if one is out of reach.
 
-    Args:
-        world: says where the base is.
-        points: of the tool centre point, world frame.
-        yaw: of the hand, base frame, radians.
+    Points are of the tool centre point, world frame; ``yaw`` is the hand's, base frame, radians.
     """
     most = 0.0
     for point in points:

@@ -34,12 +34,8 @@ class Expert(ABC):
     """Solves one kind of goal in the action mode "ee_delta".
 
     Call ``reset()`` after the environment's, then ``act()`` before each step. ``phase`` says what
-    it is doing.
-
-    Args:
-        env: the environment, wrapped or not.
-        patience: how much longer than usual each phase may take: more than 1 where another acts,
-            who is to be advised and not given up on.
+    it is doing. ``patience`` is how much longer than usual each phase may take: more than 1 where
+    another acts, who is to be advised and not given up on.
 
     Raises:
         InputError: the environment has another action mode, rate or gripper.

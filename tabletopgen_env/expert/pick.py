@@ -30,16 +30,7 @@ from ..robot import franka
 from .arm import up
 from .driver import NEAR, Expert
 from .planning.choosing import HOVER, Plan, choose
-from .planning.dropping import (
-    ABOVE,
-    Drop,
-    hanging,
-    let_go_at,
-    lift_of,
-    load,
-    lost,
-    met,
-)
+from .planning.dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
 from .planning.grasps import TIP, Grasp
 
 Phase = Literal[

@@ -26,14 +26,7 @@ from .arm import up
 from .driver import Expert
 from .path import clear_height
 from .planning.grasps import TIP
-from .planning.strokes import (
-    HOVER,
-    PAD,
-    Care,
-    beside,
-    mass_center,
-    plan_stroke,
-)
+from .planning.strokes import HOVER, PAD, Care, beside, mass_center, plan_stroke
 
 Phase = Literal["approach", "descend", "stroke", "back", "retreat", "stuck"]
 

@@ -20,11 +20,8 @@ from .reach import Reacher
 class TaskExpert(Expert):
     """Solves every ``TabletopGen`` environment in the action mode "ee_delta".
 
-    Args:
-        env: the environment, wrapped or not.
-        patience: see ``Expert``.
-
-    It turns to the goal that the environment shows as active whenever its hand is free.
+    It turns to the goal that the environment shows as active whenever its hand is free. For
+    ``patience`` see ``Expert``.
     """
 
     def reset(self) -> None:

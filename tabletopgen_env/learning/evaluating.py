@@ -79,12 +79,7 @@ def play(
 ) -> Played:
     """Play one episode until success has held (``episodes.Held``), or to the time limit.
 
-    Args:
-        env: the environment.
-        policy: who acts.
-        seed: of the episode.
-        frames: gets what ``env.render`` returns at the start, every few steps and at the end; None
-            for none.
+    ``frames`` gets what ``env.render`` returns at the start, every few steps and at the end.
     """
     seen, info = env.reset(seed=seed)
     if frames is not None:

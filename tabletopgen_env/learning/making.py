@@ -133,12 +133,9 @@ def many_envs(recipe: Recipe, source: SceneSource, seed: int) -> VecEnv:
 
 
 def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
-    """Return an untrained model on the CPU.
+    """Return an untrained model on the CPU for one environment, or ``many_envs``.
 
-    Args:
-        recipe: what it is like.
-        env: one environment, or ``many_envs``.
-        seed: of its weights and of what it tries.
+    ``seed`` is of its weights and of what it tries.
 
     Raises:
         InputError: the algorithm has no such option, or an option does not fit.
@@ -176,9 +173,7 @@ def new_model(recipe: Recipe, env: Any, seed: int) -> BaseAlgorithm:
 def blank_model(recipe: Recipe, like: gym.Env[Any, Any]) -> BaseAlgorithm:
     """Return a recipe's model for as many environments as it has, with a buffer for a step of each.
 
-    Args:
-        recipe: what it is like.
-        like: what the environments see and do; it is not touched.
+    ``like`` says what the environments see and do; it is not touched.
 
     Raises:
         InputError: as ``new_model``.

@@ -131,14 +131,10 @@ def policy_from(
     validation: Mapping[str, Any] | None = None,
     steps: int | None = None,
 ) -> TrainedPolicy:
-    """Return a copy of what a model does now.
+    """Return a copy of what a model, made by ``making.new_model`` with ``recipe``, does now.
 
-    Args:
-        model: made by ``making.new_model``.
-        recipe: with which.
-        seed: of the training.
-        validation: what the card says of an evaluation.
-        steps: trained for; None for what the model says.
+    ``validation`` is what the card says of an evaluation, ``steps`` what it was trained for; None
+    for what the model says.
     """
     actor, squash = actor_of(model, recipe.network)
     card = Card(
@@ -152,12 +148,9 @@ def policy_from(
 
 
 def save_policy(policy: TrainedPolicy, path: str | Path, half: bool = False) -> Path:
-    """Write a policy file, whole or not at all.
+    """Write a policy file, whole or not at all; its folder must be there.
 
-    Args:
-        policy: the policy.
-        path: where; the folder must be there.
-        half: keep half precision: half the size, slightly other actions.
+    ``half`` keeps half precision: half the size, slightly other actions.
 
     Raises:
         InputError: it would be larger than ``MOST_BYTES``, or a text of its card cannot be shown.

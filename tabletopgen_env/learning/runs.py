@@ -261,11 +261,7 @@ def read_rows(path: Path) -> list[Row]:
 
 
 def _row(cells: Mapping[str, str]) -> Row:
-    """Return a row of the table.
-
-    Raises:
-        ValueError: its numbers are none that an evaluation can have.
-    """
+    """Return a row of the table (ValueError: its numbers are none that an evaluation can have)."""
     row = Row(
         int(cells["steps"]), float(cells["seconds"]), int(cells["episodes"]),
         int(cells["solved"]), float(cells["reward"]), float(cells["length"]),
@@ -278,11 +274,7 @@ def _row(cells: Mapping[str, str]) -> Row:
 
 
 def _counts(path: Path) -> Counts:
-    """Return how far a checkpoint is.
-
-    Raises:
-        InputError: the file is damaged.
-    """
+    """Return how far a checkpoint is (InputError: the file is damaged)."""
     try:
         payload = _object(path)
         own = Counts(**payload)
@@ -297,11 +289,7 @@ def _counts(path: Path) -> Counts:
 
 
 def _object(path: Path) -> dict[str, Any]:
-    """Return the JSON object of a file.
-
-    Raises:
-        InputError: it is none.
-    """
+    """Return the JSON object of a file (InputError: it is none)."""
     raw = read_regular(path, "The run's", InputError, max_bytes=_MAX_BYTES)
     return parse_object(raw, f"{path}", InputError)
 

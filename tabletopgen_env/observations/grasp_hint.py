@@ -55,14 +55,7 @@ from ..expert.arm import turn_left
 from ..expert.driver import NEAR
 from ..expert.path import ROOM, clear_height
 from ..expert.planning.choosing import Chooser, Plan, choose
-from ..expert.planning.dropping import (
-    Drop,
-    breadth,
-    hanging,
-    let_go_at,
-    lift_of,
-    lost,
-)
+from ..expert.planning.dropping import Drop, breadth, hanging, let_go_at, lift_of, lost
 from ..expert.planning.grasps import TIP, Grasp
 from ..expert.planning.placing import Placer, middle_place, plan_place
 from ..expert.planning.plans import first_plan
@@ -84,17 +77,13 @@ _OFF = 0.01  # metres above where it lay at which an object that lies still agai
 _HIGH = 0.035  # the same, at which its place is planned
 
 
-def _planned() -> tuple[Chooser, Placer]:
-    return choose, plan_place
-
-
 def _detected() -> tuple[Chooser, Placer]:
     from ..detection.detector import read_detector
 
     return read_detector(), middle_place
 
 
-_ANSWERS = {"planned": _planned, "detected": _detected}
+_ANSWERS = {"planned": lambda: (choose, plan_place), "detected": _detected}
 
 
 def misread(
@@ -105,11 +94,8 @@ def misread(
 ) -> Float[np.ndarray, "8"]:
     """Return the entries as sensors that err give them.
 
-    Args:
-        entries: as things are.
-        target: by how much the reading of its place errs, base frame, metres.
-        tool: the same of the tool centre point.
-        yaw: by how much that of the hand's yaw does, radians.
+    ``target`` and ``tool`` are by how much the readings of the places err, base frame, metres,
+    ``yaw`` by how much that of the hand's yaw does, radians.
     """
     if not entries[-1]:
         return entries
@@ -126,12 +112,10 @@ def misread(
 class GraspHint:
     """The grasp of the active target, carried along with the object, and then its place.
 
-    Args:
-        kind: whether the expert's planners are asked, or the detector.
-
-    A grasp is planned anew when the object has come to rest elsewhere, untouched by the robot, or
-    was lost. ``drop`` is the place while there is one, ``planned`` the grasp as it was planned,
-    ``choose`` who is asked for one.
+    ``kind`` says whether the expert's planners are asked, or the detector. A grasp is planned anew
+    when the object has come to rest elsewhere, untouched by the robot, or was lost. ``drop`` is the
+    place while there is one, ``planned`` the grasp as it was planned, ``choose`` who is asked for
+    one.
     """
 
     def __init__(self, kind: HintKind = "planned") -> None:

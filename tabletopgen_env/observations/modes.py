@@ -208,15 +208,10 @@ def flat_state(
     noise: Noise | None = None,
     hint: Float[np.ndarray, "8"] | None = None,
 ) -> Float[np.ndarray, "n"]:
-    """Return the flat state; ``bare`` leaves the goal's entries out.
+    """Return the flat state, objects in the slots' ``order``, the target first.
 
-    Args:
-        world: the world.
-        order: the objects in slot order, the target first.
-        goal: the active goal.
-        bare: return entries 0-267 alone.
-        noise: of this reading; None is none.
-        hint: the entries of ``grasp_hint``, the last ones; None for a state without.
+    ``bare`` leaves out all but entries 0-267; ``noise`` is that of this reading, None none;
+    ``hint`` the entries of ``grasp_hint``, the last ones.
     """
     bounds = _bounds(hint is not None, bare)
     robot, slots = robot_state(world, goal, noise), object_slots(world, order, noise)

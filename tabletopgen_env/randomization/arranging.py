@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from jaxtyping import Float
 
-from generator.geometry import inside_margin, rotation_z
+from generator.geometry import inside_margin, rotation_z, turned_quaternion
 from generator.scene import Object, Pose, Scene
 
 from ..affordance import footprint
@@ -108,12 +108,8 @@ def _moved(
     thing: Object, centre: Float[np.ndarray, "3"], move: Float[np.ndarray, "3"], turn: float
 ) -> Object:
     """Return a thing moved, and turned about the vertical through ``centre``."""
-    rotation, half = rotation_z(turn), turn / 2
-    position = centre + rotation @ (thing.pose.position - centre) + move
-    w, x, y, z = thing.pose.quaternion
-    c, s = np.cos(half), np.sin(half)
-    turned = np.array([c * w - s * z, c * x - s * y, c * y + s * x, c * z + s * w])
-    return replace(thing, pose=Pose(position, turned))
+    position = centre + rotation_z(turn) @ (thing.pose.position - centre) + move
+    return replace(thing, pose=Pose(position, turned_quaternion(thing.pose.quaternion, turn)))
 
 
 def _misplaced(world: World, before: Scene, root: Mapping[str, str], movers: set[str]) -> set[str]:
@@ -191,13 +187,7 @@ def leaving(
 ) -> tuple[str, ...]:
     """Return which objects go, in ``order``, so that at most ``most`` stay beside those needed.
 
-    Needed are those in ``keep`` with their bundles. Others go with their whole bundle.
-
-    Args:
-        root: the bundles.
-        keep: objects that have to stay.
-        most: how many others may.
-        order: the objects, those that are to go first first.
+    Needed are those in ``keep`` with their bundles (``root``). Others go with their whole bundle.
     """
     needed = {root[name] for name in keep}
     loose = [name for name in root if root[name] not in needed]

@@ -23,12 +23,7 @@ if TYPE_CHECKING:
 
 
 class Feasible:
-    """What is asked of a start: made at the start of a scene, asked once things are moved.
-
-    Args:
-        world: the world, at the start of its scene.
-        goals: what the episode asks for.
-    """
+    """What is asked of a start: made at the start of a scene, asked once things are moved."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._world = world

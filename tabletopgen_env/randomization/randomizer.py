@@ -41,10 +41,7 @@ _MODEL: Mapping[str, tuple[Draw, Apply]] = MappingProxyType(
 
 
 class Randomizer:
-    """Applies a ``Randomization`` to the worlds of one environment, episode by episode.
-
-    Args:
-        choice: the settings, the name of a preset, or None for none.
+    """Applies a ``Randomization``, or the preset of a name, to one environment's worlds by episode.
 
     Call ``restart`` once per episode, ``begin`` with the world before the task is drawn (in place
     of ``World.reset``; as often as worlds are tried), and ``finish`` after it. A copy knows of no

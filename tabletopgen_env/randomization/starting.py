@@ -70,16 +70,10 @@ def start_off(
 ) -> dict[str, Any]:
     """Put the arm and the things at an episode's start a little off; return by how much.
 
-    Args:
-        world: the world, at its start; it is left at the new one.
-        goals: what the episode asks for.
-        settings: how far.
-        rng: draws; as much for every world of as many things.
-
-    Returns:
-        "joints": the seven angles added to the arm's, rad (zeros where the arm would touch
-        something); "moved": the move (x, y, metres) and turn (rad) of each bundle that is
-        displaced, by its first thing.
+    The world, at its start, is left at the new one. ``rng`` draws as much for every world of as
+    many things. Returned are "joints", the seven angles added to the arm's, rad (zeros where the
+    arm would touch something); and "moved", the move (x, y, metres) and turn (rad) of each bundle
+    that is displaced, by its first thing.
     """
     joints = rng.uniform(-settings.start_joints, settings.start_joints, 7)
     most = np.array([settings.start_move, settings.start_move, settings.start_turn])

@@ -59,12 +59,8 @@ def played(
 ) -> Generator[Played | SceneError, None, None]:
     """Yield one episode after the other without end, or why there is none to keep.
 
-    Which they are does not depend on the number of ``workers``. Close it when done with it.
-
-    Args:
-        config: what to record.
-        env: where a single worker plays; several make one each of their own.
-        workers: processes.
+    Which they are does not depend on the number of ``workers``, of which a single one plays in
+    ``env``. Close it when done with it.
 
     Raises:
         SceneError: a process has ended abruptly.

@@ -36,18 +36,13 @@ def record(
 ) -> Path:
     """Record the expert's demonstrations; return where the dataset is.
 
-    It is there once it is whole: whatever goes wrong before leaves nothing behind.
-
-    Args:
-        config: what to record.
-        out: the dataset's own folder, or file ("hdf5"), which must not be there yet. The name of a
-            Minari dataset is its id and ends with a version ("data/lift-v0"); None is
-            ``TabletopGen-<task>-v0`` in the user's Minari store.
-        format: "minari", "hdf5" or "npz".
-        workers: processes that play. They do not change what is recorded, unless the scenes are
-            renewed by the clock ("refreshing").
-        told: called with how many episodes are kept and how many were played, first before any
-            is, once nothing is found wrong, and then after each.
+    It is there once it is whole: whatever goes wrong before leaves nothing behind. ``out`` is its
+    own folder, or file ("hdf5"), which must not be there yet. The name of a Minari dataset is its
+    id and ends with a version ("data/lift-v0"); None is ``TabletopGen-<task>-v0`` in the user's
+    Minari store. ``workers`` are processes that play. They do not change what is recorded, unless
+    the scenes are renewed by the clock ("refreshing"). ``told`` is called with how many episodes
+    are kept and how many were played, first before any is, once nothing is found wrong, and then
+    after each.
 
     Raises:
         InputError: a setting is wrong, a package is missing, or ``out`` is there already.

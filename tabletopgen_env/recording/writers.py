@@ -8,7 +8,6 @@ import warnings
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict
-from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -16,6 +15,7 @@ import gymnasium as gym
 import numpy as np
 
 from generator.errors import InputError
+from generator.scene.provenance import versions
 
 from .config import Format, RecordConfig
 from .playing import Played
@@ -42,13 +42,7 @@ class Writer(Protocol):
 
 
 class MinariWriter:
-    """A Minari dataset in a folder of its id's name.
-
-    Args:
-        place: the folder, which is not there yet; a dataset's id is its name.
-        config: what is recorded.
-        env: where.
-    """
+    """A Minari dataset in a folder of its id's name, which is not there yet."""
 
     def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
         self._place, self._config, self._env = place, config, env
@@ -73,7 +67,7 @@ class MinariWriter:
         """Return the dataset of the first episode."""
         import minari
 
-        versions = _versions()
+        used = versions(_VERSIONS)
         with _minari_root(self._place.parent), warnings.catch_warnings():
             # Authors, a link to code and the like are for who publishes the dataset.
             warnings.filterwarnings("ignore", category=UserWarning, module="minari")
@@ -83,7 +77,7 @@ class MinariWriter:
                 env=self._env,
                 algorithm_name=EXPERT,
                 description=f"The scripted expert of {_id(self._env)} at work.",
-                requirements=[f"{name}=={versions[name]}" for name in ("tabletopgen", "mujoco")],
+                requirements=[f"{name}=={used[name]}" for name in ("tabletopgen", "mujoco")],
                 data_format="hdf5",
                 jpeg_encoding=False,  # it is lossy
             )
@@ -106,13 +100,7 @@ def _minari_root(folder: Path) -> Iterator[None]:
 
 
 class Hdf5Writer:
-    """One HDF5 file; see the package's page.
-
-    Args:
-        place: the file, which is not there yet.
-        config: what is recorded.
-        env: where.
-    """
+    """One HDF5 file, which is not there yet; see the package's page."""
 
     def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
         import h5py
@@ -149,13 +137,7 @@ def _fill(group: h5py.Group, arrays: Mapping[str, Any]) -> None:
 
 
 class NpzWriter:
-    """A folder of NumPy files; see the package's page.
-
-    Args:
-        place: the folder, which is not there yet.
-        config: what is recorded.
-        env: where.
-    """
+    """A folder of NumPy files, which is not there yet; see the package's page."""
 
     def __init__(self, place: Path, config: RecordConfig, env: gym.Env[Any, Any]) -> None:
         place.mkdir()
@@ -212,12 +194,8 @@ def _about(config: RecordConfig, env: gym.Env[Any, Any]) -> dict[str, Any]:
         "environment": json.loads(env.spec.to_json()),
         "expert": EXPERT,
         "settings": asdict(config),
-        "versions": _versions(),
+        "versions": versions(_VERSIONS),
     }
-
-
-def _versions() -> dict[str, str]:
-    return {name: metadata.version(name) for name in _VERSIONS}
 
 
 def _id(env: gym.Env[Any, Any]) -> str:

@@ -76,12 +76,8 @@ _FORKED = (
 def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> Drawer:
     """Return a drawer for pictures of ``height`` x ``width``.
 
-    Args:
-        choice: "gl", "software", or "auto": GL if it can be had, else software; with a warning
-            where a fork is what is in the way.
-        height: rows.
-        width: columns.
-        profile: "fast" or "full"; the software renderer draws shadows in "full".
+    "auto" is GL if it can be had, else software; with a warning where a fork is what is in the way.
+    The software renderer draws shadows in the profile "full".
 
     Raises:
         InputError: unknown choice.

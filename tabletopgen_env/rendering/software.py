@@ -11,6 +11,7 @@ import numpy as np
 from jaxtyping import Float, Int, Shaped, UInt8
 
 from generator.geometry import Camera
+from generator.scene.triangles import scaled_normals
 
 from ..world.composition import MARKER
 from ..world.room import backdrop
@@ -187,8 +188,7 @@ def _hull(points: Float[np.ndarray, "n 3"]) -> tuple[np.ndarray, np.ndarray]:
     from scipy.spatial import ConvexHull
 
     hull = ConvexHull(points)
-    a, b, c = (points[hull.simplices[:, i]] for i in range(3))
-    inward = (np.cross(b - a, c - a) * hull.equations[:, :3]).sum(1) < 0
+    inward = (scaled_normals(points[hull.simplices]) * hull.equations[:, :3]).sum(1) < 0
     faces = np.where(inward[:, None], hull.simplices[:, ::-1], hull.simplices)
     return points, faces
 

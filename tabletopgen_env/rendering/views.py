@@ -30,12 +30,7 @@ from jaxtyping import Shaped, UInt8
 from generator.scene import TABLE
 
 from ..robot.mount import PEDESTAL
-from ..world.composition import (
-    FRONT_CAMERA,
-    MARKER,
-    TOP_CAMERA,
-    WRIST_CAMERA,
-)
+from ..world.composition import FRONT_CAMERA, MARKER, TOP_CAMERA, WRIST_CAMERA
 from ..world.world import World
 from .config import ObservationConfig
 from .kinds import Drawer, Kind
@@ -73,14 +68,7 @@ def picture_spaces(config: ObservationConfig) -> dict[str, spaces.Space[Any]]:
 def pictures(
     config: ObservationConfig, world: World, drawer: Drawer, order: Sequence[str]
 ) -> dict[str, Shaped[np.ndarray, "h w *c"]]:
-    """Return the pictures of ``config`` by their key.
-
-    Args:
-        config: cameras and kinds.
-        world: the world.
-        drawer: draws pictures of the size in ``config``.
-        order: the objects in slot order.
-    """
+    """Return the pictures of ``config`` by their key, objects in the slots' ``order``."""
     labels = geom_labels(world, order)
     seen: dict[str, Shaped[np.ndarray, "h w *c"]] = {}
     for camera in config.cameras:

@@ -15,6 +15,8 @@ from types import MappingProxyType
 import numpy as np
 from jaxtyping import Float, Int
 
+from .kinematics import HOME, link_frames
+
 WHITE, GREY, DARK, BLUE = "white", "grey", "dark", "blue"
 
 COLORS: dict[str, tuple[float, float, float, float]] = {
@@ -261,3 +263,16 @@ def _finger() -> tuple[Shell, ...]:
         slab(GREY, (0, 0.0165, 0.027), (0.0095, 0.0065, 0.012), round_off=0.002, sides=8, power=8),
         slab(DARK, (0, 0.007, 0.0445), (0.0105, 0.007, 0.0093), round_off=0.0015, sides=8, power=8),
     )
+
+
+def arm_points(joints: Float[np.ndarray, "7"] = HOME) -> Float[np.ndarray, "n 3"]:
+    """Return points all over the arm's links and the tool centre point, in the base frame.
+
+    They are what a camera has to show to have the whole robot in the picture.
+    """
+    frames = [np.eye(4), *link_frames(joints)]
+    points = [frames[-1][None, :3, 3]]
+    for number, frame in enumerate(frames[:-1]):
+        shells = np.concatenate([shell.vertices for shell in arm_shells()[f"link{number}"]])
+        points.append(shells @ frame[:3, :3].T + frame[:3, 3])
+    return np.concatenate(points)

@@ -15,7 +15,7 @@ from generator.scene import Object
 
 from ..goals.goal import Raised
 from .sampling import drawn, liftable
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -27,11 +27,7 @@ class Lift(Task):
     weights = MappingProxyType({"reach": 0.20, "grasp": 0.20, "lift": 0.30, "success": 0.30})
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target, or take the one given; see ``Task.sample``."""
         if goal is not None:

@@ -23,7 +23,7 @@ from .sampling import (
     on_spot,
     spot_of,
 )
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -37,11 +37,7 @@ class PickPlace(Task):
     )
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a goal, or take those given; see ``Task.sample``."""
         reasons = liftable(world)

@@ -30,7 +30,7 @@ from .sampling import (
     on_table,
     rest_height,
 )
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -62,11 +62,7 @@ class Push(Task):
     needs = (LOW, LOW)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a spot, or take those given; see ``Task.sample``."""
         if isinstance(goal, str) and goal != SPOT:

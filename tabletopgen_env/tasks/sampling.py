@@ -17,7 +17,7 @@ from ..expert.planning.plans import has_grasp
 from ..goals.goal import SPOT, Into, OnSpot
 from ..robot.mount import obstacle, reachable
 from ..world.workspace import free_spot
-from .task import Episode
+from .task import Choice, Episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -115,7 +115,7 @@ def rest_height(world: World, name: str) -> float:
 
 
 def spot_of(
-    world: World, obj: Object, goal: str | tuple[float, ...] | None, rng: np.random.Generator
+    world: World, obj: Object, goal: Choice, rng: np.random.Generator
 ) -> Float[np.ndarray, "3"] | None:
     """Return the spot on the table that ``goal`` gives, or a drawn free one, world frame."""
     if goal is None or isinstance(goal, str):
@@ -189,9 +189,7 @@ def in_stead(world: World, obj: Object, other: Object) -> OnSpot:
     return OnSpot(obj.name, spot, rest_height(world, obj.name), other.name)
 
 
-def given_object(
-    world: World, goal: str | tuple[float, ...] | None, use: str, wanted: str
-) -> str | None:
+def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | None:
     """Return the object that a goal option names, None without one.
 
     ``use`` says what it is for, ``wanted`` what the option has to be.
@@ -204,7 +202,7 @@ def given_object(
     return None if goal is None else known(world, str(goal), use)
 
 
-def named(goal: str | tuple[float, ...] | None) -> str | None:
+def named(goal: Choice) -> str | None:
     """Return the object that a goal option names, None for a spot, a point or nothing."""
     return goal if isinstance(goal, str) and goal != SPOT else None
 

@@ -43,7 +43,7 @@ from .sampling import (
 )
 from .stack import on_top, supports
 from .swap import Swap
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -134,11 +134,7 @@ class Sequence(Task):
         return listed and listed._replace(preset=self._name)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw steps, or find the preset's things; see ``Task.sample``."""
         if target is not None or goal is not None:

@@ -29,7 +29,7 @@ from .sampling import (
     on_table,
     rest_height,
 )
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -53,11 +53,7 @@ class Stack(Task):
     needs = (FLAT, STANDING)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a target and a support, or take those given; see ``Task.sample``."""
         asked = "The goal of Stack is an object's name"

@@ -29,7 +29,7 @@ from .sampling import (
     on_table,
     spot_of,
 )
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -46,11 +46,7 @@ class Swap(Task):
     needs = (SMALL, SMALL)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw two objects, or take those given; see ``Task.sample``."""
         asked = "The goal of Swap is the other object's name"

@@ -52,6 +52,9 @@ if TYPE_CHECKING:
 GOAL_WEIGHTS: Mapping[str, float] = MappingProxyType({"place": 0.5, "met": 0.5})
 """Weights when only the achieved and the desired goal are known."""
 
+Choice = str | tuple[float, ...] | None
+"""What the option "goal" of ``reset`` may be: an object's name, "spot", a point, or nothing."""
+
 ENTRIES = 8
 """Entries of one goal in a goal vector."""
 
@@ -122,19 +125,11 @@ class Task(ABC):
 
     @abstractmethod
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
-        """Draw an episode, or take what is given.
+        """Draw an episode of a world at its start, or take what is given.
 
-        Args:
-            world: the world, at its start.
-            rng: draws.
-            target: an object's name.
-            goal: what the task takes as a goal; see its page.
+        ``target`` is an object's name, ``goal`` what the task takes as one; see its page.
 
         Raises:
             SceneError: the scene offers nothing to do; says why for each object.

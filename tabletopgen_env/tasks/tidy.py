@@ -31,7 +31,7 @@ from .sampling import (
     liftable,
     nothing,
 )
-from .task import Episode, Task, episode
+from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
     from ..world.world import World
@@ -54,11 +54,7 @@ class Tidy(Task):
     needs = (TRAYS, TINY, TINY, TINY)
 
     def sample(
-        self,
-        world: World,
-        rng: np.random.Generator,
-        target: str | None = None,
-        goal: str | tuple[float, ...] | None = None,
+        self, world: World, rng: np.random.Generator, target: str | None = None, goal: Choice = None
     ) -> Episode:
         """Draw a container, or take the one given; see ``Task.sample``."""
         if target is not None:

@@ -9,18 +9,8 @@ import pytest
 import assets_cache
 from assets_cache.make_starter import PROMPTS, TASKS
 from generator.errors import SceneError
-from tabletopgen_env.certificates.certificate import (
-    FILE,
-    Certificate,
-    Instance,
-    read_certificate,
-)
-from tabletopgen_env.certificates.certify import (
-    DEFAULT,
-    instance_of,
-    names,
-    offered,
-)
+from tabletopgen_env.certificates.certificate import FILE, Certificate, Instance, read_certificate
+from tabletopgen_env.certificates.certify import DEFAULT, instance_of, names, offered
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.scenes.fixed import bundle_ref

@@ -9,12 +9,13 @@ import pytest
 from shots import THINGS, Shot, scene_of, shoot
 
 from generator.backends.embedded.depth.plane import find_depth_plane
-from generator.backends.embedded.depth.things import confirmed, height_above_floor, things_above
+from generator.backends.embedded.depth.things import confirmed, height_above_floor
 from generator.backends.embedded.imager import Imager
 from generator.backends.embedded.plane.plane import TablePlane
 from generator.backends.embedded.reasoner import Reasoner
 from generator.catalogue import build
 from generator.geometry import mask_box
+from generator.meshes.pixels import mask_iou
 from generator.method.alignment import Alignment, align
 from generator.method.modeling import align_canonically
 from generator.scene import Detection, Model, Rotation
@@ -38,10 +39,6 @@ def truth(shot: Shot) -> list[np.ndarray]:
     return [shot.picture.ids == number for number in range(1, len(THINGS) + 1)]
 
 
-def iou(a: np.ndarray, b: np.ndarray) -> float:
-    return float((a & b).sum() / (a | b).sum())
-
-
 def grown(mask: np.ndarray, pixels: int) -> np.ndarray:
     out = mask.copy()
     for _ in range(pixels):
@@ -51,7 +48,7 @@ def grown(mask: np.ndarray, pixels: int) -> np.ndarray:
 
 
 def test_things_are_proposed_by_depth_alone(shot, plane):
-    masks = things_above(shot.depth, plane)
+    masks = [d.mask for d in confirmed([], shot.depth, plane)]
     for number in range(1, 4):
         true = shot.picture.ids == number
         assert max((true & m).sum() / (true | m).sum() for m in masks) > 0.5
@@ -63,7 +60,7 @@ def test_right_masks_stay_as_they_are(shot, plane):
     got = confirmed(found, shot.depth, plane)
     assert len(got) == len(found)
     for before, after in zip(found, got, strict=True):
-        assert iou(before.mask, after.mask) > 0.95
+        assert mask_iou(before.mask, after.mask) > 0.95
 
 
 def test_a_flat_find_needs_more_certainty(shot, plane):
@@ -82,7 +79,7 @@ def test_masks_lose_the_tabletop_around_a_thing(shot, plane):
     masks = truth(shot)
     wide = [detection(grown(m, 8)) for m in masks]
     for true, before, after in zip(masks, wide, confirmed(wide, shot.depth, plane), strict=True):
-        assert iou(true, after.mask) > iou(true, before.mask) + 0.08
+        assert mask_iou(true, after.mask) > mask_iou(true, before.mask) + 0.08
         assert (after.mask & true).sum() > 0.97 * true.sum()
 
 
@@ -94,7 +91,7 @@ def test_an_upper_part_that_stands_on_nothing_joins_the_lower(shot, plane):
     parts = [detection(bowl), detection(upper), detection(mug & ~upper), detection(apple)]
     got = confirmed(parts, shot.depth, plane)
     assert len(got) == 3
-    assert max(iou(d.mask, mug) for d in got) > 0.95
+    assert max(mask_iou(d.mask, mug) for d in got) > 0.95
 
 
 def halves(shot: Shot, number: int) -> tuple[np.ndarray, np.ndarray]:
@@ -144,7 +141,7 @@ def test_what_nobody_saw_is_added(shot, plane):
     bowl, mug, apple = truth(shot)
     got = confirmed([detection(mug), detection(bowl)], shot.depth, plane)
     assert len(got) == 3
-    assert iou(got[-1].mask, apple) > 0.6
+    assert mask_iou(got[-1].mask, apple) > 0.6
 
 
 @pytest.mark.slow

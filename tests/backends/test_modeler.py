@@ -19,14 +19,7 @@ from generator.meshes.baking import sample
 from generator.meshes.pixels import mask_iou
 from generator.meshes.projection import Projection, camera_view
 from generator.render.raster import Item, place, render
-from generator.scene import (
-    Detection,
-    Instance,
-    Model,
-    Reference,
-    SizePrior,
-    View,
-)
+from generator.scene import Detection, Instance, Model, Reference, SizePrior, View
 
 VIEW = View(0.0, np.deg2rad(48), np.deg2rad(36))
 SIZE = 480, 640
@@ -34,10 +27,16 @@ BOTTLE = np.array([[0, 0.03], [0.12, 0.035], [0.16, 0.013], [0.22, 0.012]])
 L_SHAPE = shapely.Polygon([(0, 0), (0.2, 0), (0.2, 0.05), (0.06, 0.05), (0.06, 0.16), (0, 0.16)])
 FRAME = shapely.Polygon([(-0.08, 0), (0.08, 0), (0.08, 0.22), (-0.08, 0.22)])
 
+
+def revolution(profile: np.ndarray) -> solids.Solid:
+    heights, radii = profile.T
+    return solids.stack_of_ellipses(heights, radii, np.zeros_like(radii), 1.0)
+
+
 SHAPES = {
     "box": (solids.box(0.18, 0.1, 0.12), (0.18, 0.1, 0.12)),
-    "cylinder": (solids.revolution(np.array([0, 0.12]), np.array([0.05, 0.05])), (0.1, 0.1, 0.12)),
-    "bottle": (solids.revolution(BOTTLE[:, 0], BOTTLE[:, 1]), (0.07, 0.07, 0.22)),
+    "cylinder": (revolution(np.array([[0, 0.05], [0.12, 0.05]])), (0.1, 0.1, 0.12)),
+    "bottle": (revolution(BOTTLE), (0.07, 0.07, 0.22)),
     "prism": (solids.prism(L_SHAPE, 0.015), (0.2, 0.16, 0.015)),
     "upright": (solids.upright(FRAME, 0.02), (0.16, 0.02, 0.22)),
 }

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import torch
-from painted import Picture, iou, paint
+from painted import Picture, paint
 
 from generator.backends.embedded.eye.finds import apart, overlaps
 from generator.backends.embedded.eye.sight import Glance, Sight, glance_at, look
 from generator.backends.embedded.eye.weights import load_weights
+from generator.meshes.pixels import mask_iou
 
 
 @pytest.fixture(scope="module")
@@ -67,7 +68,7 @@ def test_things_share_no_pixel_and_the_surest_come_first(sight: Sight):
 @pytest.mark.slow
 def test_what_lies_in_a_bowl_is_a_thing_and_the_bowl_another(picture: Picture, sight: Sight):
     for number in (1, 2, 3):
-        assert max(iou(t.visible, picture.ids == number) for t in sight.things) > 0.6
+        assert max(mask_iou(t.visible, picture.ids == number) for t in sight.things) > 0.6
 
 
 @pytest.mark.slow

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from generator.meshes.unwrap import unwrap, welded
+from generator.meshes.unwrap import unwrap
+from generator.scene.triangles import welded
 
 
 def soup(count: int) -> tuple[np.ndarray, np.ndarray]:

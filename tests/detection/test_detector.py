@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import torch
-from toy import toy_object, toy_scene
+from toy import toy_object
+from worlds import world_of
 
 from generator.errors import StorageError
 from generator.scene import ConvexPart
@@ -19,14 +20,6 @@ from tabletopgen_env.detection.network import MIDDLES, PLACES, SEEN, TURNS, rate
 from tabletopgen_env.expert.arm import wrist_is_free, wrists_are_free
 from tabletopgen_env.expert.planning.grasps import TIP, Grasp, is_like
 from tabletopgen_env.expert.planning.heights import surroundings
-from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world.world import World
-
-
-def world_of(*objects) -> World:
-    world = World(toy_scene(objects), Panda())
-    world.reset()
-    return world
 
 
 def best_of(*objects) -> Grasp:

@@ -12,20 +12,8 @@ from toy import toy_object, toy_scene
 
 from generator.errors import BundleError
 from research.grasps import training
-from research.grasps.labels import (
-    COLUMNS,
-    Lesson,
-    lesson,
-    lessons,
-)
-from research.grasps.training import (
-    batch_of,
-    gather,
-    judged,
-    loss_of,
-    read,
-    train,
-)
+from research.grasps.labels import COLUMNS, Lesson, lesson, lessons
+from research.grasps.training import batch_of, gather, judged, loss_of, read, train
 from tabletopgen_env.detection.detector import GraspDetector
 from tabletopgen_env.detection.model import GraspNetwork
 from tabletopgen_env.detection.network import PLACES, TURNS, Rated

@@ -105,7 +105,7 @@ def plain_ik_step(joints: np.ndarray, position: np.ndarray, rotation: np.ndarray
     frames = link_frames(joints)
     turn = kinematics.rotation_vector(rotation @ frames[7, :3, :3].T)
     error = np.concatenate([position - frames[7, :3, 3], turn])
-    full = jacobian(joints)
+    full = jacobian(frames)
     damping = 1e-5 + 1e-2 * min(1.0, float(error @ error))
     highest = UPPER - 0.02
     highest[3] = -0.62

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from toy import toy_object, toy_objects, toy_scene
+from worlds import STILL, wait
 
 from generator.composition import compose
 from generator.errors import SceneError
 from generator.geometry import yaw_quaternion
 from generator.scene import PlannedObject, PlannedTable, ScenePlan
-from tabletopgen_env.actions import SUBSTEPS
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.goals.goal import SPOT, the
 from tabletopgen_env.goals.instructions import refer
@@ -25,8 +25,6 @@ from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.world.composition import FRONT_CAMERA, TOP_CAMERA
 from tabletopgen_env.world.world import World
 
-STILL = np.array([0.0, 0.0, 0.0, 0.0, 1.0])
-
 AHEAD = np.pi / 2
 """Where a robot at the viewer's side looks: along y."""
 
@@ -35,13 +33,6 @@ def start(target: str, goal, scene=None) -> TabletopEnv:
     env = make_env(scene or toy_scene())
     env.reset(seed=0, options={"target": target, "goal": goal})
     return env
-
-
-def wait(env: TabletopEnv, steps: int = 20):
-    """Stand still; return reward and info of the last step."""
-    for _ in range(steps):
-        _, reward, _, _, info = env.step(STILL)
-    return reward, info
 
 
 def test_standing_on_the_spot_is_the_only_full_reward() -> None:
@@ -268,7 +259,7 @@ def test_a_hindsight_goal_is_met_by_what_was_achieved() -> None:
 def test_resetting_leaves_the_scene_where_it_settled() -> None:
     env = start("cube_1", "bowl_1")
     before = {name: env.world.position(name) for name in env.world.names}
-    env.world.step(20 * SUBSTEPS)
+    env.world.step(20 * 25)
     for name, position in before.items():
         assert np.linalg.norm(env.world.position(name) - position) < 2e-3, name
 

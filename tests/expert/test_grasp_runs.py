@@ -6,14 +6,7 @@ import numpy as np
 import pytest
 
 from tabletopgen_env.expert.planning.heights import Solid
-from tabletopgen_env.expert.planning.runs import (
-    PAD_HEIGHT,
-    RISE,
-    STEP_U,
-    Runs,
-    find_runs,
-    slabs,
-)
+from tabletopgen_env.expert.planning.runs import PAD_HEIGHT, RISE, STEP_U, Runs, find_runs, slabs
 
 FLOOR = 0.74
 LEVELS = FLOOR + RISE * (np.arange(12) + 0.5)

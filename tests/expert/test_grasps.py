@@ -2,20 +2,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from toy import toy_object, toy_scene
+from toy import toy_object
+from worlds import world_of
 
 from generator.scene import Object
 from tabletopgen_env.expert.path import CLEAR, clear_height
 from tabletopgen_env.expert.planning.grasps import TIP, Grasp, plan_grasps
 from tabletopgen_env.expert.planning.heights import height_map, moved
-from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.world.world import World
-
-
-def world_of(*objects: Object) -> World:
-    world = World(toy_scene(objects), Panda())
-    world.reset()
-    return world
 
 
 def grasps_of(*objects: Object) -> list[Grasp]:

@@ -18,15 +18,7 @@ from generator.method.modeling import (
     size_axes_turn,
     turned,
 )
-from generator.scene import (
-    ConvexPart,
-    Instance,
-    Mesh,
-    Model,
-    Reference,
-    SizePrior,
-    View,
-)
+from generator.scene import ConvexPart, Instance, Mesh, Model, Reference, SizePrior, View
 
 AXES = "xyz"
 CORNERS = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))

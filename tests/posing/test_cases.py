@@ -9,15 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 from posing import solving
-from posing.cases import (
-    VARIANTS,
-    Case,
-    Draw,
-    draw_case,
-    looking_camera,
-    photograph,
-    pose_case,
-)
+from posing.cases import VARIANTS, Case, Draw, draw_case, looking_camera, photograph, pose_case
 from posing.distinct import DISTINCT, alike
 from posing.spoiling import HOLE, Spoiling, eroded, holed, occluder, wrong_size
 from shapes import cylinder_mesh

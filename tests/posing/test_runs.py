@@ -7,10 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from posing import singles, solving, tables
-from posing.cases import (
-    Case,
-    Draw,
-)
+from posing.cases import Case, Draw
 from test_benchmarks import script
 
 from generator.errors import InputError

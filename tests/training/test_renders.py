@@ -16,19 +16,8 @@ from research.eye.pictures import gl, renders
 from research.eye.pictures.gl import Painter
 from research.eye.pictures.rendering import draw, render_sample
 from research.eye.pictures.staging import stage
-from research.eye.pictures.supply import (
-    KEYS,
-    SEEDS,
-    Supply,
-    supply,
-)
-from research.eye.sample import (
-    BACKGROUND,
-    OBJECT,
-    TABLE_REST,
-    TOP,
-    Sample,
-)
+from research.eye.pictures.supply import KEYS, SEEDS, Supply, supply
+from research.eye.sample import BACKGROUND, OBJECT, TABLE_REST, TOP, Sample
 
 SIDE = 256
 

@@ -11,13 +11,7 @@ import pytest
 
 from generator.errors import StorageError
 from generator.scene import View
-from research.eye.sample import (
-    OBJECT,
-    TOP,
-    Sample,
-    filled,
-    latitude,
-)
+from research.eye.sample import OBJECT, TOP, Sample, filled, latitude
 from research.eye.shards import ShardReader, ShardWriter
 
 SIDE = 64

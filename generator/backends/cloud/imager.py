@@ -24,12 +24,7 @@ from ...scene import (
 )
 from .. import protocols
 from .drawing import cutting
-from .drawing.asking import (
-    RATIOS,
-    Form,
-    Painter,
-    Tolerated,
-)
+from .drawing.asking import RATIOS, Form, Painter, Tolerated
 from .drawing.pictures import on_white, padded, shrunk
 from .prompts import prompt
 from .questions import planning

@@ -22,12 +22,7 @@ from ...scene import (
 )
 from .drawing.pictures import on_white
 from .prompts import prompt as worded
-from .questions import (
-    estimating,
-    judging,
-    orientation,
-    planning,
-)
+from .questions import estimating, judging, orientation, planning
 from .server import configuration
 from .server.answers import OrientationAnswer, PlanAnswer
 from .server.asking import Chat, Manners

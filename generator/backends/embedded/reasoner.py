@@ -21,18 +21,8 @@ from ...scene import (
     View,
 )
 from .layout import guessing
-from .layout.survey import (
-    Survey,
-    solid_size,
-    stacking_of,
-    survey,
-)
-from .plane.measure import (
-    apparent_scale,
-    measured_extent,
-    usual_solid,
-    whole_box,
-)
+from .layout.survey import Survey, solid_size, stacking_of, survey
+from .plane.measure import apparent_scale, measured_extent, usual_solid, whole_box
 from .segmenter import GENERIC
 
 _TAU = 0.25  # tolerance of proportions, as in the RMA-Score

@@ -11,12 +11,7 @@ from jaxtyping import Bool, Float, UInt8
 
 from ...errors import SceneError
 from ...geometry import main_parts, mask_box
-from ...language.naming import (
-    assigned,
-    free_labels,
-    shape_word,
-    weighed,
-)
+from ...language.naming import assigned, free_labels, shape_word, weighed
 from ...scene import TABLE, Detection, Intrinsics
 from .depth.plane import find_depth_plane
 from .depth.things import confirmed

@@ -12,29 +12,18 @@ from jaxtyping import Bool, Float, UInt8
 from ...catalogue import CATEGORIES
 from ...errors import SceneError, require
 from ...geometry import mask_box
+from ...meshes.pixels import mask_iou
 from ...scene import TABLE, Detection, Intrinsics
 from ..installing import working
 from .detection.detections import Find, Finder, Masker
 from .detection.ground import on_table
 from .detection.grounding_dino import GroundingDino
-from .detection.merging import (
-    ALIKE,
-    cleaned,
-    distinct,
-    named,
-    separate,
-    union_share,
-)
+from .detection.merging import ALIKE, cleaned, distinct, named, separate
 from .detection.sam2 import Sam2
 from .detection.sam3 import Sam3
 from .detection.tiles import Tile, tiles_of
 from .weights.folder import models_folder
-from .weights.loading import (
-    Once,
-    device_for,
-    load_model,
-    load_tokenizer,
-)
+from .weights.loading import Once, device_for, load_model, load_tokenizer
 from .weights.pins import pin
 
 DETECTOR = "TABLETOPGEN_DETECTOR"
@@ -184,5 +173,5 @@ def _table_and_things(finds: Sequence[Find]) -> tuple[Bool[np.ndarray, "h w"], l
             "threshold."
         )
     table = max(tables, key=lambda f: f.score).mask
-    things = [f for f in finds if f.label != TABLE and union_share(f.mask, table) <= ALIKE]
+    things = [f for f in finds if f.label != TABLE and mask_iou(f.mask, table) <= ALIKE]
     return table.copy(), on_table(things, table)

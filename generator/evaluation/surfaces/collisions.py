@@ -81,14 +81,13 @@ class Collisions:
 class Rates:
     """Col_O and Col_S of a set of scenes, as shares in [0, 1].
 
-    ``col_o`` is taken over all pairs of all scenes. ``col_s_objects`` leaves the table out.
+    ``col_o`` is taken over all pairs of all scenes.
     """
 
     scenes: int
     pairs: int
     col_o: float
     col_s: float
-    col_s_objects: float
 
 
 def collisions(scene: Scene, threshold: float = THRESHOLD) -> Collisions:
@@ -131,7 +130,6 @@ def rates(found: Iterable[Collisions]) -> Rates:
         pairs,
         hits / pairs if pairs else 0.0,
         sum(c.col_s for c in every) / len(every),
-        sum(bool(c.overlaps) for c in every) / len(every),
     )
 
 

@@ -21,8 +21,9 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
 from ...geometry import quaternion_matrix
-from ...physics.inertia import closed, welded
+from ...physics.inertia import welded
 from ...scene import Mesh
+from ...scene.triangles import closed
 from .triangles import nearest_on_triangles, pseudonormals, solid_angles
 
 _LEAF = 4  # triangles in one box of the tree

@@ -14,6 +14,7 @@ from jaxtyping import Bool, Float
 
 from ...comparison import Comparison
 from ...geometry import Camera, quaternion_matrix, rotation_z
+from ...meshes.pixels import mask_iou
 from ...render.scanlines import rasterise
 from ...scene import TABLE, Object
 from .symmetry import order, yaw_error
@@ -114,12 +115,7 @@ def _overlap(
     if not shape.any():
         return 0.0
     here, there = _middle(shape & free if (shape & free).any() else shape), _middle(mask)
-    return max(_iou(s & free, mask) for s in (shape, _shifted(shape, there - here)))
-
-
-def _iou(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
-    union = int((a | b).sum())
-    return int((a & b).sum()) / union if union else 0.0
+    return max(mask_iou(s & free, mask) for s in (shape, _shifted(shape, there - here)))
 
 
 def _middle(mask: Bool[np.ndarray, "h w"]) -> Float[np.ndarray, "2"]:

@@ -91,12 +91,8 @@ def order(mesh: Mesh, size: Float[np.ndarray, "3"], *, prints: bool = True) -> f
     """Return the order of an object's rotational symmetry about the vertical, from shape and look.
 
     1 has none, n looks the same turned by 360/n degrees, infinity turned by any angle. Only
-    ``ORDERS`` are looked for. Up to ``_MISFIT`` of the surface may differ.
-
-    Args:
-        mesh: canonical mesh.
-        size: its extent, metres.
-        prints: whether colours count; otherwise the shape alone does.
+    ``ORDERS`` are looked for. Up to ``_MISFIT`` of the surface may differ. ``size`` is the
+    canonical mesh's extent, metres; without ``prints`` the shape alone counts, not colours.
     """
     if not prints:
         mesh = Mesh(mesh.vertices, mesh.faces, 0 * mesh.uv, mesh.texture)

@@ -9,24 +9,10 @@ import numpy as np
 
 from ...errors import InputError
 from ...scene import TABLE
-from ..drafts import (
-    Draft,
-    Group,
-    Reading,
-    assumed_relation,
-    said,
-    same,
-    shares,
-)
+from ..drafts import Draft, Group, Reading, assumed_relation, said, same, shares
 from .clauses import closes, is_fronted, returns
 from .grammar import Chunk, NounPhrase
-from .linking import (
-    amount,
-    headed,
-    link,
-    packed,
-    stack,
-)
+from .linking import amount, headed, link, packed, stack
 from .vocabulary import SEVERAL, SUBSTANCES
 
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")
@@ -170,7 +156,7 @@ class Reader:
             self._last = noun
             return
         if self._carried == "without":
-            self._exclude(noun)
+            self.reading.excluded |= {str(n) for n in {noun.category, *noun.members} - {None}}
             return
         if self._special(noun, following):
             return
@@ -219,10 +205,6 @@ class Reader:
         if of.kind in ("group", "amount", "vague"):
             return amount(of, noun)
         return noun
-
-    def _exclude(self, noun: NounPhrase) -> None:
-        names = {noun.category, *noun.members} - {None}
-        self.reading.excluded |= {str(name) for name in names}
 
     def _special(self, noun: NounPhrase, following: Chunk | None) -> bool:
         """Deal with nouns that are no objects; tell whether this was one."""

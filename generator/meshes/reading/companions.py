@@ -19,10 +19,7 @@ _MOST_LIBRARIES = 10
 def companions(raw: bytes, what: str, folder: Path | None) -> Mapping[str, bytes]:
     """Return the material files of an OBJ, and the pictures they show, by the names it uses.
 
-    Args:
-        raw: the OBJ file's content.
-        what: how messages call it.
-        folder: where it lies; None: nowhere, so that it may name no files.
+    ``folder`` is where it lies; an OBJ that lies nowhere (None) may name no files.
 
     Raises:
         BackendError: a file is missing, outside the folder, too large, or no picture.

@@ -73,11 +73,9 @@ def inspect_glb(
 ) -> Header:
     """Return the JSON header of a GLB file (glTF 2.0) that can be read without harm.
 
-    Args:
-        raw: the file's content.
-        what: how messages call it: the backend and the thing it was asked for.
-        most_faces: meshes of more triangles, repeated ones counted each time, are refused.
-        most_texels: colour textures of more pixels together, equal ones counted once, are refused.
+    ``what`` names the backend and the thing it was asked for in messages. Refused are meshes of
+    more than ``most_faces`` triangles, repeated ones counted each time, and colour textures of more
+    than ``most_texels`` pixels together, equal ones counted once.
 
     Raises:
         BackendError: no GLB, cut off, too large, compressed, with files outside itself, without

@@ -23,7 +23,6 @@ from .textures import Pictures, light, shown
 Kind = Literal["glb", "obj"]
 Axis = Literal["y", "z"]
 
-_AT_ONCE = 100_000  # faces worked on together
 _GREY = (190, 190, 190, 255)
 _LINEAR = np.arange(256) / 255.0
 
@@ -74,18 +73,6 @@ class Surface:
         return found
 
 
-def areas(
-    vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> Float[np.ndarray, "m"]:
-    """Return twice the area of each face."""
-    found = np.zeros(len(faces))
-    for first in range(0, len(faces), _AT_ONCE):
-        part = slice(first, first + _AT_ONCE)
-        a, b, c = vertices[faces[part]].transpose(1, 0, 2)
-        found[part] = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    return found
-
-
 def read_surface(
     raw: bytes,
     what: str,
@@ -95,17 +82,11 @@ def read_surface(
 ) -> Surface:
     """Return everything in a GLB or OBJ file as one surface, node transforms applied.
 
-    Of a material the base colour counts: factor, texture, and alpha where it blends.
-
-    Args:
-        raw: the file's content.
-        what: how messages call it.
-        kind: the format.
-        beside: the files that an OBJ names, by name; see ``companions``.
-        most_faces: meshes of more triangles are refused.
+    Of a material the base colour counts: factor, texture, and alpha where it blends. ``what`` names
+    it in messages; ``beside`` holds the files that an OBJ names, by name (see ``companions``).
 
     Raises:
-        BackendError: see ``inspection``; or numbers that are not finite.
+        BackendError: see ``inspection``; more than ``most_faces``; or numbers that are not finite.
     """
     header: Header = {}
     if kind == "glb":
@@ -134,16 +115,13 @@ def read_surface(
 def surface_of(
     parts: list[trimesh.Trimesh], what: str, linear: bool = False, most_faces: int = MOST_FACES
 ) -> Surface:
-    """Return meshes as one surface.
+    """Return meshes in one frame as one surface; ``what`` names them in messages.
 
-    Args:
-        parts: the meshes, in one frame.
-        what: how messages call them.
-        linear: plain colours are linear, as glTF has them (trimesh writes them as they look).
-        most_faces: meshes of more triangles are refused.
+    Plain colours are ``linear`` as glTF has them (trimesh writes them as they look).
 
     Raises:
-        BackendError: none has faces, they have too many, or a vertex is not there, NaN or infinite.
+        BackendError: none has faces, they have more than ``most_faces``, or a vertex is not there,
+            NaN or infinite.
     """
     count = sum(len(part.faces) for part in parts)
     if not count:

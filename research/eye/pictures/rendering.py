@@ -10,14 +10,7 @@ from jaxtyping import Bool, Float, Int
 
 from generator.geometry import Camera
 
-from ..sample import (
-    BACKGROUND,
-    OBJECT,
-    TABLE_REST,
-    TOP,
-    Sample,
-    filled,
-)
+from ..sample import BACKGROUND, OBJECT, TABLE_REST, TOP, Sample, filled
 from . import finishing
 from .gl import Painter, Thing
 from .staging import Staging, backdrop_board, stage

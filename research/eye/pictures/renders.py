@@ -20,12 +20,7 @@ from generator.errors import InputError
 
 from ..shards import ShardReader, ShardWriter
 from ..sheet import contact_sheet
-from .supply import (
-    KEYS,
-    SEEDS,
-    Split,
-    supply,
-)
+from .supply import KEYS, SEEDS, Split, supply
 
 SIDE = 512
 """Pixels a side of every picture."""

@@ -10,12 +10,7 @@ import numpy as np
 from jaxtyping import Float, UInt8
 
 from generator.catalogue.build.outlines import rectangle
-from generator.geometry import (
-    Camera,
-    framing_camera,
-    inside_margin,
-    rotation_z,
-)
+from generator.geometry import Camera, framing_camera, inside_margin, rotation_z
 from generator.scene import View
 
 from . import patterns

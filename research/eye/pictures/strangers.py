@@ -6,14 +6,7 @@ import numpy as np
 
 from generator.catalogue.build.outlines import ellipse, smooth
 from generator.catalogue.build.shape import Shape, mesh_of, shape
-from generator.catalogue.build.solids import (
-    Solid,
-    block,
-    cylinder,
-    ellipsoid,
-    lathe,
-    prism,
-)
+from generator.catalogue.build.solids import Solid, block, cylinder, ellipsoid, lathe, prism
 from generator.catalogue.surfaces import textures
 from generator.geometry import to_unit_box
 from generator.scene import Model

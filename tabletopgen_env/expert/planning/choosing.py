@@ -11,13 +11,7 @@ from jaxtyping import Float
 
 from generator.geometry import wrap
 
-from ..arm import (
-    easiest,
-    knuckle_is_free,
-    stretch,
-    up,
-    wrists_are_free,
-)
+from ..arm import easiest, knuckle_is_free, stretch, up, wrists_are_free
 from .grasps import TIP, Grasp, plan_grasps
 from .heights import surroundings
 
@@ -51,23 +45,15 @@ class Chooser(Protocol):
 def choose(world: World, target: str, failed: tuple[Grasp, ...] = ()) -> Plan | None:
     """Return the best grasp of ``target`` where it is now that the arm can reach, None if none.
 
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        failed: grasps that failed, which rank last.
+    Those that ``failed`` rank last.
     """
     return reached(world, target, plan_grasps(world, target, failed)[:_MOST])
 
 
 def reached(world: World, target: str, found: list[Grasp]) -> Plan | None:
-    """Return the first grasp that the arm can reach, None if it can reach none.
+    """Return the first of the grasps ``found`` that the arm can reach; None if it can reach none.
 
     The wrist is kept off the height map of all but the target.
-
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        found: its grasps, best first.
     """
     center = world.position(target)
     low, high = center[:2] - _AROUND, center[:2] + _AROUND

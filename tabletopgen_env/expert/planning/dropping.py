@@ -31,14 +31,10 @@ _PUSHED = 0.02  # metres above the place below which a goal that moves is being 
 
 
 class Drop:
-    """The way of a held object to the place that was planned for it in its goal's region.
+    """The way of a held object to the place that ``plan`` has for it in its goal's region.
 
-    Args:
-        world: live poses count.
-        goal: what is asked for; its target is in the hand.
-        yaw: the hand's, now, in the base frame, radians.
-        opening: how far the fingers will open to let go, metres.
-        plan: says where.
+    ``yaw`` is the hand's, now, in the base frame, radians; ``opening`` how far the fingers will
+    open to let go, metres.
     """
 
     def __init__(

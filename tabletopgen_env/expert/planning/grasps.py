@@ -18,23 +18,8 @@ from jaxtyping import Bool, Float, Int
 from generator.geometry import rotation_yaw, rotation_z
 
 from ...robot import franka
-from .heights import (
-    HeightMap,
-    Solid,
-    moved,
-    solid,
-    surroundings,
-)
-from .runs import (
-    FINGER_HALF,
-    PAD_HEIGHT,
-    RISE,
-    STEP_U,
-    STEP_V,
-    Slabs,
-    find_runs,
-    slabs,
-)
+from .heights import HeightMap, Solid, moved, solid, surroundings
+from .runs import FINGER_HALF, PAD_HEIGHT, RISE, STEP_U, STEP_V, Slabs, find_runs, slabs
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -70,13 +55,7 @@ class Grasp:
 
 
 def plan_grasps(world: World, target: str, avoid: tuple[Grasp, ...] = ()) -> list[Grasp]:
-    """Return top grasps of ``target`` where it is now, best first.
-
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        avoid: grasps that failed; those like them rank last.
-    """
+    """Return top grasps of ``target`` where it is now, best first; those like ``avoid`` last."""
     candidates = grasps_along(world, target, _angles(world, target))
     found = [_demoted(grasp, avoid) for grasp in candidates]
     return sorted(found, key=lambda grasp: -grasp.score)

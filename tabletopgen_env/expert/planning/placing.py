@@ -24,12 +24,7 @@ from ...goals.goal import (
 )
 from ..arm import knuckle_is_free, stretch, wrist_is_free
 from .grasps import TIP
-from .heights import (
-    HeightMap,
-    moved,
-    solid,
-    surroundings,
-)
+from .heights import HeightMap, moved, solid, surroundings
 
 if TYPE_CHECKING:
     from ...world.world import World
@@ -82,11 +77,8 @@ class Underside(NamedTuple):
 def plan_place(world: World, goal: Goal, yaw: float, opening: float) -> Place:
     """Return the best place in a goal's region for its target, held as it is now.
 
-    Args:
-        world: the world; live poses count.
-        goal: what is asked for; its target is in the hand.
-        yaw: the hand's, now, in the base frame, radians.
-        opening: how far the fingers open to let go, metres.
+    ``yaw`` is the hand's, now, in the base frame, radians; ``opening`` how far the fingers open to
+    let go, metres.
     """
     assert goal.target is not None
     tool = world.data.site_xpos[world.tcp].copy()

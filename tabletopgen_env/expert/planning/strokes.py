@@ -17,12 +17,7 @@ from generator.scene import ConvexPart
 
 from ..arm import stretch, turn_left, wrist_is_free
 from .grasps import TIP
-from .heights import (
-    HeightMap,
-    height_map,
-    moved,
-    surroundings,
-)
+from .heights import HeightMap, height_map, moved, surroundings
 
 if TYPE_CHECKING:
     from ...world.world import World
@@ -90,12 +85,8 @@ def plan_stroke(
 ) -> Stroke | None:
     """Return the stroke that pushes an object, as it is now, towards a spot; None if none can.
 
-    Args:
-        world: the world; live poses count.
-        target: an object's name.
-        spot: where its centre is to go (x, y, world).
-        others: what is ``beside`` it, if known.
-        care: how much room the hand has to have.
+    ``spot`` is where its centre is to go (x, y, world), ``others`` what is ``beside`` it, if known,
+    and ``care`` how much room the hand has to have.
     """
     way = spot - world.position(target)[:2]
     length = float(np.linalg.norm(way))

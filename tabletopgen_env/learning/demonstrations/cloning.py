@@ -72,14 +72,9 @@ def clone(
     seed: int,
     told: Callable[[Round], None] | None = None,
 ) -> list[Demonstration]:
-    """Fit a model's actor to the expert's advice; return every episode seen.
+    """Fit a model's actor, in place, to the expert's advice in ``env``; return every episode seen.
 
-    Args:
-        model: whose actor is fitted, in place.
-        env: where it is taught.
-        config: settings.
-        seed: of the episodes and the batches.
-        told: called after each round.
+    ``seed`` is of the episodes and the batches; ``told`` is called after each round.
     """
     seeds = episode_seeds(seed, 2)
     generator = torch.Generator().manual_seed(seed)

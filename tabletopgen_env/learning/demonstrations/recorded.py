@@ -52,19 +52,13 @@ def demonstrate(
     told: Callable[[dict[str, Any]], None] | None = None,
     to_the_limit: bool = False,
 ) -> Demonstration | None:
-    """Play one episode with the expert watching; None if it knows no way.
+    """Play one episode of "ee_delta" with the expert watching; None if it knows no way.
 
-    It ends when success has held (``episodes.Held``), or at the time limit.
-
-    Args:
-        env: an environment in the action mode "ee_delta".
-        seed: of the episode, and of the noise.
-        policy: who acts; None for the expert itself.
-        noise: standard deviation of what is added to the expert's motion (not to the gripper), so
-            that it shows how to come back.
-        told: called with the info of ``reset`` and of each step.
-        to_the_limit: go on to the time limit in any case; solved is then what ends in a success
-            that has held.
+    It ends when success has held (``episodes.Held``), or at the time limit. ``policy`` acts, or the
+    expert itself. ``noise`` is the standard deviation of what is added to the expert's motion (not
+    to the gripper), so that it shows how to come back. ``told`` gets the info of ``reset`` and of
+    each step. ``to_the_limit`` goes on to the time limit in any case; solved is then what ends in a
+    success that has held.
     """
     rng = np.random.default_rng((seed, 1))
     seen, info = env.reset(seed=seed)

@@ -35,15 +35,9 @@ def fill(
     """Put episodes of the expert that end in success into a buffer; return how many.
 
     Episodes go on to the time limit, so that the buffer shows what staying there is worth; their
-    last transitions are marked as timeouts, not as ends. A buffer of several environments takes
-    as many episodes at a time, so the number is rounded up to a multiple of theirs.
-
-    Args:
-        buffer: the buffer, of "ee_delta" actions.
-        env: where the expert acts; it observes what the buffer holds.
-        episodes: how many.
-        seed: of the episodes.
-        between: called before each episode, and may raise to end it.
+    last transitions are marked as timeouts, not as ends. A buffer of several environments takes as
+    many episodes at a time, so the number is rounded up to a multiple of theirs. ``between`` is
+    called before each episode, and may raise to end it.
 
     Raises:
         InputError: the buffer has no room for them.
@@ -137,11 +131,7 @@ def read_buffer(buffer: ReplayBuffer, path: Path) -> None:
 
 
 def _like(kept: np.ndarray, own: np.ndarray) -> np.ndarray:
-    """Return an array that is of the kind and shape of another.
-
-    Raises:
-        ValueError: it is not.
-    """
+    """Return an array that is of the kind and shape of another (ValueError: it is not)."""
     if kept.shape != own.shape or kept.dtype.kind != own.dtype.kind:
         raise ValueError(f"{kept.dtype} of {kept.shape} stands for {own.dtype} of {own.shape}")
     return kept

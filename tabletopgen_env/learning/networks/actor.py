@@ -49,11 +49,9 @@ class Actor(nn.Module):
 
 
 def actor_of(model: BaseAlgorithm, network: Network) -> tuple[Actor, Squash]:
-    """Return a copy of a model's actor, and what becomes of its actions.
+    """Return a copy of the actor of an SAC, TD3 or PPO, and what becomes of its actions.
 
-    Args:
-        model: an SAC, TD3 or PPO made by ``making.new_model``.
-        network: what it was made with.
+    ``network`` is what ``making.new_model`` made it with.
     """
     size = model.action_space.shape
     actor = Actor(network, inputs_of(model.observation_space), int(np.prod(size or (0,))))

@@ -22,12 +22,7 @@ from safetensors.torch import load_file, save_file
 from generator.backends import Backends
 from generator.backends.huggingface.encoder import Encoder
 from generator.backends.huggingface.segmenter import Segmenter
-from generator.backends.huggingface.weights.folder import (
-    found,
-    missing,
-    models_folder,
-    snapshot,
-)
+from generator.backends.huggingface.weights.folder import found, missing, models_folder, snapshot
 from generator.backends.huggingface.weights.loading import (
     Once,
     device_for,

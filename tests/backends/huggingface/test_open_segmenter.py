@@ -23,6 +23,7 @@ from generator.backends.huggingface.weights.pins import pins
 from generator.backends.protocols import Segmenter as Protocol
 from generator.errors import BackendError, SceneError
 from generator.geometry import mask_box
+from generator.meshes.pixels import mask_iou
 from generator.scene import TABLE, Detection
 
 PLACES = [("mug", -0.3, -0.1, 0.0), ("book", 0.1, 0.0, 0.0), ("apple", 0.35, -0.15, 0.0)]
@@ -49,10 +50,6 @@ def block(shape: tuple[int, int], x0: int, y0: int, x1: int, y1: int) -> np.ndar
     mask = np.zeros(shape, bool)
     mask[y0:y1, x0:x1] = True
     return mask
-
-
-def iou(a: np.ndarray, b: np.ndarray) -> float:
-    return float((a & b).sum() / (a | b).sum())
 
 
 def noise(height: int = 120, width: int = 160) -> np.ndarray:
@@ -83,10 +80,10 @@ def test_what_the_models_see_is_found_whole_and_once(desk: Desk, detector: str) 
     play(segmenter, desk.image, list(desk.masks.items()))
     table, *things = segmenter.segment(desk.image, (TABLE, *WORDS, "mug"))
     assert table.label == TABLE
-    assert iou(table.mask, desk.masks[TABLE]) > 0.9
+    assert mask_iou(table.mask, desk.masks[TABLE]) > 0.9
     assert sorted(d.label for d in things) == sorted(WORDS)
     for thing in things:
-        assert iou(thing.mask, desk.masks[thing.label]) > 0.8
+        assert mask_iou(thing.mask, desk.masks[thing.label]) > 0.8
         np.testing.assert_array_equal(thing.box, mask_box(thing.mask))
         assert not (thing.mask & table.mask).any()
         assert 0.7 < thing.score <= 1
@@ -100,7 +97,7 @@ def test_small_things_are_masked_in_the_part_that_shows_them_large() -> None:
     ring = (np.hypot(x - 110, y - 310) < 12) & ~(np.hypot(x - 110, y - 310) < 5)
     truth = [(TABLE, block(shape, 20, 40, 620, 460)), ("ring", ring)]
     closely, far = (asked(image, truth, "ring", tiles=n, side=96)[1].mask for n in (4, 1))
-    assert iou(closely, ring) > 0.88 > 0.8 > iou(far, ring)
+    assert mask_iou(closely, ring) > 0.88 > 0.8 > mask_iou(far, ring)
 
 
 def test_what_a_part_cuts_is_found_in_the_whole() -> None:
@@ -109,7 +106,7 @@ def test_what_a_part_cuts_is_found_in_the_whole() -> None:
     truth = [(TABLE, block(shape, 5, 5, 155, 115)), ("tray", block(shape, 30, 40, 130, 80))]
     found = asked(noise(), truth, "tray", side=96)
     assert [d.label for d in found] == [TABLE, "tray"]
-    assert iou(found[1].mask, truth[1][1]) > 0.9
+    assert mask_iou(found[1].mask, truth[1][1]) > 0.9
 
 
 @pytest.mark.slow

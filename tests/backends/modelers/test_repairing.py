@@ -9,12 +9,7 @@ from backends.modelers.foreign import glb
 
 from generator.errors import BackendError
 from generator.meshes.normalising import Normal, normal_mesh
-from generator.meshes.repairing import (
-    filled,
-    flaws,
-    tidied,
-    welded_shape,
-)
+from generator.meshes.repairing import filled, flaws, tidied, welded_shape
 from generator.physics.inertia import is_watertight
 from generator.scene import Mesh
 

@@ -11,6 +11,7 @@ import sys
 import numpy as np
 import pytest
 from toy import toy_object, toy_scene
+from worlds import names
 
 import assets_cache
 from generator.errors import BundleError, InputError, SceneError
@@ -45,11 +46,6 @@ def desk(k: int, *names: str) -> Scene:
 def keys(source: SceneSource, draws: int = 40) -> set[str]:
     rng = np.random.default_rng(0)
     return {source.draw(rng).key for _ in range(draws)}
-
-
-def names(source: SceneSource) -> list[str]:
-    assert isinstance(source, FixedScenes)
-    return [ref.load().name for ref in source.refs]
 
 
 @pytest.fixture

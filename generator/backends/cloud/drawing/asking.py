@@ -84,16 +84,12 @@ class Painter:
     ) -> RGBA:
         """Return a drawn picture.
 
-        Args:
-            question: what it is for.
-            text: what to draw.
-            ratio: width over height; the nearest that the server can draw is asked for.
-            pictures: to be looked at or edited; the first is edited.
-            keep: where the first picture stays (opaque) and is drawn anew (clear); where the
-                server takes no mask, the text alone says so.
-            clear: ask for nothing behind what is drawn; not all servers can.
-            used: the answers so far where several drawings answer the question; they go with this
-                one if it is of no use.
+        Errors and the account name ``question``. Of width over height, ``ratio``, the nearest that
+        the server can draw is asked for. ``pictures`` are to be looked at or edited; the first is
+        edited, and stays where ``keep`` is opaque; where the server takes no mask, the text alone
+        says so. ``clear`` asks for nothing behind what is drawn; not all servers can. ``used`` are
+        the answers so far where several drawings answer the question; they go with this one if it
+        is of no use.
 
         Raises:
             UnusableError: the model refuses, or its answer is no picture.

@@ -10,12 +10,7 @@ from jaxtyping import Bool, Float, UInt8
 from scipy import ndimage, signal
 
 from ....geometry import mask_box
-from ....scene import (
-    TABLE,
-    Detection,
-    Instance,
-    Reference,
-)
+from ....scene import TABLE, Detection, Instance, Reference
 from ..server.reading import Wrong
 from .pictures import RGBA, apart, thing_in
 

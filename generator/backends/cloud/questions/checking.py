@@ -41,11 +41,7 @@ def faults(chat: Chat, things: Labelled, drawn: UInt8[np.ndarray, "h w 3"]) -> t
 
 
 def _check_places(places: list[tuple[int, np.ndarray]]) -> None:
-    """Refuse boxes that are none, and one place given to two things.
-
-    Raises:
-        Wrong: which they are.
-    """
+    """Refuse boxes that are none, and one place given to two things (Wrong: which they are)."""
     for number, (x0, y0, x1, y1) in places:
         if not (x0 < x1 and y0 < y1):
             raise Wrong(

@@ -7,15 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ....geometry import wrap
-from ....scene import (
-    TABLE,
-    Instance,
-    LayoutBox,
-    Reference,
-    SizePrior,
-    Stacking,
-    View,
-)
+from ....scene import TABLE, Instance, LayoutBox, Reference, SizePrior, Stacking, View
 from ..prompts import prompt
 from ..server.answers import (
     KindsAnswer,

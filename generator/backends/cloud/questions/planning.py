@@ -6,13 +6,7 @@ import re
 
 from ....catalogue import category
 from ....errors import InputError
-from ....scene import (
-    TABLE,
-    PlannedObject,
-    PlannedTable,
-    Relation,
-    ScenePlan,
-)
+from ....scene import TABLE, PlannedObject, PlannedTable, Relation, ScenePlan
 from ..server.answers import PlanAnswer, RelationAnswer, ThingAnswer
 from ..server.reading import Wrong
 

@@ -91,13 +91,9 @@ class Chat:
     ) -> T:
         """Return what ``accept`` makes of the answer to a question about pictures.
 
-        Args:
-            question: its name, for errors and the account.
-            text: the question itself; the schema is added here.
-            pictures: shown after the text, in this order.
-            answer: what the answer must be.
-            accept: turns it into the project's values; what it raises as ``Wrong`` or
-                ``InputError`` goes back to the model.
+        Errors and the account name ``question``; to ``text`` the schema of ``answer`` is added, and
+        pictures are shown after it, in their order. What ``accept`` raises as ``Wrong`` or
+        ``InputError`` goes back to the model.
 
         Raises:
             UnusableError: the model refuses, or no answer after ``REASKS`` more tries can be used.

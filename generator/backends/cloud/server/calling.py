@@ -50,14 +50,10 @@ class Server:
     ) -> dict[str, Any]:
         """Return the JSON that a request is answered with.
 
-        Args:
-            question: what the call is for; errors and the account name it.
-            request: makes the call, given the client and headers to send; it returns the raw
-                response.
-            used: takes note of the answer.
-            meant: what is asked, however the server likes to be asked: two calls of the same
-                meaning have the same answer.
-            memo: "renew" where an answer that was kept is of no use.
+        Errors and the account name ``question``. ``request`` makes the call, given the client and
+        headers to send, and returns the raw response; ``used`` takes note of it. ``meant`` is what
+        is asked, however the server likes to be asked: two calls of the same meaning have the same
+        answer, unless ``memo`` is "renew", as where an answer that was kept is of no use.
 
         Raises:
             Rejected: status 400, 413 or 422.
@@ -124,11 +120,9 @@ class Server:
         text = " ".join(excerpt(text, 10 * most, keys).split())
         return repr(text if len(text) <= most else text[: most - 3] + "...")
 
-    def _redacted(self, text: str) -> str:
-        return redacted(text, configuration.keys(self.base_url, self.purpose))
-
     def _told(self, question: str, how: str, what: str) -> str:
-        return self._redacted(f"cloud ({self.model} at {self.name}): {question} {how}: {what}")
+        text = f"cloud ({self.model} at {self.name}): {question} {how}: {what}"
+        return redacted(text, configuration.keys(self.base_url, self.purpose))
 
     def _json(self, question: str, text: str) -> dict[str, Any]:
         try:

@@ -63,7 +63,7 @@ class Solid:
         middle = self._within(0.3)
         turned = self._own()
         rims = [
-            self.points[self._ring() & (turned[:, k] * side > 0), 2]
+            self.points[~self._within(0.65) & (turned[:, k] * side > 0), 2]
             for k in (0, 1)
             for side in (-1, 1)
         ]
@@ -79,9 +79,6 @@ class Solid:
 
     def _within(self, share: float) -> Bool[np.ndarray, "n"]:
         return np.asarray((np.abs(self._own()) < share).all(1))
-
-    def _ring(self) -> Bool[np.ndarray, "n"]:
-        return ~self._within(0.65)
 
 
 def table_points(depth: Float[np.ndarray, "h w"], camera: Camera) -> Float[np.ndarray, "h w 3"]:

@@ -80,10 +80,8 @@ def find_depth_plane(
 ) -> TablePlane:
     """Return the tabletop of an RGB-D picture: metric camera, and the visible part's outline.
 
-    Args:
-        depth: metres along the optical axis, 0 where unknown.
-        intrinsics: of the picture.
-        table: pixels that show the table, if they are known; they only decide between planes.
+    ``depth`` is in metres along the optical axis, 0 where unknown. ``table`` are pixels that show
+    the table, if they are known; they only decide between planes.
 
     Raises:
         SceneError: no level plane that could be a tabletop.
@@ -203,11 +201,7 @@ class _Candidate:
 
 
 def _choose(points: Float[np.ndarray, "h w 3"], table: Bool[np.ndarray, "h w"] | None) -> Level:
-    """Return the plane that looks most like a tabletop.
-
-    Raises:
-        SceneError: none does.
-    """
+    """Return the plane that looks most like a tabletop (SceneError: none does)."""
     height, width = points.shape[:2]
     stride = max(1, int(np.sqrt(height * width / _SAMPLES)))
     grid = points[::stride, ::stride]

@@ -17,13 +17,7 @@ from ....geometry import mask_box
 from ....language.naming import shape_word
 from ....scene import Detection
 from ..plane.plane import TablePlane, outline_distance
-from .measure import (
-    Solid,
-    holds,
-    measure_solid,
-    steady,
-    table_points,
-)
+from .measure import Solid, holds, measure_solid, steady, table_points
 from .plane import TALLEST, noise
 
 Mask = Bool[np.ndarray, "h w"]
@@ -73,18 +67,11 @@ def heights_above(
     return height, near & (height > lowest) & (height < TALLEST), near & (np.abs(height) <= lowest)
 
 
-def things_above(depth: Float[np.ndarray, "h w"], plane: TablePlane) -> tuple[Mask, ...]:
-    """Return the masks of what stands on the table, as depth alone parts it, largest first.
+def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
+    """Return pieces parted at saddles well below both sides, a little grown, largest first.
 
-    Regions above the plane are parted at jumps of depth and at saddles well below both sides.
     Things that touch at their full height, or stand on one another, come out as one.
     """
-    height, standing, _ = heights_above(depth, plane)
-    return _regions(_standing_pieces(depth, standing), height)
-
-
-def _regions(pieces: Sequence[Mask], height: Float[np.ndarray, "h w"]) -> tuple[Mask, ...]:
-    """Return pieces parted at saddles, a little grown, largest first."""
     kernel = np.ones((3, 3), np.uint8)
     known, least = np.nan_to_num(height), int(_LEAST * height.size)
     masks = [part for piece in pieces for part in _parted(piece, known, least)]

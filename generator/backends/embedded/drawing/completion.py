@@ -8,18 +8,8 @@ from jaxtyping import Bool, Float, UInt8
 from scipy import ndimage
 
 from ....geometry import mask_box
-from ....meshes.pixels import (
-    hull_of,
-    in_one_piece,
-    largest_piece,
-    nearest_inside,
-)
-from ....scene import (
-    TABLE,
-    Detection,
-    Instance,
-    Reference,
-)
+from ....meshes.pixels import hull_of, in_one_piece, largest_piece, nearest_inside
+from ....scene import TABLE, Detection, Instance, Reference
 
 _LONG = 288  # least long side of a crop, pixels
 _MOST = 640

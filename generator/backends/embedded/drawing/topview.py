@@ -9,25 +9,11 @@ import numpy as np
 from jaxtyping import Float, UInt8
 from scipy.optimize import least_squares
 
-from ....geometry import (
-    Camera,
-    hull_points,
-    rotation_z,
-    view_rotation,
-    yaw_quaternion,
-)
+from ....geometry import Camera, hull_points, rotation_z, view_rotation, yaw_quaternion
 from ....render.contact import Body
 from ....render.picture import TOP_DOWN
 from ....render.raster import Item, place, render
-from ....scene import (
-    TABLE,
-    Instance,
-    Model,
-    Reference,
-    Rotation,
-    TopView,
-    View,
-)
+from ....scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
 from ..depth.seating import seated
 from ..layout.survey import floor_of, stacking_of, survey
 from ..plane.measure import measured_extent, whole_box

@@ -31,14 +31,10 @@ def closeup(
     tabletop: float,
     slip: Float[np.ndarray, "4"] | None = None,
 ) -> Closeup:
-    """Return the look at the thing under ``mask`` (an empty one: at the whole picture).
+    """Return the look at the thing visible under ``mask`` (an empty one: at the whole picture).
 
-    Args:
-        image: the picture.
-        mask: where the thing is visible.
-        tabletop: pixels that the tabletop covers.
-        slip: moves the sides of the thing's box (left, top, right, bottom) outwards, in shares of
-            its longer side; what training varies.
+    ``tabletop`` are the pixels that the tabletop covers. ``slip`` moves the sides of the thing's
+    box (left, top, right, bottom) outwards, in shares of its longer side; what training varies.
     """
     rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
     if not len(rows):

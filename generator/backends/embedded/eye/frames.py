@@ -31,12 +31,8 @@ class Frame:
     ) -> Frame:
         """Return the frame around a box, ``room`` times as wide as its longer side.
 
-        Args:
-            low: the box's upper left corner (x, y), picture pixels.
-            high: its lower right corner.
-            side: pixels of the look.
-            room: width of the frame over the box's longer side.
-            least: picture pixels that the frame is wide at least.
+        ``low`` and ``high`` are the box's upper left and lower right corner (x, y), picture pixels,
+        ``side`` the pixels of the look; the frame is ``least`` picture pixels wide at least.
         """
         wide = max(room * float((high - low).max()), least)
         x, y = (low + high) / 2 - wide / 2
@@ -77,13 +73,10 @@ class Frame:
     def carried(
         self, mask: Float[np.ndarray, "h w"], factor: float, stride: int, cell: int
     ) -> Float[np.ndarray, "c c"]:
-        """Carry a map into the cells of this look.
+        """Carry a map into the cells of this look, each of ``cell`` of its pixels.
 
-        Args:
-            mask: of a picture scaled by ``factor``, in cells of ``stride`` pixels of it.
-            factor: that picture's scale over this one's.
-            stride: of the map given.
-            cell: pixels of this look that a cell of the map returned covers.
+        ``mask`` is of a picture scaled by ``factor`` over this one's scale, in cells of ``stride``
+        pixels of it.
         """
         zoom = self.scale / factor * stride / cell
         shift = -np.array(self.corner) * self.scale / cell + 0.5 * zoom - 0.5

@@ -164,13 +164,8 @@ class Eye(nn.Module):
     def quality(self, maps: Maps, image: Tensor, cells: Tensor, drawn: Tensor) -> Tensor:
         """Return (n,) logits of how much ``drawn`` overlaps (IoU) the thing it is meant to show.
 
-        As in Huang et al., "Mask Scoring R-CNN", CVPR 2019, but from pooled features.
-
-        Args:
-            maps: of the batch.
-            image: (n,) which picture each cell is of.
-            cells: (n, 2) column and row.
-            drawn: (n, h, w) probabilities of the visible masks of :meth:`masks`.
+        As in Huang et al., "Mask Scoring R-CNN", CVPR 2019, but from pooled features. ``drawn`` (n,
+        h, w) are probabilities of the visible masks of :meth:`masks`, the others as there.
         """
         inside = (drawn > 0.5).to(drawn.dtype)
         around = functional.max_pool2d(inside[:, None], 7, 1, 3)[:, 0] - inside
@@ -198,10 +193,8 @@ class Eye(nn.Module):
 def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[float, ...]:
     """Return what a close-up does not show of a thing: how slender, and how large on the table.
 
-    Args:
-        size: width and height of its box, pixels of the picture.
-        tabletop: pixels of the picture that the tabletop covers; 0 if it is not seen.
-        picture: pixels of the picture.
+    ``size`` is the width and height of its box; ``tabletop`` counts the pixels that the tabletop
+    covers, 0 if it is not seen, ``picture`` all of them.
     """
     wide, tall = (max(float(s), 1.0) for s in size)
     share = max(tabletop, 0.02 * picture)

@@ -10,14 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ....scene import (
-    TABLE,
-    Instance,
-    Reference,
-    SizePrior,
-    Stacking,
-    View,
-)
+from ....scene import TABLE, Instance, Reference, SizePrior, Stacking, View
 from ..depth.measure import Solid, measure_solid, stack_solids
 from ..depth.plane import find_depth_plane
 from ..depth.things import height_above_floor

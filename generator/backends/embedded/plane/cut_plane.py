@@ -17,23 +17,10 @@ from jaxtyping import Bool, Float
 from scipy.optimize import least_squares
 
 from ....errors import SceneError
-from ....geometry import (
-    Camera,
-    convex_outline,
-    main_parts,
-    rotation_z,
-    view_rotation,
-    wrap,
-)
+from ....geometry import Camera, convex_outline, main_parts, rotation_z, view_rotation, wrap
 from ....meshes.pixels import distance_to, hull_corners
 from ....scene import View
-from .plane import (
-    TABLE_LENGTH,
-    OutlineShape,
-    TablePlane,
-    outline_distance,
-    outline_points,
-)
+from .plane import TABLE_LENGTH, OutlineShape, TablePlane, outline_distance, outline_points
 
 CUT_SHARE = 0.15
 """A top whose outline lies on the frame for more than this share of its length is cut."""
@@ -88,15 +75,11 @@ def plane_from_view(
 ) -> TablePlane:
     """Return the tabletop of a picture whose camera is known, whole or cut.
 
-    Args:
-        mask: the visible tabletop (the surface, without legs and apron; things on it may be part
-            of the mask or holes in it).
-        view: the camera's elevation, field of view and roll; its azimuth is found anew from the
-            edges.
-        hidden: pixels that may hide more of the top, such as the things on it; an edge of ``mask``
-            beside them is not an edge of the table.
-        length: metres of the top's longer side; default: ``VISIBLE_LENGTH`` if the frame cuts the
-            top, else the usual ``TABLE_LENGTH``.
+    ``mask`` is the visible tabletop (the surface, without legs and apron; things on it may be part
+    of the mask or holes in it). Of ``view`` the azimuth is found anew from the edges. ``hidden``
+    are pixels that may hide more of the top, such as the things on it; an edge of the mask beside
+    them is not an edge of the table. ``length``, metres of the top's longer side, is
+    ``VISIBLE_LENGTH`` by default if the frame cuts the top, else the usual ``TABLE_LENGTH``.
 
     Raises:
         SceneError: the mask is too small, or lies at or above the horizon.

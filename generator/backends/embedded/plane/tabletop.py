@@ -24,11 +24,8 @@ def find_tabletop(
 ) -> TablePlane:
     """Find the tabletop in a picture and the camera that sees it.
 
-    Args:
-        image: the picture.
-        plan: what a text said of the table; fixes its shape and proportions if given.
-        length: the table's length in metres; default: the plan's, else what is usual.
-        view: the view to keep to; default: the one that explains the tabletop best.
+    What a text said of the table, ``plan``, fixes its shape and proportions; its ``length``,
+    metres, is the plan's, else what is usual. ``view`` is kept to if given.
 
     Raises:
         BackendError: the eye's weights are missing or damaged.

@@ -11,12 +11,7 @@ from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection
 from ....scene import ConvexPart
 from .framing import frame_to_mask, proportion_gap, simplex
-from .solids import (
-    Posed,
-    Solid,
-    box,
-    heightfield,
-)
+from .solids import Posed, Solid, box, heightfield
 
 Mask = Bool[np.ndarray, "h w"]
 

@@ -11,6 +11,7 @@ from scipy import spatial
 
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection
+from ....scene.triangles import scaled_normals
 from .boxes import fit_box, fit_carved
 from .extrusions import base_line, fit_prism, fit_upright
 from .framing import proportion_gap
@@ -136,8 +137,7 @@ def accident(posed: Posed, small: Projection) -> float:
 def _drawn_out(posed: Posed) -> tuple[float, Float[np.ndarray, "2"]]:
     """Return how much longer than wide a lying solid's top is, and its long direction."""
     triangles = posed.world[posed.solid.faces]
-    normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-    weight = np.maximum(normal[:, 2], 0.0)
+    weight = np.maximum(scaled_normals(triangles)[:, 2], 0.0)
     points = triangles[:, :, :2].mean(1)
     middle = weight @ points / weight.sum()
     # The second moment of a triangle about its own middle is a twelfth of its corners'.

@@ -9,12 +9,7 @@ import shapely.affinity
 from jaxtyping import Bool, Float
 
 from ....meshes.projection import Projection
-from .solids import (
-    Posed,
-    largest_polygon,
-    prism,
-    upright,
-)
+from .solids import Posed, largest_polygon, prism, upright
 
 Mask = Bool[np.ndarray, "h w"]
 

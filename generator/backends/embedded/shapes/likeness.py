@@ -17,12 +17,7 @@ from jaxtyping import Bool, Float, UInt8
 from scipy import optimize
 
 from ....catalogue import Category, build
-from ....geometry import (
-    hull_points,
-    parts_to_unit_box,
-    rotation_z,
-    to_unit_box,
-)
+from ....geometry import hull_points, parts_to_unit_box, rotation_z, to_unit_box
 from ....meshes import baking
 from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection

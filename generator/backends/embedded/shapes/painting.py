@@ -10,10 +10,11 @@ from ....geometry import rotation_z
 from ....meshes import baking
 from ....meshes.projection import Projection
 from ....meshes.unshading import estimate_shading
-from ....meshes.unwrap import Atlas, face_normals, unwrap
+from ....meshes.unwrap import Atlas, unwrap
 from ....render.scanlines import rasterise
 from ....render.shading import sample_texture
 from ....scene import Mesh
+from ....scene.triangles import face_normals
 
 PROJECT = 0.72
 """Silhouette overlap from which pixels are projected; below, only colours are carried over."""

@@ -8,18 +8,8 @@ from jaxtyping import Bool
 
 from ....meshes.projection import Projection
 from .extrusions import plane_outline
-from .slices import (
-    best_stack,
-    largest_slices,
-    longest_run,
-    reach_of,
-)
-from .solids import (
-    Posed,
-    Solid,
-    joined,
-    upright,
-)
+from .slices import best_stack, largest_slices, longest_run, reach_of
+from .solids import Posed, Solid, joined, upright
 
 Mask = Bool[np.ndarray, "h w"]
 

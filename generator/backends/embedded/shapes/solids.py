@@ -54,13 +54,6 @@ def box(width: float, depth: float, height: float) -> Solid:
     return Solid(vertices, np.asarray(mesh.faces), (ConvexPart(vertices, "box"),))
 
 
-def revolution(
-    heights: Float[np.ndarray, "k"], radii: Float[np.ndarray, "k"], segments: int = 40
-) -> Solid:
-    """Return the solid of revolution about z of a profile, heights rising from 0, radii > 0."""
-    return stack_of_ellipses(heights, radii, np.zeros_like(radii), 1.0, segments)
-
-
 def stack_of_ellipses(
     heights: Float[np.ndarray, "k"],
     radii: Float[np.ndarray, "k"],

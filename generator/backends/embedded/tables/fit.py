@@ -14,12 +14,7 @@ from scipy.optimize import minimize
 
 from ....meshes.projection import Projection, fill_hull
 from ..shapes.framing import simplex
-from .form import (
-    LegStyle,
-    TableForm,
-    at_height,
-    corners_of,
-)
+from .form import LegStyle, TableForm, at_height, corners_of
 
 _TALL = (0.2, 1.4)  # metres: what a table's height may be
 _SLABS = (0.012, 0.02, 0.03, 0.045, 0.06, 0.08)  # metres: thicknesses tried

@@ -18,13 +18,7 @@ from ....meshes import baking
 from ....meshes.projection import Projection
 from ....meshes.unshading import estimate_shading
 from ....meshes.unwrap import unwrap
-from ....scene import (
-    Instance,
-    Mesh,
-    Model,
-    SizePrior,
-    View,
-)
+from ....scene import Instance, Mesh, Model, SizePrior, View
 from .fit import Fitted, Silhouette, fit_table
 
 _COARSE, _FINE = 240, 480  # longer side of the silhouettes that are compared, pixels

@@ -21,12 +21,8 @@ _LONGEST = 1333 / 800  # of the shorter side: how long the longer side is at mos
 class GroundingDino:
     """Grounding DINO's network and tokenizer, asked tile by tile.
 
-    Attributes:
-        network: a ``GroundingDinoForObjectDetection``.
-        tokenizer: its tokenizer.
-        threshold: least score of a find.
-        side: shorter side that a tile is resized to, pixels.
-        words: most words in one text.
+    ``threshold`` is the least score of a find, ``side`` the shorter side that a tile is resized to,
+    pixels, ``words`` the most words in one text.
     """
 
     network: Any

@@ -6,9 +6,10 @@ import dataclasses
 from collections.abc import Sequence
 
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Float
 
 from ....geometry import fill_holes, main_parts, mask_box
+from ....meshes.pixels import mask_iou
 from .detections import Find
 
 SAME = 0.6
@@ -58,11 +59,6 @@ def overlap(box: Float[np.ndarray, "4"], finds: Sequence[Find]) -> Float[np.ndar
     return shared / np.maximum(areas - shared, 1e-9)
 
 
-def union_share(a: Bool[np.ndarray, "h w"], b: Bool[np.ndarray, "h w"]) -> float:
-    """Return the intersection over union of two masks."""
-    return float((a & b).sum() / max(int((a | b).sum()), 1))
-
-
 def cleaned(find: Find) -> Find:
     """Return a find whose mask has no specks and no small holes, its box tight about it."""
     mask = fill_holes(main_parts(find.mask), HOLE)
@@ -79,7 +75,7 @@ def separate(finds: Sequence[Find], least: float) -> list[Find]:
     """
     kept: list[Find] = []
     for find in sorted(finds, key=lambda f: -f.score):
-        if all(union_share(find.mask, k.mask) <= ALIKE for k in kept):
+        if all(mask_iou(find.mask, k.mask) <= ALIKE for k in kept):
             kept.append(find)
     kept = [f for f in kept if not _is_group(f, kept)]
     kept = [f for f in kept if not _is_part(f, kept)]

@@ -22,10 +22,7 @@ _TOKENS = 32  # of a phrase, the longest that SAM 3 was trained with
 class Sam3:
     """SAM 3's network and tokenizer, asked about one word of one tile at a time.
 
-    Attributes:
-        network: a ``Sam3Model``.
-        tokenizer: its tokenizer.
-        threshold: least score of a find.
+    ``threshold`` is the least score of a find.
     """
 
     network: Any

@@ -83,12 +83,9 @@ def watched(
 ) -> None:
     """Run a download until it ends, or until its folder has not grown for too long.
 
-    Args:
-        command: what runs; its last word on its output is {"kind", "message"} of what went wrong.
-        folder: where files grow; it may be missing at first.
-        name: of the model.
-        seconds: how long the folder may stand still.
-        least: by how many bytes it has to grow meanwhile.
+    The last word of ``command`` on its output is {"kind", "message"} of what went wrong. ``folder``
+    may be missing at first; it has to grow by ``least`` bytes within ``seconds``. ``name`` is the
+    model's.
 
     Raises:
         BackendError: it stood still, or what the command said.

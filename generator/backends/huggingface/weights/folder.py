@@ -36,12 +36,9 @@ def missing(pin: Pin, folder: Path) -> tuple[str, ...]:
 
 
 def found(pin: Pin, folder: Path, what: str) -> Path:
-    """Return the folder of a model all of whose files are there.
+    """Return the folder of a model all of whose files are there, within ``models_folder``'s.
 
-    Args:
-        pin: the model.
-        folder: see ``models_folder``.
-        what: backend and question, for the message of an error.
+    ``what`` names backend and question, for the message of an error.
 
     Raises:
         BackendError: files are missing, or the weights are there as a pickle only.

@@ -42,11 +42,7 @@ def device_for(chosen: str) -> str:
 def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any:
     """Read a model in float32, ready to answer; its weights take no gradients.
 
-    Args:
-        pin: the model.
-        folder: see ``folder.models_folder``.
-        what: backend and question, for the message of an error.
-        device: where it is to work.
+    ``what`` names backend and question, for the message of an error.
 
     Raises:
         BackendError: transformers is not installed or too old; the model is not there, damaged,
