@@ -25,13 +25,7 @@ from .method.reference import (
 )
 from .method.refinement import refine_scene
 from .method.rotation import estimate_rotations
-from .scene import (
-    TABLE,
-    Instance,
-    Intrinsics,
-    Provenance,
-    Reference,
-)
+from .scene import TABLE, Instance, Intrinsics, Provenance, Reference
 from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]

@@ -12,12 +12,7 @@ from concurrent.futures import FIRST_EXCEPTION, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, TypeVar
 
-from ..errors import (
-    BackendError,
-    DryRunError,
-    StoppedError,
-    require,
-)
+from ..errors import BackendError, DryRunError, StoppedError, require
 from .http.address import checked_address
 from .http.pending import Deadline, PendingCall
 from .http.waiting import Breakers, RetryPolicy

@@ -14,14 +14,7 @@ from ..scene import TABLE, ConvexPart, Model, Physics, PlannedTable
 from .build.collision import box_part, cylinder_part, hull_of
 from .build.outlines import ellipse, rectangle, rounded_polygon
 from .build.shape import Shape, mesh_of, shape
-from .build.solids import (
-    Solid,
-    box,
-    cylinder,
-    loft,
-    prism,
-    tube,
-)
+from .build.solids import Solid, box, cylinder, loft, prism, tube
 from .surfaces import textures
 from .surfaces.colors import RGB, rgb, tinted
 from .surfaces.look import METALS, WOODS

@@ -18,13 +18,7 @@ from .printing import emit
 
 if TYPE_CHECKING:
     from ..backends import Backends, Mix
-    from ..jobs import (
-        Generating,
-        Job,
-        Maker,
-        Outcome,
-        Summary,
-    )
+    from ..jobs import Generating, Job, Maker, Outcome, Summary
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,7 @@ from ..backends import Backends, Mix
 from ..calls.money.budget import SharedBudget
 from ..calls.money.database import LOCAL, Keeper
 from ..calls.money.prices import Prices
-from ..errors import (
-    BackendError,
-    InputError,
-    StorageError,
-    require,
-)
+from ..errors import BackendError, InputError, StorageError, require
 from ..threads import threads
 from .prompts import Job
 from .records import key_of

@@ -129,9 +129,7 @@ class _KeepingActor:
 
 def _keeping_actor(ray: Any) -> Any:
     """Start the actor on this machine, where the databases are."""
-    from ray.util.scheduling_strategies import (  # pyright: ignore[reportMissingImports]
-        NodeAffinitySchedulingStrategy,
-    )
+    from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy  # pyright: ignore[reportMissingImports]
 
     here = NodeAffinitySchedulingStrategy(ray.get_runtime_context().get_node_id(), soft=False)
     return ray.remote(num_cpus=0)(_KeepingActor).options(scheduling_strategy=here).remote()

@@ -15,14 +15,7 @@ from .maker import Maker
 from .making import Generating
 from .place import place_of
 from .prompts import Job, jobs_of
-from .records import (
-    CRASH,
-    Outcome,
-    failed,
-    key_of,
-    recorded,
-    work,
-)
+from .records import CRASH, Outcome, failed, key_of, recorded, work
 from .summary import Summary, write_summary
 from .workers import WorkerDied, WorkerPool
 

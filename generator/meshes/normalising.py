@@ -15,26 +15,9 @@ from ..catalogue.build.matter import friction
 from ..errors import require
 from ..geometry import to_unit_box
 from ..language.naming import known_category
-from ..scene import (
-    Instance,
-    Mesh,
-    Model,
-    Physics,
-    SizePrior,
-)
-from .coloring import (
-    best_size,
-    own_texture,
-    painted_faces,
-    painted_shape,
-)
-from .reading.surface import (
-    Axis,
-    Kind,
-    Surface,
-    read_surface,
-    surface_of,
-)
+from ..scene import Instance, Mesh, Model, Physics, SizePrior
+from .coloring import best_size, own_texture, painted_faces, painted_shape
+from .reading.surface import Axis, Kind, Surface, read_surface, surface_of
 from .reading.textures import MOST_TEXTURE
 from .reducing import reduced, volume
 from .repairing import check_surface, cleaned, filled, inside_out, tidied, welded_shape

@@ -13,14 +13,7 @@ import numpy as np
 from ..backends.protocols import PoseGuesser, Reasoner
 from ..errors import BackendError
 from ..geometry import wrap
-from ..scene import (
-    TABLE,
-    Instance,
-    Reference,
-    Rotation,
-    SizePrior,
-    View,
-)
+from ..scene import TABLE, Instance, Reference, Rotation, SizePrior, View
 
 QUESTIONS = ("guess_rotations", "guess_layout")
 

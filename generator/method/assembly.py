@@ -16,25 +16,10 @@ from jaxtyping import Float
 
 from ..errors import InputError, choices, require
 from ..geometry import convex_outline, yaw_quaternion
-from ..physics.gate import (
-    Limits,
-    fallen,
-    judge,
-    overturned,
-)
-from ..physics.inertia import (
-    MassProperties,
-    body_mass,
-    box_mass,
-    joined,
-)
+from ..physics.gate import Limits, fallen, judge, overturned
+from ..physics.inertia import MassProperties, body_mass, box_mass, joined
 from ..physics.parts import body_parts, lowest, model_parts
-from ..physics.seating import (
-    carried,
-    relocate,
-    seat_on_table,
-    seat_stacked,
-)
+from ..physics.seating import carried, relocate, seat_on_table, seat_stacked
 from ..physics.separation import ancestry, separate, with_poses
 from ..physics.settling import has_toppled, settle
 from ..physics.simulation import Simulation, shifted, turned

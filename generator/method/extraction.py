@@ -10,21 +10,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..backends.protocols import (
-    Each,
-    Imager,
-    Reasoner,
-    Segmenter,
-    in_turn,
-)
+from ..backends.protocols import Each, Imager, Reasoner, Segmenter, in_turn
 from ..errors import SceneError, require
 from ..geometry import fill_holes, main_parts, mask_box
-from ..scene import (
-    TABLE,
-    Detection,
-    Instance,
-    Reference,
-)
+from ..scene import TABLE, Detection, Instance, Reference
 
 SPECK = 1e-4
 """A region below this share of the picture is dropped."""

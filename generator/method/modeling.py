@@ -8,23 +8,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from jaxtyping import Float, Int
 
-from ..backends.protocols import (
-    Each,
-    Modeler,
-    Reasoner,
-    in_turn,
-)
+from ..backends.protocols import Each, Modeler, Reasoner, in_turn
 from ..errors import BackendError, InputError, choices
 from ..geometry import ray_view
-from ..scene import (
-    ConvexPart,
-    Instance,
-    Mesh,
-    Model,
-    Reference,
-    SizePrior,
-    View,
-)
+from ..scene import ConvexPart, Instance, Mesh, Model, Reference, SizePrior, View
 
 Steps = Sequence[tuple[str, int]]
 """Turns about the fixed axes "x", "y" or "z", in degrees, applied in order."""

@@ -15,15 +15,7 @@ from scipy.optimize import linear_sum_assignment
 
 from ..layout import arrange_more, build_models
 from ..layout.arranging import support_of
-from ..scene import (
-    TABLE,
-    Instance,
-    Model,
-    Placement,
-    PlannedObject,
-    ScenePlan,
-    names_in,
-)
+from ..scene import TABLE, Instance, Model, Placement, PlannedObject, ScenePlan, names_in
 
 
 @dataclass(frozen=True, eq=False)

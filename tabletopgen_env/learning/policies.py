@@ -30,13 +30,7 @@ from generator.io.reading import parse_object
 
 from ..files import typed
 from ..tasks.names import NAMES
-from .networks.actor import (
-    Actor,
-    Squash,
-    actor_of,
-    inputs_of,
-    tensors_of,
-)
+from .networks.actor import Actor, Squash, actor_of, inputs_of, tensors_of
 from .recipes import Network, Recipe, listed, network_of
 
 SHIPPED = Path(__file__).with_name("trained")

@@ -31,12 +31,7 @@ from jaxtyping import Bool, Float
 from generator.geometry import inside_margin
 from generator.scene import TABLE, Scene
 
-from ..goals.goal import (
-    Goal,
-    OnSpot,
-    Pushed,
-    named_by,
-)
+from ..goals.goal import Goal, OnSpot, Pushed, named_by
 from ..robot.mount import CLEARANCE, TALL, obstacle
 from ..world.workspace import FREE_MARGIN
 from .arranging import bundles, moved

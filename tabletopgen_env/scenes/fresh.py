@@ -10,13 +10,7 @@ import numpy as np
 from generator.errors import InputError, SceneError
 from generator.language.distribution import SceneDistribution
 
-from .making.recipe import (
-    COMPOSE,
-    GENERATE,
-    MOST_SEEDS,
-    SceneRecipe,
-    maker,
-)
+from .making.recipe import COMPOSE, GENERATE, MOST_SEEDS, SceneRecipe, maker
 from .source import SceneRef
 from .splitting import Rule
 

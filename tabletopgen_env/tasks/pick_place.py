@@ -13,16 +13,7 @@ import numpy as np
 
 from generator.scene import Object
 
-from .sampling import (
-    containers,
-    drawn,
-    into,
-    known,
-    liftable,
-    named,
-    on_spot,
-    spot_of,
-)
+from .sampling import containers, drawn, into, known, liftable, named, on_spot, spot_of
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:

@@ -22,14 +22,7 @@ from ..affordance import collision_points, grasp_width, resting_height
 from ..expert.planning.strokes import beside, plan_stroke
 from ..goals.goal import SPOT, Pushed
 from ..goals.needs import LOW
-from .sampling import (
-    Reasons,
-    blocked,
-    drawn,
-    given_point,
-    on_table,
-    rest_height,
-)
+from .sampling import Reasons, blocked, drawn, given_point, on_table, rest_height
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:

@@ -31,16 +31,7 @@ from ..expert.planning.plans import has_grasp
 from ..goals.goal import SPOT, Goal
 from ..goals.needs import FLAT, SMALL, TRAYS
 from .names import TaskName
-from .sampling import (
-    NO_GRASP,
-    blocked,
-    containers,
-    into,
-    liftable,
-    nothing,
-    on_spot,
-    spot_of,
-)
+from .sampling import NO_GRASP, blocked, containers, into, liftable, nothing, on_spot, spot_of
 from .stack import on_top, supports
 from .swap import Swap
 from .task import Choice, Episode, Task, episode

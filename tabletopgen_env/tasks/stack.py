@@ -22,13 +22,7 @@ from ..expert.planning.plans import first_plan
 from ..goals.goal import OnTop
 from ..goals.needs import FLAT, STANDING
 from ..robot.mount import reachable
-from .sampling import (
-    drawn,
-    given_object,
-    liftable,
-    on_table,
-    rest_height,
-)
+from .sampling import drawn, given_object, liftable, on_table, rest_height
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:

@@ -20,15 +20,7 @@ from ..expert.planning.plans import has_grasp
 from ..goals.goal import Goal, OnSpot, the
 from ..goals.needs import SMALL
 from ..world.workspace import FREE_MARGIN
-from .sampling import (
-    drawn,
-    given_object,
-    in_stead,
-    liftable,
-    on_spot,
-    on_table,
-    spot_of,
-)
+from .sampling import drawn, given_object, in_stead, liftable, on_spot, on_table, spot_of
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:

@@ -8,12 +8,7 @@ import httpx2
 import pytest
 
 from generator.calls.money.prices import Price, Prices
-from generator.calls.question import (
-    Usage,
-    failed,
-    question,
-    usage,
-)
+from generator.calls.question import Usage, failed, question, usage
 
 PRICES = Prices(
     models={

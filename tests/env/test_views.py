@@ -14,13 +14,7 @@ from tabletopgen_env.rendering.config import ObservationConfig
 from tabletopgen_env.rendering.drawer import drawer
 from tabletopgen_env.rendering.point_cloud import ABOVE, point_cloud, unprojected
 from tabletopgen_env.rendering.software import model_camera
-from tabletopgen_env.rendering.views import (
-    DEPTH_FAR,
-    SLOTS,
-    TABLETOP,
-    geom_labels,
-    pictures,
-)
+from tabletopgen_env.rendering.views import DEPTH_FAR, SLOTS, TABLETOP, geom_labels, pictures
 from tabletopgen_env.robot.panda import Panda
 from tabletopgen_env.tasks.sampling import into
 from tabletopgen_env.world.composition import FRONT_CAMERA, MARKER, TOP_CAMERA

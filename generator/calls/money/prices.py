@@ -10,12 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-from ...errors import (
-    InputError,
-    choices,
-    require,
-    require_number,
-)
+from ...errors import InputError, choices, require, require_number
 from ...io.reading import parse_toml, printable, read_regular
 
 _DATED = re.compile(r"-(?:\d{4}-\d\d-\d\d|\d{6,8})$")

@@ -12,12 +12,7 @@ from ..surfaces.colors import RGB, readable_on, tinted
 from ..surfaces.look import Look
 from ..surfaces.textures import Tile
 from .outlines import lifted, smooth
-from .solids import (
-    Solid,
-    loft,
-    prism,
-    tube,
-)
+from .solids import Solid, loft, prism, tube
 
 
 def side_view(outline: Any, width: float, bevel: float = 0.0) -> Solid:

@@ -17,12 +17,7 @@ import numpy as np
 from jaxtyping import Float, Int
 
 from ...scene import frozen_array
-from .outlines import (
-    ellipse,
-    inset,
-    lifted,
-    rectangle,
-)
+from .outlines import ellipse, inset, lifted, rectangle
 
 SHARP = np.deg2rad(38.0)
 """Edges that turn by more than this get vertices of their own on either side."""

@@ -16,12 +16,7 @@ from ...errors import InputError, choices
 from ...scene import ConvexPart
 from ..surfaces.textures import Tile
 from .shape import Piece, Shape
-from .solids import (
-    Solid,
-    outward,
-    refined,
-    signed_volume,
-)
+from .solids import Solid, outward, refined, signed_volume
 
 MOST_FACES = 4800
 """No style makes a shape of more faces than this."""

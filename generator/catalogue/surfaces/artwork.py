@@ -5,14 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from .colors import RGB, tinted
-from .ink import (
-    Canvas,
-    canvas,
-    disc,
-    fill,
-    polygon,
-    stroke,
-)
+from .ink import Canvas, canvas, disc, fill, polygon, stroke
 from .textures import Tile
 
 PALETTES: tuple[tuple[RGB, ...], ...] = (

@@ -6,14 +6,7 @@ import numpy as np
 
 from . import textures
 from .colors import RGB, readable_on, tinted
-from .ink import (
-    canvas,
-    disc,
-    fill,
-    polygon,
-    stroke,
-    write,
-)
+from .ink import canvas, disc, fill, polygon, stroke, write
 from .look import Look
 from .textures import Tile
 

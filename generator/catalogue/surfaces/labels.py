@@ -6,16 +6,7 @@ import numpy as np
 
 from .artwork import artwork
 from .colors import RGB, readable_on, tinted
-from .ink import (
-    Canvas,
-    barcode,
-    canvas,
-    disc,
-    fill,
-    lines,
-    polygon,
-    write,
-)
+from .ink import Canvas, barcode, canvas, disc, fill, lines, polygon, write
 from .textures import Tile, fitted
 
 FRONT = (0.3, 0.7)

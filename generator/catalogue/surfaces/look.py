@@ -9,15 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from .colors import RGB, rgb, tinted
-from .textures import (
-    Tile,
-    brushed,
-    fabric,
-    marble,
-    speckled,
-    spotted,
-    wood,
-)
+from .textures import Tile, brushed, fabric, marble, speckled, spotted, wood
 
 T = TypeVar("T")
 

@@ -10,17 +10,7 @@ from jaxtyping import Float
 
 from .artwork import artwork, landscape
 from .colors import RGB, readable_on, tinted
-from .ink import (
-    Canvas,
-    barcode,
-    canvas,
-    disc,
-    fill,
-    lines,
-    polygon,
-    stroke,
-    write,
-)
+from .ink import Canvas, barcode, canvas, disc, fill, lines, polygon, stroke, write
 from .labels import cover, label
 from .screens import apps, desktop
 from .textures import Tile

@@ -6,14 +6,7 @@ import numpy as np
 
 from .artwork import artwork, landscape
 from .colors import RGB, tinted
-from .ink import (
-    Canvas,
-    disc,
-    fill,
-    lines,
-    stroke,
-    write,
-)
+from .ink import Canvas, disc, fill, lines, stroke, write
 from .textures import Tile
 
 BARS: tuple[RGB, ...] = ((60, 110, 190), (70, 72, 84), (190, 90, 70), (60, 140, 110))

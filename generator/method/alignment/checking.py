@@ -16,15 +16,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ...geometry import rotated_extent
-from ...scene import (
-    TABLE,
-    Instance,
-    Model,
-    Rotation,
-    Stacking,
-    TopView,
-    View,
-)
+from ...scene import TABLE, Instance, Model, Rotation, Stacking, TopView, View
 from .ground import boxes_on_ground, table_on_ground
 
 _ASTRAY = 0.05  # of the table's longer side: how far a box may be from where geometry has it

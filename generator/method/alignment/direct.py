@@ -6,15 +6,7 @@ from collections.abc import Mapping
 
 from ...backends.protocols import PoseGuesser, Reasoner
 from ...errors import BackendError
-from ...scene import (
-    TABLE,
-    Instance,
-    Model,
-    Reference,
-    Rotation,
-    SizePrior,
-    View,
-)
+from ...scene import TABLE, Instance, Model, Reference, Rotation, SizePrior, View
 from .placing import Alignment, placed
 
 

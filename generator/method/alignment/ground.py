@@ -13,21 +13,9 @@ from collections.abc import Mapping
 import numpy as np
 from jaxtyping import Float
 
-from ...geometry import (
-    Camera,
-    hull_points,
-    rotation_z,
-    view_rotation,
-)
+from ...geometry import Camera, hull_points, rotation_z, view_rotation
 from ...render.crop import in_reference, tight_box
-from ...scene import (
-    TABLE,
-    Instance,
-    Model,
-    Rotation,
-    Stacking,
-    View,
-)
+from ...scene import TABLE, Instance, Model, Rotation, Stacking, View
 
 _LEAST = 0.05  # of its distance, at least, a thing's foot is below the camera
 _INSIDE = 0.2  # of a container's height: how high above its foot things in it stand

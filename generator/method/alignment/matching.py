@@ -10,12 +10,7 @@ from scipy.optimize import linear_sum_assignment
 
 from ...backends.protocols import Segmenter
 from ...errors import SceneError
-from ...scene import (
-    TABLE,
-    Detection,
-    Instance,
-    TopView,
-)
+from ...scene import TABLE, Detection, Instance, TopView
 
 
 def complete_boxes(

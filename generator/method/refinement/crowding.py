@@ -12,12 +12,7 @@ from jaxtyping import Float, Int
 
 from ...errors import InputError
 from ...geometry import convex_outline
-from ...scene import (
-    TABLE,
-    Mesh,
-    Model,
-    Placement,
-)
+from ...scene import TABLE, Mesh, Model, Placement
 
 if TYPE_CHECKING:
     from torch import Tensor

@@ -8,12 +8,7 @@ import numpy as np
 from jaxtyping import Float
 
 from .config import RefinementConfig
-from .problem import (
-    Posed,
-    Problem,
-    Seen,
-    standpoint,
-)
+from .problem import Posed, Problem, Seen, standpoint
 
 if TYPE_CHECKING:
     from torch import Tensor

@@ -10,15 +10,7 @@ from jaxtyping import Float
 
 from ...geometry import quaternion_matrix, wrap
 from ...render.contact import at_rest
-from ...scene import (
-    TABLE,
-    Instance,
-    Mesh,
-    Model,
-    Object,
-    Placement,
-    View,
-)
+from ...scene import TABLE, Instance, Mesh, Model, Object, Placement, View
 from ...threads import single_thread
 from .config import RefinementConfig
 from .descent import descend, misfits

@@ -10,13 +10,7 @@ import numpy as np
 from jaxtyping import Float
 
 from ...geometry import Camera, view_rotation
-from ...scene import (
-    Instance,
-    Mesh,
-    Model,
-    Placement,
-    View,
-)
+from ...scene import Instance, Mesh, Model, Placement, View
 from .config import RefinementConfig
 from .crowding import Crowd, make_crowd
 
@@ -79,14 +73,7 @@ def make_seen(
     config: RefinementConfig,
 ) -> Seen:
     """Return what the picture shows of things; any of ``all_things`` may hide them."""
-    from ...render.crop import (
-        MARGIN,
-        hiders,
-        in_reference,
-        mask_in_crop,
-        tight_box,
-        tight_crop,
-    )
+    from ...render.crop import MARGIN, hiders, in_reference, mask_in_crop, tight_box, tight_crop
     from ...render.soft import smooth
 
     size = config.resolution

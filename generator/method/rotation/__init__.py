@@ -9,13 +9,7 @@ from .certainty import margin, widths
 from .config import RotationConfig
 from .estimate import estimate_rotations, optimise_rotation
 from .found import Answer, Found
-from .losses import (
-    appearance_loss,
-    contour_distance,
-    edge_loss,
-    rotation_loss,
-    silhouette_loss,
-)
+from .losses import appearance_loss, contour_distance, edge_loss, rotation_loss, silhouette_loss
 from .objective import (
     Candidates,
     Levels,
@@ -26,14 +20,7 @@ from .objective import (
     make_target,
 )
 from .prior import preferred, prior_yaw, same_side
-from .search import (
-    coarse_losses,
-    coarse_search,
-    losses_at,
-    refine,
-    search,
-    selected,
-)
+from .search import coarse_losses, coarse_search, losses_at, refine, search, selected
 from .symmetry import looks_order, looks_round, turning_changes
 
 __all__ = [

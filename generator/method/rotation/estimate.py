@@ -11,14 +11,7 @@ from jaxtyping import Bool
 from ...backends.protocols import Encoder
 from ...errors import InputError
 from ...render.crop import hiders
-from ...scene import (
-    TABLE,
-    Instance,
-    Model,
-    Reference,
-    Rotation,
-    View,
-)
+from ...scene import TABLE, Instance, Model, Reference, Rotation, View
 from ...threads import single_thread, threads
 from .config import RotationConfig
 from .found import Answer

@@ -14,12 +14,7 @@ from jaxtyping import Float
 from ...geometry import wrap
 from .certainty import OTHER, margin, widths
 from .config import RotationConfig
-from .found import (
-    Answer,
-    Found,
-    Place,
-    Rows,
-)
+from .found import Answer, Found, Place, Rows
 from .objective import Candidates, Levels, Objective
 from .prior import agrees, preferred, same_side
 from .sides import reaching_past

@@ -15,13 +15,7 @@ from jaxtyping import Float
 
 from generator.geometry import rotation_z, wrap
 
-from ...goals.goal import (
-    INSIDE,
-    Goal,
-    Into,
-    OnTop,
-    Region,
-)
+from ...goals.goal import INSIDE, Goal, Into, OnTop, Region
 from ..arm import knuckle_is_free, stretch, wrist_is_free
 from .grasps import TIP
 from .heights import HeightMap, moved, solid, surroundings

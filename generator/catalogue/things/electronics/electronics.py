@@ -11,15 +11,7 @@ from ...build.category import Category
 from ...build.collision import box_part, hull_of, hull_part
 from ...build.outlines import ellipse
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    joined,
-    loft,
-    torus,
-)
+from ...build.solids import Solid, block, box, cylinder, joined, loft, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.look import Look

@@ -5,24 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.outlines import arc, rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    prism,
-    sweep,
-    torus,
-)
+from ...build.solids import Solid, block, box, cylinder, ellipsoid, prism, sweep, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, readable_on, tinted
 from ...surfaces.look import Look

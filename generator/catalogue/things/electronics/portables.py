@@ -9,15 +9,7 @@ from ...build.collision import box_part, hull_of, hull_part
 from ...build.forms import facing
 from ...build.outlines import rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    joined,
-    prism,
-    sweep,
-    tube,
-)
+from ...build.solids import block, box, cylinder, joined, prism, sweep, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tinted
 from ...surfaces.look import Look

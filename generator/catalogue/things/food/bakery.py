@@ -5,22 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    prism,
-    torus,
-    tube,
-)
+from ...build.solids import box, cylinder, ellipsoid, joined, prism, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tinted
 from ...surfaces.look import Look

@@ -8,14 +8,7 @@ from ....scene import ConvexPart
 from ...build.category import Category
 from ...build.collision import footed, hull_of, resting_ball
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    tube,
-)
+from ...build.solids import Solid, cylinder, ellipsoid, joined, lathe, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.look import Look

@@ -9,14 +9,7 @@ from ...build.collision import cylinder_part, footed, hull_of
 from ...build.forms import blade, speck
 from ...build.outlines import arc, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    tube,
-)
+from ...build.solids import Solid, ellipsoid, joined, lathe, prism, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.look import Look

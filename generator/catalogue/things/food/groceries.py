@@ -5,37 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    frame_parts,
-    hull_of,
-    hull_part,
-    ring_parts,
-)
-from ...build.forms import (
-    above,
-    lobed,
-    packet,
-    pillow,
-    speck,
-    turned_to,
-    wrap,
-)
+from ...build.collision import box_part, cylinder_part, frame_parts, hull_of, hull_part, ring_parts
+from ...build.forms import above, lobed, packet, pillow, speck, turned_to, wrap
 from ...build.outlines import ellipse, rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    loft,
-    torus,
-    tube,
-)
+from ...build.solids import Solid, block, box, cylinder, ellipsoid, joined, lathe, loft, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tinted
 from ...surfaces.look import Look

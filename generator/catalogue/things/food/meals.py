@@ -5,12 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    footed,
-    hull_of,
-)
+from ...build.collision import box_part, cylinder_part, footed, hull_of
 from ...build.forms import lobed, speck
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape

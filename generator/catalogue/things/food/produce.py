@@ -5,23 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    cylinder_part,
-    footed,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import cylinder_part, footed, hull_of, hull_part
 from ...build.forms import blade, lobed, streaked
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    tube,
-)
+from ...build.solids import cylinder, ellipsoid, joined, lathe, prism, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.look import Look

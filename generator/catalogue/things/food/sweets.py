@@ -9,15 +9,7 @@ from ...build.collision import box_part, cylinder_part, hull_of
 from ...build.forms import lobed, speck
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-)
+from ...build.solids import block, box, cylinder, ellipsoid, joined, lathe, prism
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.look import Look

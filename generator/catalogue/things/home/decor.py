@@ -10,17 +10,7 @@ from ...build.category import Category
 from ...build.collision import box_part, hull_of, hull_part
 from ...build.outlines import rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    loft,
-    torus,
-    tube,
-)
+from ...build.solids import Solid, block, cylinder, ellipsoid, joined, lathe, loft, torus, tube
 from ...surfaces import textures
 from ...surfaces.glazes import glazed
 from ...surfaces.look import Look

@@ -12,14 +12,7 @@ from ...build.collision import cylinder_part, hull_of
 from ...build.forms import above
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    cylinder,
-    ellipsoid,
-    lathe,
-    torus,
-    tube,
-)
+from ...build.solids import Solid, cylinder, ellipsoid, lathe, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.look import Look

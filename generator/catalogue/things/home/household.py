@@ -5,25 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.forms import lobed, side_view, wrap
 from ...build.outlines import arc
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    torus,
-    tube,
-)
+from ...build.solids import block, box, cylinder, ellipsoid, joined, lathe, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tinted
 from ...surfaces.look import Look

@@ -5,30 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
-from ...build.outlines import (
-    arc,
-    ellipse,
-    lifted,
-    rectangle,
-    smooth,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
+from ...build.outlines import arc, ellipse, lifted, rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    lathe,
-    loft,
-    prism,
-    tube,
-)
+from ...build.solids import block, box, cylinder, ellipsoid, lathe, loft, prism, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.look import Look

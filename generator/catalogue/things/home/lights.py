@@ -8,13 +8,7 @@ from ...build.category import Category
 from ...build.collision import cylinder_part, hull_of
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    cylinder,
-    ellipsoid,
-    lathe,
-    tube,
-)
+from ...build.solids import block, cylinder, ellipsoid, lathe, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.glazes import glazed

@@ -9,14 +9,7 @@ from ...build.collision import box_part, cylinder_part, hull_of
 from ...build.forms import lobed, speck, streaked
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    joined,
-    lathe,
-    tube,
-)
+from ...build.solids import block, box, cylinder, joined, lathe, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tinted
 from ...surfaces.look import Look

@@ -9,15 +9,7 @@ from ...build.category import Category
 from ...build.collision import hull_of, hull_part
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    loft,
-    tube,
-)
+from ...build.solids import Solid, cylinder, ellipsoid, joined, lathe, loft, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.glazes import glazed

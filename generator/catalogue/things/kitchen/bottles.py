@@ -6,19 +6,9 @@ import numpy as np
 
 from ....scene import ConvexPart
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    box,
-    cylinder,
-    lathe,
-)
+from ...build.solids import Solid, box, cylinder, lathe
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.look import Look

@@ -5,24 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.outlines import arc, rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    box,
-    cylinder,
-    ellipsoid,
-    lathe,
-    prism,
-    sweep,
-    tube,
-)
+from ...build.solids import Solid, box, cylinder, ellipsoid, lathe, prism, sweep, tube
 from ...surfaces import textures
 from ...surfaces.glazes import glazed
 from ...surfaces.look import Look

@@ -6,20 +6,10 @@ import numpy as np
 
 from ....scene import ConvexPart
 from ...build.category import Category
-from ...build.collision import (
-    bowl_parts,
-    box_part,
-    cylinder_part,
-    ring_parts,
-)
+from ...build.collision import bowl_parts, box_part, cylinder_part, ring_parts
 from ...build.outlines import smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    cylinder,
-    lathe,
-    tube,
-)
+from ...build.solids import Solid, cylinder, lathe, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.glazes import glazed

@@ -11,15 +11,7 @@ from ...build.category import Category
 from ...build.collision import hull_of, hull_part
 from ...build.outlines import ellipse
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    cylinder,
-    joined,
-    loft,
-    prism,
-    refined,
-)
+from ...build.solids import Solid, block, cylinder, joined, loft, prism, refined
 from ...surfaces import textures
 from ...surfaces.colors import tinted
 from ...surfaces.look import Look

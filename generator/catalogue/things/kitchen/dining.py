@@ -5,21 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    bowl_parts,
-    box_part,
-    cylinder_part,
-    frame_parts,
-    hull_of,
-    ring_parts,
-)
+from ...build.collision import bowl_parts, box_part, cylinder_part, frame_parts, hull_of, ring_parts
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    box,
-    lathe,
-    open_box,
-    tube,
-)
+from ...build.solids import box, lathe, open_box, tube
 from ...surfaces import textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.glazes import SIDE, glazed

@@ -5,25 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    footed,
-    hull_of,
-    ring_parts,
-)
+from ...build.collision import box_part, cylinder_part, footed, hull_of, ring_parts
 from ...build.outlines import rectangle, smooth
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    lathe,
-    prism,
-    sweep,
-    tube,
-)
+from ...build.solids import block, box, cylinder, ellipsoid, lathe, prism, sweep, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tinted
 from ...surfaces.glazes import glazed

@@ -5,26 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-    ring_parts,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part, ring_parts
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    sweep,
-    torus,
-)
+from ...build.solids import block, box, cylinder, ellipsoid, joined, lathe, prism, sweep, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tinted
 from ...surfaces.look import Look

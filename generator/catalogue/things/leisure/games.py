@@ -7,12 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    lathe,
-)
+from ...build.solids import Solid, block, box, lathe
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB
 from ...surfaces.look import Look

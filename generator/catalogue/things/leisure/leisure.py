@@ -5,26 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    resting_ball,
-    ring_parts,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, resting_ball, ring_parts
 from ...build.outlines import ellipse
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    tube,
-)
+from ...build.solids import Solid, block, box, cylinder, ellipsoid, joined, lathe, prism, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tinted
 from ...surfaces.look import Look

@@ -7,17 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    joined,
-    lathe,
-    prism,
-    torus,
-)
+from ...build.solids import Solid, block, box, cylinder, ellipsoid, joined, lathe, prism, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import tinted
 from ...surfaces.look import Look

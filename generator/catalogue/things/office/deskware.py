@@ -7,27 +7,11 @@ import itertools
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part
 from ...build.forms import facing, lobed, side_view
 from ...build.outlines import arc, rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    joined,
-    lathe,
-    loft,
-    prism,
-    torus,
-    tube,
-)
+from ...build.solids import Solid, block, box, cylinder, joined, lathe, loft, prism, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tinted
 from ...surfaces.look import Look

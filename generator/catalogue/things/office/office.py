@@ -7,12 +7,7 @@ import numpy as np
 from ...build.category import Category
 from ...build.collision import box_part, frame_parts, hull_of
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    block,
-    box,
-    open_box,
-    torus,
-)
+from ...build.solids import block, box, open_box, torus
 from ...surfaces import prints, textures
 from ...surfaces.colors import readable_on, tinted
 from ...surfaces.glazes import glazed

@@ -8,14 +8,7 @@ from ...build.category import Category
 from ...build.collision import cylinder_part, hull_of, resting_ball
 from ...build.outlines import ellipse, rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    box,
-    cylinder,
-    ellipsoid,
-    prism,
-    torus,
-    tube,
-)
+from ...build.solids import box, cylinder, ellipsoid, prism, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tinted
 from ...surfaces.look import Look

@@ -5,13 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...build.category import Category
-from ...build.collision import (
-    box_part,
-    cylinder_part,
-    hull_of,
-    hull_part,
-    ring_parts,
-)
+from ...build.collision import box_part, cylinder_part, hull_of, hull_part, ring_parts
 from ...build.forms import side_view, wrap
 from ...build.outlines import rectangle, smooth
 from ...build.shape import Shape, shape

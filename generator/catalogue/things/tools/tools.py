@@ -8,18 +8,7 @@ from ...build.category import Category
 from ...build.collision import box_part, cylinder_part, hull_of
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    joined,
-    lathe,
-    prism,
-    sweep,
-    torus,
-    tube,
-)
+from ...build.solids import Solid, block, box, cylinder, joined, lathe, prism, sweep, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import tinted
 from ...surfaces.look import Look

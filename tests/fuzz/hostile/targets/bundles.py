@@ -21,14 +21,7 @@ from generator.bundle.segments import Segments
 from generator.errors import BundleError
 from generator.physics.gate import judge
 from generator.physics.mjcf import compiled, document, scene_spec
-from generator.scene import (
-    Edit,
-    PlannedObject,
-    PlannedTable,
-    Provenance,
-    Relation,
-    ScenePlan,
-)
+from generator.scene import Edit, PlannedObject, PlannedTable, Provenance, Relation, ScenePlan
 
 from ..judging import accepts, command
 from ..streams import bomb, hostile_png, png, spoiled
@@ -118,10 +111,7 @@ def files(rng: random.Random, folder: Path) -> Run:
 
 def certificates(rng: random.Random, folder: Path) -> Run:
     """Certificates beside a sound bundle."""
-    from tabletopgen_env.certificates.certificate import (
-        SCHEMA,
-        read_certificate,
-    )
+    from tabletopgen_env.certificates.certificate import SCHEMA, read_certificate
     from tabletopgen_env.env import make_env
 
     raw, kept = base()

@@ -16,13 +16,7 @@ import numpy as np
 from generator.physics import decomposition
 from tabletopgen_env.learning import plotting, runs
 from tabletopgen_env.learning.networks.actor import Actor
-from tabletopgen_env.learning.policies import (
-    KEY,
-    Card,
-    TrainedPolicy,
-    load_policy,
-    policy_bytes,
-)
+from tabletopgen_env.learning.policies import KEY, Card, TrainedPolicy, load_policy, policy_bytes
 from tabletopgen_env.learning.recipes import Network, Recipe, recipe, recipe_of
 
 from ..judging import accepts, accepts_any, command
