@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from calls.paid_server import Says, Served, serving
 from command import command
 from judging import SERVER
 from PIL import Image
-from calls.paid_server import Says, Served, serving
 from spoiling import Shot, shot, sound, spoiled, spoiled_four_ways
 
 from generator import bundle
