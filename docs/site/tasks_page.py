@@ -1,4 +1,4 @@
-"""Make ``docs/tasks.md`` of what the code says: ``python docs/make_tasks_page.py``.
+"""The page of tasks, observations and actions, made of what the code says.
 
 Descriptions and tables are the docstrings of the modules, turned into Markdown; weights, time
 limits and tables to play at are those of the tasks themselves.
@@ -6,11 +6,9 @@ limits and tables to play at are those of the tasks themselves.
 
 from __future__ import annotations
 
-import argparse
 import importlib
 import re
 from collections.abc import Iterator
-from pathlib import Path
 
 import gymnasium
 
@@ -20,15 +18,13 @@ from tabletopgen_env.tasks.registry import task_named
 from tabletopgen_env.tasks.sequence import PRESETS
 from tabletopgen_env.tasks.task import Task
 
-PAGE = Path(__file__).parent / "tasks.md"
-
 FILES = {"PickPlace": "pick_place"}
 """The modules and pictures whose names are not their task's in small letters."""
 
 INTRO = """\
-# Tasks
+# Tasks, observations and actions
 
-Eight kinds of thing to do at any table. Each is a Gymnasium id, and each has a scripted expert
+Eight kinds of task at any table. Each is a Gymnasium id, and each has a scripted expert
 (`tabletopgen_env.expert.run.TaskExpert`); the strips show its episodes, at shipped tables with
 fixed seeds.
 
@@ -40,8 +36,8 @@ observation, info = env.reset(seed=0)
 print(info["instruction"])
 ```
 
-This page is made of the code: `python docs/make_tasks_page.py` (its text and tables),
-`python docs/make_task_pictures.py` (its pictures)."""
+Text and tables of this page are generated from the code; `python docs/make_task_pictures.py`
+draws its pictures."""
 
 TABLES = """\
 Tables: where scenes come from unless `scenes` says otherwise. An episode never terminates; the
@@ -174,7 +170,7 @@ def task_section(name: str) -> str:
     file = file_of(name)
     text = markdown(docstring(f"tabletopgen_env.tasks.{file}")).removeprefix(f"{name}: ")
     strips = [file, *(f"{file}_{preset}" for preset in PRESETS if name == "Sequence")]
-    pictures = "\n\n".join(f"![{strip}](images/tasks/{strip}.png)" for strip in strips)
+    pictures = "\n\n".join(f"![{strip}](../images/tasks/{strip}.png)" for strip in strips)
     return f"### {name}\n\n{pictures}\n\n{text[0].upper()}{text[1:]}"
 
 
@@ -186,17 +182,3 @@ def page() -> str:
         if title == "Reward":
             parts += ["Weights of the dense reward:", "\n".join(weights())]
     return "\n\n".join(parts) + "\n"
-
-
-def main() -> None:
-    """Write the page."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--out", type=Path, default=PAGE.parent, help="folder of the page")
-    out: Path = parser.parse_args().out
-    out.mkdir(parents=True, exist_ok=True)
-    (out / PAGE.name).write_text(page(), encoding="utf-8")
-    print(out / PAGE.name)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,4 +1,4 @@
-"""docs/tasks.md says what the code says."""
+"""The page of tasks says what the code says."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from types import ModuleType
 import gymnasium
 import numpy as np
 import pytest
+import tasks_page
 
-from tabletopgen_env.actions import ACTIONS, ActionConfig
-from tabletopgen_env.observations.modes import observation_space
-from tabletopgen_env.rendering.config import ObservationConfig
+from tabletopgen_env.actions import ACTIONS
+from tabletopgen_env.env import make_env
 from tabletopgen_env.tasks.names import NAMES
 from tabletopgen_env.tasks.registry import task_named
 
-DOCS = Path(__file__).parents[1] / "docs"
+DOCS = Path(__file__).parents[2] / "docs"
 
 
 @pytest.fixture(scope="module")
 def text() -> str:
-    return (DOCS / "tasks.md").read_text(encoding="utf-8")
+    return tasks_page.page()
 
 
 def script(name: str) -> ModuleType:
@@ -47,10 +47,6 @@ def state_rows(text: str) -> list[list[str]]:
     return [row for row in rows(text, r"\d+(-\d+)?") if len(row) == 4]
 
 
-def test_the_page_is_made_of_the_code_as_it_is(text: str) -> None:
-    assert script("make_tasks_page").page() == text, "Run python docs/make_tasks_page.py."
-
-
 def test_weights_and_time_limits_are_those_of_the_tasks(text: str) -> None:
     (head,) = rows(text, "task")
     for name in NAMES:
@@ -63,7 +59,7 @@ def test_weights_and_time_limits_are_those_of_the_tasks(text: str) -> None:
 
 
 def test_the_table_of_the_state_covers_its_entries_with_their_ranges(text: str) -> None:
-    plain, space = (observation_space(ObservationConfig(grasp_hint=hint)) for hint in (False, True))
+    plain, space = (make_env("lab", grasp_hint=hint).observation_space for hint in (False, True))
     assert isinstance(space, gymnasium.spaces.Box) and plain.shape is not None
     end = 0
     for index, _, limits, _ in state_rows(text):
@@ -82,12 +78,12 @@ def test_the_table_of_actions_has_every_mode_and_its_size(text: str) -> None:
     for mode, *_ in rows(text, r"`\w+` \(\d\)"):
         name, _, size = mode.partition(" ")
         sizes[name.strip("`")] = (int(size.strip("()")),)
-    assert sizes == {mode: ActionConfig(mode).controller().space.shape for mode in ACTIONS}
+    assert sizes == {mode: make_env("lab", action=mode).action_space.shape for mode in ACTIONS}
 
 
 def test_every_strip_is_shown_and_small(text: str) -> None:
     pictures = script("make_task_pictures")
-    shown = re.findall(r"\]\((images/tasks/(\w+)\.png)\)", text)
+    shown = re.findall(r"\]\(\.\./(images/tasks/(\w+)\.png)\)", text)
     assert sorted(name for _, name in shown) == sorted(pictures.STRIPS)
     assert {strip.task for strip in pictures.STRIPS.values()} == set(NAMES)
     assert all((DOCS / path).stat().st_size <= pictures.MOST_BYTES for path, _ in shown)

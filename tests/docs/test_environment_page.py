@@ -1,22 +1,19 @@
-"""docs/environment.md: its table of ``info`` is what there is, and its examples run."""
+"""The page of the environment: its table of ``info`` is what there is."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from pathlib import Path
 from typing import Any
 
 import pytest
+from blocks import ROOT
 from toy import toy_scene
 
-from generator.threads import torch_threads
 from tabletopgen_env.env import make_env
 from tabletopgen_env.tasks.names import NAMES
 
-PAGE = Path(__file__).parents[1] / "docs" / "environment.md"
-TEXT = PAGE.read_text(encoding="utf-8")
-EXAMPLES = re.findall(r"```python\n(.*?)```", TEXT, re.S)
+TEXT = (ROOT / "docs/reference/environment.md").read_text(encoding="utf-8")
 ROWS = re.findall(r"^\| `(\w+)` \| (reset(?:, step)?|step) \| ([^|]+) \|", TEXT, re.M)
 MODES = ("state", "goal", "pixels", "pixels+state", "point_cloud", "point_cloud+state")
 
@@ -65,25 +62,3 @@ def test_the_table_has_every_key_of_info_at_every_task(task) -> None:
 def test_the_table_has_every_key_of_info_in_every_mode(mode) -> None:
     pictures = {} if mode in ("state", "goal") else {"renderer": "software", "image_size": 8}
     check_episode(make_env(toy_scene(), observation=mode, randomization="light", **pictures))
-
-
-def test_there_are_two_examples() -> None:
-    assert ["RecordVideo" in code for code in EXAMPLES] == [True, False]
-    assert "SlotVecEnv" in EXAMPLES[1]
-
-
-@pytest.mark.slow
-def test_the_example_of_videos_writes_one(tmp_path, monkeypatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    exec(compile(EXAMPLES[0], str(PAGE), "exec"), {})
-    (video,) = tmp_path.glob("videos/*.mp4")
-    assert video.stat().st_size > 1000
-
-
-@pytest.mark.slow
-def test_the_example_of_sb3_learns(tmp_path, monkeypatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    names: dict[str, Any] = {}
-    with torch_threads(1):  # puts back what the example sets
-        exec(compile(EXAMPLES[1], str(PAGE), "exec"), names)
-    assert names["model"].num_timesteps == 256
