@@ -70,7 +70,7 @@ def find(wanted: str | Path, cache: str | Path | None = None) -> list[Path]:
     elif not text.strip():  # as of a variable that is not set; not the folder one stands in
         found = []
     else:
-        found = _named(text, cache) or _in_folder(text)
+        found = _bundles_of(text, cache) or _in_folder(text)
     if not found:
         places = ", ".join(str(p) for p in roots(cache)) or "nowhere: no folder exists"
         names = {_stem(path) for path in entries(cache)}
@@ -95,7 +95,7 @@ def remove(wanted: str | Path, cache: str | Path | None = None) -> Path:
     """
     text = str(wanted)
     found = find(wanted, cache)
-    if text != STARTER and not _named(text, cache):
+    if text != STARTER and not _bundles_of(text, cache):
         raise BundleError(f"{text!r} is a folder of bundles. Name one bundle.")
     if len(found) > 1:
         names = ", ".join(p.name for p in found[:8])
@@ -170,7 +170,7 @@ def _bundles(root: Path) -> Iterator[Path]:
                 yield path
 
 
-def _named(text: str, cache: str | Path | None) -> list[Path]:
+def _bundles_of(text: str, cache: str | Path | None) -> list[Path]:
     """Return the bundles of a path, a glob or a name, without those in a folder."""
     return _by_path(text) or _by_name(text, entries(cache))
 

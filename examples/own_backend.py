@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from generator.backends import Backends
-from generator.backends.embedded.modeler import Modeler
+from generator.backends.embedded.modeler import EmbeddedModeler
 from generator.pipeline import generate
 from generator.scene import TABLE, ConvexPart, Instance, Mesh, Model, SizePrior, View
 
@@ -29,7 +29,7 @@ class BoxModeler:
     def model(self, instance: Instance, size: SizePrior, view: View) -> Model:
         """Return a box of the prior's size in the mean colour of the crop's visible pixels."""
         if instance.name == TABLE:
-            return Modeler().model(instance, size, view)
+            return EmbeddedModeler().model(instance, size, view)
         pixels = instance.crop[instance.crop[..., 3] > 127][:, :3]
         color = pixels.mean(0).astype(np.uint8)[None, None]
         mesh = Mesh(CORNERS, FACES, np.zeros((8, 2)), color)

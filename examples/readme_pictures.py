@@ -62,7 +62,7 @@ def read(path: Path) -> np.ndarray:
     return np.asarray(Image.open(path).convert("RGB"))
 
 
-def generated(text: str, out: Path) -> dict[str, np.ndarray]:
+def generate_pictures(text: str, out: Path) -> dict[str, np.ndarray]:
     """Return a text's drawing, its scene and the expert at work there; and the method's stages."""
     made = generate(text, seed=0, name="hero")
     bundle = made.save(out / "scenes")
@@ -104,7 +104,7 @@ def edits(text: str, out: Path) -> dict[str, np.ndarray]:
 
 
 PICTURES: Mapping[str, Callable[[str, Path], Mapping[str, np.ndarray]]] = MappingProxyType(
-    {"generated": generated, "starters": starters, "expert": expert, "edits": edits}
+    {"generated": generate_pictures, "starters": starters, "expert": expert, "edits": edits}
 )
 """What can be made, by name; "generated" makes two pictures, hero and stages."""
 

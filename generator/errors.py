@@ -20,7 +20,7 @@ class TabletopError(Exception):
     """
 
     def __str__(self) -> str:
-        return escaped(super().__str__())
+        return escape(super().__str__())
 
 
 class InputError(TabletopError, ValueError):
@@ -93,15 +93,15 @@ def choices(wrong: str, available: Iterable[str]) -> str:
 def require(
     settings: object,
     *names: str,
-    least: float | None = None,
+    minimum: float | None = None,
     above: float | None = None,
-    most: float | None = None,
-    whole: bool = False,
-    endless: bool = False,
+    maximum: float | None = None,
+    integer: bool = False,
+    allow_inf: bool = False,
 ) -> None:
     """Check that the fields ``names`` of a settings object are numbers within a range.
 
-    ``above`` is what the value is above; ``whole`` ones are integers; ``endless`` lets infinity
+    ``above`` is what the value is above; ``integer`` ones are integers; ``allow_inf`` lets infinity
     pass.
 
     Raises:
@@ -110,7 +110,7 @@ def require(
     for name in names:
         require_number(
             f"{type(settings).__name__} needs {name}", getattr(settings, name),
-            least=least, above=above, most=most, whole=whole, endless=endless,
+            minimum=minimum, above=above, maximum=maximum, integer=integer, allow_inf=allow_inf,
         )  # fmt: skip
 
 
@@ -118,42 +118,43 @@ def require_number(
     needs: str,
     value: object,
     *,
-    least: float | None = None,
+    minimum: float | None = None,
     above: float | None = None,
-    most: float | None = None,
-    whole: bool = False,
-    endless: bool = False,
+    maximum: float | None = None,
+    integer: bool = False,
+    allow_inf: bool = False,
 ) -> None:
     """Check one number as ``require`` does; ``needs`` begins the message: "certify needs episodes".
 
     Raises:
         InputError: it is none, or out of range.
     """
-    kind = numbers.Integral if whole else numbers.Real
-    low, high = f" >= {least:g}" if least is not None else "", ""
+    kind = numbers.Integral if integer else numbers.Real
+    low, high = f" >= {minimum:g}" if minimum is not None else "", ""
     low = f" > {above:g}" if above is not None else low
-    if most is not None:
-        high = f" and <= {most:g}" if low else f" <= {most:g}"
+    if maximum is not None:
+        high = f" and <= {maximum:g}" if low else f" <= {maximum:g}"
     number = isinstance(value, kind) and not isinstance(value, bool)
     size = _as_float(value) if number else math.nan
-    good = endless or math.isfinite(size)
-    good = good and size >= (-math.inf if least is None else least)
+    good = allow_inf or math.isfinite(size)
+    good = good and size >= (-math.inf if minimum is None else minimum)
     good = good and size > above if above is not None else good
-    if not (good and size <= (math.inf if most is None else most)):
+    if not (good and size <= (math.inf if maximum is None else maximum)):
         raise InputError(
-            f"{needs} to be a {'whole ' if whole else ''}number{low}{high}, got {value!r}."
+            f"{needs} to be a {'whole ' if integer else ''}number{low}{high}, got {value!r}."
         )
 
 
-def require_seed(seed: object, most: int = MAX_SEED) -> None:
+def require_seed(seed: object, maximum: int = MAX_SEED) -> None:
     """Check a seed: the one rule for all commands and functions.
 
     Raises:
-        InputError: it is no whole number from 0 to ``most``, the largest that what it seeds takes.
+        InputError: it is no whole number from 0 to ``maximum``, the largest that what it seeds
+            takes.
     """
     whole = isinstance(seed, numbers.Integral) and not isinstance(seed, bool)
-    if not (whole and 0 <= seed <= most):  # type: ignore[operator]
-        raise InputError(f"A seed has to be a whole number from 0 to {most}, got {seed!r:.40}.")
+    if not (whole and 0 <= seed <= maximum):  # type: ignore[operator]
+        raise InputError(f"A seed has to be a whole number from 0 to {maximum}, got {seed!r:.40}.")
 
 
 def _as_float(value: object) -> float:
@@ -164,7 +165,7 @@ def _as_float(value: object) -> float:
         return math.inf
 
 
-def escaped(text: str) -> str:
+def escape(text: str) -> str:
     """Return a text that may be foreign as a terminal can show it, without controls."""
     return "".join(c if _is_shown(c) else repr(c)[1:-1] for c in text)
 

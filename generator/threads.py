@@ -23,8 +23,8 @@ def threads() -> int:
     That is OMP_NUM_THREADS, which says so to NumPy's BLAS and to torch, too, and which a batch and
     Ray set for the processes that share a machine; else all processors.
     """
-    told = os.environ.get("OMP_NUM_THREADS", "").split(",")[0].strip()
-    return int(told) if told.isdecimal() and int(told) else cores()
+    setting = os.environ.get("OMP_NUM_THREADS", "").split(",")[0].strip()
+    return int(setting) if setting.isdecimal() and int(setting) else cores()
 
 
 @contextmanager

@@ -11,8 +11,8 @@ import numpy as np
 
 from generator.errors import BundleError, InputError, SceneError, choices, require_seed
 
-from .actions import checked
-from .certificates.instances import sampled
+from .actions import check_action
+from .certificates.instances import sample_episode
 from .goals.goal import SPOT, Goal
 from .observations.grasp_hint import grasp_hint_of
 from .observations.modes import flat_state, observation_space, slot_order
@@ -163,10 +163,10 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 failed.
         """
         world = self.world
-        wanted = checked(action, self.controller.space)
+        wanted = check_action(action, self.controller.space)
         if self.task.closed:
             wanted[-1] = -1.0
-        command = self._randomizer.delayed(wanted)
+        command = self._randomizer.delay(wanted)
         if command is not None:
             self.controller.apply(world, command)
         world.step(self.controller.servos.substeps)
@@ -258,8 +258,8 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
         The active goal and its marker follow.
         """
         world, episode = self.world, self.episode
-        desired = self.task.desired(world, episode)
-        achieved = self.task.achieved(world, episode, desired)
+        desired = self.task.desired_goal(world, episode)
+        achieved = self.task.achieved_goal(world, episode, desired)
         agreement = self.task.agreement(achieved, desired)
         if agreement.active != self._active:
             self._active = agreement.active
@@ -290,7 +290,9 @@ class TabletopEnv(gym.Env[Any, np.ndarray]):
                 world = self._world_of(ref)
                 self._randomizer.begin(world)
                 certified = self._wants_certified and not self._randomizer.rearranged
-                episode, known = sampled(self.task, world, self.np_random, options, certified)
+                episode, known = sample_episode(
+                    self.task, world, self.np_random, options, certified
+                )
                 return world, self._randomizer.finish(world, episode), known
             except SceneError as error:
                 tried.add(str(error))

@@ -14,7 +14,7 @@ import tenacity
 from ..errors import BackendError, DryRunError, StorageError, TabletopError, UnusableError
 from .http.exchange import Reply, Trouble
 from .http.pending import PendingCall
-from .http.redaction import redacted
+from .http.redaction import redact
 from .http.waiting import Breaker, Breakers, RetryPolicy, retry_after
 from .money.account import Account
 from .money.entries import Entry, Outcome
@@ -113,15 +113,15 @@ class PaidCall:
         self.breaker.check(str(self.asked))
         told = self._paid()
         if isinstance(told, Reply):
-            self.breaker.worked()
+            self.breaker.record_success()
             return told
         if self.interrupt is not None:
             raise self.interrupt
-        reason = redacted(told.reason, self.secrets)
+        reason = redact(told.reason, self.secrets)
         if told.alive:
-            self.breaker.worked()
+            self.breaker.record_success()
         else:
-            self.breaker.failed(reason, self._line)
+            self.breaker.record_failure(reason, self._line)
         if not told.again:
             kind = UnusableError if told.unusable else BackendError
             raise kind(f"{self.asked}: no answer. {reason}")
@@ -190,7 +190,7 @@ class PaidCall:
     def _give_up(self, state: tenacity.RetryCallState) -> Any:
         """Raise the error of a question that had its last attempt."""
         assert state.outcome is not None
-        k, reason = state.attempt_number, redacted(state.outcome.result().reason, self.secrets)
+        k, reason = state.attempt_number, redact(state.outcome.result().reason, self.secrets)
         times = f"{k} times" if k > 1 else "once"
         raise BackendError(
             f"{self.asked}: no answer, asked {times}. {reason} What was answered before is kept; "

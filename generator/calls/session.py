@@ -58,7 +58,7 @@ class Session:
 
     store: CallStore | None = None
     account: Account = field(default_factory=Account)
-    prices: Prices = field(default_factory=Prices.shipped)
+    prices: Prices = field(default_factory=Prices.default)
     budget: float | None = None
     workers: int = 8
     attempts: int = 5
@@ -70,10 +70,10 @@ class Session:
     _scope: threading.local = field(default_factory=threading.local, init=False, repr=False)
 
     def __post_init__(self) -> None:
-        require(self, "workers", "attempts", least=1, whole=True)
+        require(self, "workers", "attempts", minimum=1, integer=True)
         if self.budget is not None:
-            require(self, "budget", least=0)
-        require(self, "grace", least=0)
+            require(self, "budget", minimum=0)
+        require(self, "grace", minimum=0)
 
     def client(
         self,

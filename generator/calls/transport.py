@@ -19,7 +19,7 @@ from .http.exchange import UNPACKED, Reply, Trouble, exchange
 from .http.pending import PendingCall
 from .http.redaction import excerpt, holds
 from .question import Question, failed, question
-from .store import Answer
+from .store import StoredAnswer
 from .used import KEY
 
 _KEYS = ("authorization", "api-key", "x-api-key", "x-goog-api-key", "proxy-authorization")
@@ -127,7 +127,7 @@ class PaidTransport(httpx2.BaseTransport):
             if (name in self._headers or name.startswith(_SIGNED_BY))
             and (name != "authorization" or not self._secrets or holds(value, self._secrets))
         ] + [("accept-encoding", UNPACKED)]
-        times = _bounded(request.extensions.get("timeout", {}), self._timeout)
+        times = _bound(request.extensions.get("timeout", {}), self._timeout)
         return httpx2.Request(
             request.method, request.url, headers=headers, content=request.content,
             extensions={**request.extensions, "timeout": times},
@@ -152,7 +152,9 @@ class PaidTransport(httpx2.BaseTransport):
         """Keep an answer; a disk that refuses must not lose it."""
         assert self._session.store is not None
         try:
-            self._session.store.put(asked.key, Answer(reply.status, reply.content_type, reply.body))
+            self._session.store.put(
+                asked.key, StoredAnswer(reply.status, reply.content_type, reply.body)
+            )
         except StorageError as error:
             self._session.account.note(str(error))
             logging.getLogger(__name__).warning("%s", error)
@@ -182,7 +184,7 @@ def _clean(body: bytes, secrets: tuple[str, ...]) -> bytes:
     return excerpt(body, _SAID, secrets).encode()
 
 
-def _bounded(given: Mapping[str, float | None], timeout: float) -> dict[str, float]:
+def _bound(given: Mapping[str, float | None], timeout: float) -> dict[str, float]:
     """Return the times of a request's parts: none above ``timeout``, whatever its maker allows."""
     most = {"connect": min(timeout, _CONNECT), "read": timeout, "write": timeout, "pool": timeout}
     return {part: min(most[part], given.get(part) or timeout) for part in most}

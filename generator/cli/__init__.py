@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import tyro
 
-from ..errors import TabletopError, escaped, exit_code
-from ..io.terminal import piped
+from ..errors import TabletopError, escape, exit_code
+from ..io.terminal import run_piped
 from . import batching, cache, editing, evaluating, interrupts, looking, making, models
 from .machine.command import doctor
 from .plugins import find_commands, load
@@ -68,7 +68,7 @@ def run(arguments: list[str]) -> int:
             prog="tabletopgen", description=DESCRIPTION, args=arguments, use_underscores=False
         )
     except TabletopError as error:
-        print(escaped(f"error: {error}"), file=sys.stderr)
+        print(escape(f"error: {error}"), file=sys.stderr)
         return exit_code(error)
     except KeyboardInterrupt:
         ours = name in {command.__name__ for command in COMMANDS}
@@ -80,6 +80,6 @@ def run(arguments: list[str]) -> int:
 def main() -> None:
     """Run the process's command line and end it with the exit code."""
     interrupts.heed()
-    code = piped(lambda: run(sys.argv[1:]))
+    code = run_piped(lambda: run(sys.argv[1:]))
     interrupts.ignore()
     raise SystemExit(code)

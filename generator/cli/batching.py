@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from tyro.conf import OmitArgPrefixes, Positional
 
-from ..errors import InputError, escaped, require_number, require_seed
+from ..errors import InputError, escape, require_number, require_seed
 from ..io.files import check_folder
 from .paying import NO_CALLS, USUAL, CallOptions, Calls, Chosen, lines_of, roles_of
 from .printing import emit
@@ -87,10 +87,10 @@ def batch(
             "--route compose asks nobody; leave out --backend, the roles, --budget and --dry-run."
         )
     if calls.budget is not None:
-        require_number("batch needs --budget", calls.budget, least=0)
+        require_number("batch needs --budget", calls.budget, minimum=0)
     jobs = batches.jobs_of(batches.read_prompts(prompts, seed), variants=variants)
     if calls.dry_run and isinstance(make, batches.Generating) and asks is not None:
-        return _tried(jobs, out, make, asks, pool.workers, retry, json)
+        return _try(jobs, out, make, asks, pool.workers, retry, json)
     if isinstance(make, batches.Generating) and asks is not None and asks.asks_servers():
         shared = batches.shared_budget(out, make.prices)
         make = replace(make, shared_budget=shared, budget=calls.budget)
@@ -102,7 +102,7 @@ def batch(
     except KeyboardInterrupt:
         print("interrupted; what is made is kept, the same command goes on", file=sys.stderr)
         return 130
-    spent = _spent(make)
+    spent = _spending(make)
     if json:
         emit({"folder": str(out), **spent, **summary.facts()}, True, list)
     else:
@@ -118,23 +118,23 @@ def _generating(mix: Mix, calls: CallOptions) -> Generating:
     return Generating(mix, calls=str(calls.folder().absolute()), prices=calls.table())
 
 
-def _spent(make: Maker) -> dict[str, Any]:
+def _spending(make: Maker) -> dict[str, Any]:
     """Return what was spent of a maker's shared budget in all runs, nothing where it has none."""
     shared, budget = getattr(make, "shared_budget", None), getattr(make, "budget", None)
     if shared is None:
         return {}
-    told = shared.spent()
+    shown = shared.total()
     return {
         "spent": {
-            "money": round(told.money, 6),
-            "currency": told.currency,
-            "unpriced": told.unpriced,
+            "money": round(shown.money, 6),
+            "currency": shown.currency,
+            "unpriced": shown.unpriced,
             "budget": budget,
         }
     }
 
 
-def _tried(
+def _try(
     jobs: Sequence[Job],
     out: Path,
     make: Generating,
@@ -151,13 +151,13 @@ def _tried(
     if backends.asks_servers():
         summary = batches.try_out(jobs, out, make, workers=workers, retry=retry)
         for o in summary.outcomes:
-            told = (o.error or "").splitlines() if o.state in ("unpaid", "failed") else []
+            shown = (o.error or "").splitlines() if o.state in ("unpaid", "failed") else []
             state = {"unpaid": "to ask", "made": "nothing to ask"}.get(o.state, o.state)
-            rows.append({"text": o.job.text, "seed": o.job.seed, "state": state, "calls": told})
+            rows.append({"text": o.job.text, "seed": o.job.seed, "state": state, "calls": shown})
 
     def lines() -> list[str]:
-        told = [f"{r['text'][:60]!r}, seed {r['seed']}: {r['state']}" for r in rows]
-        scenes = [part for r, line in zip(rows, told, strict=True)
+        shown = [f"{r['text'][:60]!r}, seed {r['seed']}: {r['state']}" for r in rows]
+        scenes = [part for r, line in zip(rows, shown, strict=True)
                   for part in (line, *(f"  {call}" for call in r["calls"]))]  # fmt: skip
         rest = "Nothing was sent; what comes after depends on the answers."
         return [*lines_of(roles), *scenes, rest if rows else "No server is asked."]
@@ -184,7 +184,7 @@ def _progress(total: int, *, quiet: bool) -> Iterator[Callable[[Outcome, int, in
         def show(outcome: Outcome, done: int, _: int) -> None:
             bar.update(task, completed=done)
             if outcome.state == "failed":
-                console.print(escaped(f"failed: {outcome.job.text[:60]!r}: {outcome.error}"))
+                console.print(escape(f"failed: {outcome.job.text[:60]!r}: {outcome.error}"))
 
         yield show
 
@@ -196,22 +196,22 @@ def _print(summary: Summary, out: Path, spent: Mapping[str, Any]) -> None:
     console = Console(file=sys.stdout, highlight=False, markup=False, emoji=False)
     counts = summary.counts()
     left = f", {counts['unpaid']} not paid for" if counts["unpaid"] else ""
-    told = f"{counts['made']} made, {counts['there']} there already, {counts['failed']} failed"
-    console.print(escaped(f"{out}: {told}{left}"), soft_wrap=True)
+    shown = f"{counts['made']} made, {counts['there']} there already, {counts['failed']} failed"
+    console.print(escape(f"{out}: {shown}{left}"), soft_wrap=True)
     if spent:
         paid = spent["spent"]
-        currency = escaped(paid["currency"])
+        currency = escape(paid["currency"])
         most = "" if paid["budget"] is None else f" of {paid['budget']:g}"
         unknown = f", and {paid['unpriced']} calls of unknown price" if paid["unpriced"] else ""
         console.print(f"  spent in all runs: {paid['money']:.4f}{most} {currency}{unknown}")
     for kind, count in summary.kinds().items():
-        console.print(escaped(f"  {count} {kind}"))
+        console.print(escape(f"  {count} {kind}"))
     table = Table("gate", "mean", "most")
     for name, figures in summary.gate().items():
-        table.add_row(escaped(name), f"{figures['mean']:g}", f"{figures['most']:g}")
+        table.add_row(escape(name), f"{figures['mean']:g}", f"{figures['most']:g}")
     if table.row_count:
         console.print(table)
     for outcome in (*summary.failures, *summary.unpaid):
         how = "failed" if outcome.state == "failed" else "not made"
-        text = escaped(f"  {how}: {outcome.job.text[:60]!r}: {outcome.error}")
+        text = escape(f"  {how}: {outcome.job.text[:60]!r}: {outcome.error}")
         console.print(text, soft_wrap=True)

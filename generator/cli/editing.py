@@ -11,7 +11,17 @@ from tyro import conf
 from tyro.conf import OmitArgPrefixes, Positional
 
 from ..errors import DryRunError, InputError, require_seed
-from .paying import NO_CALLS, NOBODY, Calls, Chosen, answering, paid, roles_of, scene_key, told
+from .paying import (
+    NO_CALLS,
+    NOBODY,
+    Calls,
+    Chosen,
+    answering,
+    paid,
+    print_dry_run,
+    roles_of,
+    scene_key,
+)
 from .printing import print_scene, progress
 from .store import one, store
 
@@ -103,12 +113,12 @@ def edit(
         with answering(session, scene), progress(quiet=json) as shown:
             if shown is not None:
                 shown(action, 1, 1)
-            edited = _edited(path, action, words, to, yaw, seed, chosen)
+            edited = _edit(path, action, words, to, yaw, seed, chosen)
             if calls.dry_run:  # it came to no call
                 raise DryRunError("")
             made = edited.save(path.parent if replace else folder)
     except DryRunError as error:
-        return told(error, roles, json)
+        return print_dry_run(error, roles, json)
     if paid(session, made):
         session.account.save(made, session.prices)
     if replace and made.resolve() != path.resolve():
@@ -134,7 +144,7 @@ def _check_form(
         raise InputError(f"Say tabletopgen edit BUNDLE {FORMS[action]}; got {' '.join(words)!r}.")
 
 
-def _edited(
+def _edit(
     path: Path,
     action: Action,
     words: tuple[str, ...],

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 from tyro.conf import Positional
 
-from ..errors import DryRunError, InputError, escaped
-from .paying import NO_CALLS, Calls, answering, scene_key, told
+from ..errors import DryRunError, InputError, escape
+from .paying import NO_CALLS, Calls, answering, print_dry_run, scene_key
 from .printing import emit
 from .store import find, one, some
 
@@ -59,7 +59,7 @@ def evaluate(
     session, asked, who = None, None, None
     if judge is not None:
         session = calls.session()
-        backends = _asked(judge, session)
+        backends = _ask_judge(judge, session)
         asked, who = backends.reasoner, backends.identity()["reasoner"]
     elif calls != NO_CALLS:
         raise InputError(
@@ -72,9 +72,9 @@ def evaluate(
     paths = _paths(bundles)
     scene = scene_key("evaluate", who, [str(path.resolve()) for path in paths], picture)
     with answering(session, scene) if session is not None else contextlib.nullcontext():
-        found, order, would = _measured(paths, given, true, metrics, asked)
+        found, order, would = _measure(paths, given, true, metrics, asked)
     if calls.dry_run:
-        return told(DryRunError("\n".join(would)), None, json)
+        return print_dry_run(DryRunError("\n".join(would)), None, json)
     summary = rates(e.collisions for _, e in found)
     if json:
         scenes = [{"bundle": path, **e.facts()} for path, e in found]
@@ -92,13 +92,13 @@ def evaluate(
             f"Col_S {100 * summary.col_s:.1f} %"
         )
         if order:
-            print(f"ranked by {judge}, the best first: {', '.join(map(escaped, order))}")
+            print(f"ranked by {judge}, the best first: {', '.join(map(escape, order))}")
         if session is not None and (spent := session.account.text(session.prices.currency)):
-            print(escaped(spent))
+            print(escape(spent))
     return 0 if all(e.flawless for _, e in found) else 1
 
 
-def _asked(judge: str, session: Session) -> Backends:
+def _ask_judge(judge: str, session: Session) -> Backends:
     """Return backends whose reasoner judges, before anything is measured."""
     from ..backends import Backends
     from ..evaluation.judged import as_judge
@@ -108,7 +108,7 @@ def _asked(judge: str, session: Session) -> Backends:
     return backends
 
 
-def _measured(
+def _measure(
     paths: Sequence[Path],
     picture: Picture | None,
     true: Scene | None,
@@ -154,9 +154,9 @@ def _print(found: list[tuple[str, Evaluation]]) -> None:
 
     console = Console(file=sys.stdout, highlight=False, markup=False, emoji=False)
     for path, evaluation in found:
-        console.print(escaped(path), soft_wrap=True)
+        console.print(escape(path), soft_wrap=True)
         for line in _lines(evaluation.facts()):
-            console.print(escaped(f"  {line}"), soft_wrap=True)
+            console.print(escape(f"  {line}"), soft_wrap=True)
         if evaluation.flawless:
             console.print("  no defect found")
             continue
@@ -164,7 +164,7 @@ def _print(found: list[tuple[str, Evaluation]]) -> None:
         for f in evaluation.findings:
             value = "" if f.value is None else f"{f.value:.3g} {f.unit}"
             limit = "" if f.limit is None else f"{f.limit:.3g} {f.unit}"
-            table.add_row(escaped(f.name), f.kind, escaped(f.text), value, limit, f.evidence)
+            table.add_row(escape(f.name), f.kind, escape(f.text), value, limit, f.evidence)
         console.print(table)
 
 

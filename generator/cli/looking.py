@@ -11,7 +11,7 @@ from typing import Annotated, Any
 from tyro import conf
 from tyro.conf import Positional
 
-from ..errors import InputError, MissingError, TabletopError, escaped
+from ..errors import InputError, MissingError, TabletopError, escape
 from ..io.files import check_target
 from .printing import emit, print_scene
 from .store import find, one, some
@@ -69,7 +69,7 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
         picture: Write a PNG here instead of opening a window.
     """
     from ..bundle import load
-    from ..physics.mjcf import compiled, scene_spec
+    from ..physics.mjcf import compile_spec, scene_spec
 
     path = one(bundle)
     if picture is not None:
@@ -82,14 +82,14 @@ def view(bundle: Positional[str], /, *, picture: Path | None = None) -> int:
         import mujoco.viewer
 
         # What was checked, not the file, which may be another by now.
-        mujoco.viewer.launch(compiled(scene_spec(scene), scene.name))
+        mujoco.viewer.launch(compile_spec(scene_spec(scene), scene.name))
         return 0
     from ..io.pictures import write_picture
     from ..method.figures import preview
 
     target = picture or Path(f"{path.name}.png")
     write_picture(preview(scene), target)
-    print(escaped(str(target) if picture else f"No screen here; wrote {target}."))
+    print(escape(str(target) if picture else f"No screen here; wrote {target}."))
     return 0
 
 

@@ -11,7 +11,17 @@ from tyro.conf import OmitArgPrefixes, Positional
 from ..errors import DryRunError, InputError, require_seed
 from ..io.files import check_folder
 from ..scene import Intrinsics
-from .paying import NO_CALLS, USUAL, Calls, Chosen, answering, paid, roles_of, scene_key, told
+from .paying import (
+    NO_CALLS,
+    USUAL,
+    Calls,
+    Chosen,
+    answering,
+    paid,
+    print_dry_run,
+    roles_of,
+    scene_key,
+)
 from .printing import print_scene, progress
 from .store import store
 
@@ -114,7 +124,7 @@ def generate(
                 generation.save_figures(figures)
             path = generation.save(folder, allow_failed=output.allow_failed)
     except DryRunError as error:
-        return told(error, roles, json)
+        return print_dry_run(error, roles, json)
     if paid(session, path):
         session.account.save(path, session.prices)
     seconds = generation.seconds if timings else None

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 from tyro.conf import OmitArgPrefixes, arg
 
 from ..backends import Mix
-from ..errors import DryRunError, InputError, escaped
+from ..errors import DryRunError, InputError, escape
 from ..io.reading import read_regular
 from ..scene.provenance import plain
 
@@ -91,7 +91,7 @@ class CallOptions:
         """
         from ..calls.money.prices import Prices
 
-        return Prices.shipped() if self.prices is None else Prices.load(self.prices)
+        return Prices.default() if self.prices is None else Prices.load(self.prices)
 
     def session(self) -> Session:
         """Return a session with these settings."""
@@ -154,8 +154,8 @@ def answering(session: Session, scene: str) -> Iterator[None]:
         session.stop.set()
         spent = session.account.text(session.prices.currency)
         if spent and not isinstance(error, DryRunError):
-            told = f"{spent}\nWhat was answered is kept; {spending.path} says what was spent."
-            print(escaped(told), file=sys.stderr)
+            message = f"{spent}\nWhat was answered is kept; {spending.path} says what was spent."
+            print(escape(message), file=sys.stderr)
         raise
 
 
@@ -168,7 +168,7 @@ def paid(session: Session, made: Path) -> bool:
     return now or (any(e.earlier for e in entries) and not (made / LEDGER).exists())
 
 
-def told(error: DryRunError, roles: Roles | None, as_json: bool) -> int:
+def print_dry_run(error: DryRunError, roles: Roles | None, as_json: bool) -> int:
     """Print who answers, and what a dry run came to; return the exit code of success."""
     from .printing import emit
 

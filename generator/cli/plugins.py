@@ -13,7 +13,7 @@ from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any
 
-from ..errors import InputError, escaped
+from ..errors import InputError, escape
 
 GROUP = "tabletopgen.commands"
 
@@ -42,7 +42,7 @@ def load(entry: EntryPoint, needed: bool) -> Callable[..., Any] | None:
         )
         if needed:
             raise InputError(f"{told} Install again what adds it.") from error
-        print(escaped(told), file=sys.stderr)
+        print(escape(told), file=sys.stderr)
         return None
 
 

@@ -67,8 +67,8 @@ class Edited:
                 "Nothing was published. Try another seed, or make room first."
             )
         past = scene.provenance
-        told = past.warnings + tuple(w for w in warnings if w not in past.warnings)
-        provenance = replace(past, edits=(*past.edits, edit), warnings=told)
+        merged = past.warnings + tuple(w for w in warnings if w not in past.warnings)
+        provenance = replace(past, edits=(*past.edits, edit), warnings=merged)
         pictures = {stem: png for stem, png in opened.pictures.items() if stem != "preview"}
         return cls(scene.replace(provenance=provenance), pictures, opened.segments)
 

@@ -81,7 +81,7 @@ class Generating:
         object.__setattr__(self, "_answering", told)
         if self.budget is None:
             return
-        require(self, "budget", least=0)
+        require(self, "budget", minimum=0)
         if self.shared_budget is None:
             raise InputError(
                 "Generating needs a shared budget, which processes spend together. Give "
@@ -148,7 +148,7 @@ class Generating:
             session = Session(
                 store=None if self.calls is None else CallStore(self.calls),
                 account=Account(spending),
-                prices=self.prices or Prices.shipped(),
+                prices=self.prices or Prices.default(),
                 budget=self.budget,
                 dry=self.dry,
             )

@@ -38,4 +38,4 @@ def shared_budget(folder: str | Path, prices: Prices | None = None) -> SharedBud
         InputError: what was spent there is in another currency than ``prices``.
         StorageError: it cannot be read, or the folder not be written.
     """
-    return SharedBudget.open(place_of(Path(folder)), (prices or Prices.shipped()).currency)
+    return SharedBudget.open(place_of(Path(folder)), (prices or Prices.default()).currency)

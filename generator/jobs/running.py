@@ -15,7 +15,7 @@ from .maker import Maker
 from .making import Generating
 from .place import place_of
 from .prompts import Job, jobs_of
-from .records import CRASH, Outcome, failed, key_of, recorded, work
+from .records import CRASH, Outcome, find_outcome, key_of, record_failure, work
 from .summary import Summary, write_summary
 from .workers import WorkerDied, WorkerPool
 
@@ -80,22 +80,22 @@ def run(
         BackendError: no Ray.
         StorageError: the folder cannot be written, or the disk is full.
     """
-    require_number("A batch needs workers", workers, least=1, most=1024, whole=True)
+    require_number("A batch needs workers", workers, minimum=1, maximum=1024, integer=True)
     jobs, make, folder = jobs_of(prompts, seed, variants), make or Generating(), Path(folder)
     place_of(folder)
     done: dict[Job, Outcome] = {}
 
-    def told(outcome: Outcome) -> None:
+    def report(outcome: Outcome) -> None:
         done[outcome.job] = outcome
         if progress is not None:
             progress(outcome, len(done), len(jobs))
 
-    missing = [job for job in jobs if not _known(job, folder, make, retry, told)]
+    missing = [job for job in jobs if not _known(job, folder, make, retry, report)]
     if missing:
         pool, make = _pool(min(workers, len(missing)), ray, make)
         grace = GRACE
         try:
-            _run_all(deque(missing), pool, folder, make, retry, told)
+            _run_all(deque(missing), pool, folder, make, retry, report)
             grace = 0.0
         finally:
             pool.close(grace)
@@ -108,7 +108,7 @@ def _known(
     job: Job, folder: Path, make: Maker, retry: bool, told: Callable[[Outcome], None]
 ) -> bool:
     """Tell what came of a job before, if it is done; return whether it is."""
-    outcome = recorded(job, folder, key_of(job, make), retry)
+    outcome = find_outcome(job, folder, key_of(job, make), retry)
     if outcome is not None:
         told(outcome)
     return outcome is not None
@@ -155,7 +155,7 @@ def _run_all(
                 outcome = done.result()
             except WorkerDied as death:
                 if alone or pool.width == 1:
-                    told(failed(job, folder, key_of(job, make), str(death), CRASH, 0.0))
+                    told(record_failure(job, folder, key_of(job, make), str(death), CRASH, 0.0))
                 else:
                     crashed.append(job)
                 continue

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from .making import Generating
 from .prompts import Job, jobs_of
-from .records import key_of, recorded
+from .records import find_outcome, key_of
 from .running import run
 from .summary import Summary
 
@@ -35,7 +35,7 @@ def try_out(
         retry: also what failed before.
     """
     jobs, folder = jobs_of(prompts), Path(folder)
-    known = {job: recorded(job, folder, key_of(job, make), retry) for job in jobs}
+    known = {job: find_outcome(job, folder, key_of(job, make), retry) for job in jobs}
     left = [job for job, outcome in known.items() if outcome is None]
     if left:
         dry = replace(make, dry=True, shared_budget=None, budget=None)

@@ -28,7 +28,7 @@ def kind(word: str) -> RelationKind:
     return cast(RelationKind, word)
 
 
-def checked(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObject], list[str]]:
+def check_relations(objects: Sequence[PlannedObject]) -> tuple[list[PlannedObject], list[str]]:
     """Return the objects with relations that can hold together, and warnings for changed ones.
 
     "In" a thing that is no vessel becomes "on"; "in" or "on" a thing too small becomes "next to";

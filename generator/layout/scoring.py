@@ -103,7 +103,7 @@ def score(
     size = high - low
     cost = np.zeros(len(centers))
     for relation in request.relations:
-        cost += 3.0 * broken(request, relation, centers)
+        cost += 3.0 * violation(request, relation, centers)
     cost += 0.9 * _hiding(request.shape, centers, others)
     cost += 0.5 * np.clip(0.05 - room, 0, None) / 0.05
     if request.relations:
@@ -115,7 +115,7 @@ def score(
     return cost + 0.3 * np.clip(room - 0.16, 0, None) / 0.1
 
 
-def broken(
+def violation(
     request: Request, relation: Relation, centers: Float[np.ndarray, "m 2"]
 ) -> Float[np.ndarray, "m"]:
     """Return how badly each centre breaks a relation; 0 where it holds well."""

@@ -41,7 +41,7 @@ def surface(
     return z.max(1) if upper else z.min(1)
 
 
-def lowered(
+def lower(
     model: Model, placement: Placement, below: Sequence[Float[np.ndarray, "m 3 3"]]
 ) -> Placement:
     """Return the placement lowered (or raised) until the model touches what is below it.

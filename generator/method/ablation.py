@@ -46,12 +46,12 @@ def ask_rotations(
     Raises:
         BackendError: an answer is missing, or no finite angle.
     """
-    told = guesser.guess_rotations(reference, instances, sizes, view)
+    guesses = guesser.guess_rotations(reference, instances, sizes, view)
     rotations = {}
     for name in (i.name for i in instances if i.name != TABLE):
-        if name not in told or not np.isfinite(told[name]):
+        if name not in guesses or not np.isfinite(guesses[name]):
             raise BackendError(
                 f"guess_rotations: {type(guesser).__name__} gave no finite yaw for {name!r}."
             )
-        rotations[name] = Rotation(name, wrap(float(told[name])), float("nan"))
+        rotations[name] = Rotation(name, wrap(float(guesses[name])), float("nan"))
     return rotations

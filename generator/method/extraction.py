@@ -35,7 +35,7 @@ class ExtractionConfig:
     drawings: int = 3
 
     def __post_init__(self) -> None:
-        require(self, "drawings", least=1, whole=True)
+        require(self, "drawings", minimum=1, integer=True)
 
 
 def extract(
@@ -58,16 +58,16 @@ def extract(
         SceneError: no table in the picture, or nothing stands on it.
     """
     plan = reference.plan
-    best, found = reference, _found(reference, reasoner, segmenter)
+    best, found = reference, _find(reference, reasoner, segmenter)
     for k in range(1, (config or ExtractionConfig()).drawings):
         if plan is None or len(found.things) >= len(plan.objects):
             break
         with contextlib.suppress(SceneError):  # a drawing of no use; the one before stays
             drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
-            again = _found(drawn, reasoner, segmenter)
+            again = _find(drawn, reasoner, segmenter)
             if again.tables and len(again.things) > len(found.things):
                 best, found = drawn, again
-    return best, _completed(best, found.checked(), imager, complete_each)
+    return best, _complete(best, found.check(), imager, complete_each)
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +77,7 @@ class _Found:
     tables: tuple[Detection, ...]
     things: tuple[Detection, ...]
 
-    def checked(self) -> tuple[Detection, ...]:
+    def check(self) -> tuple[Detection, ...]:
         """Return the largest table and the things, or say what is missing."""
         if not self.tables:
             raise SceneError(
@@ -91,7 +91,7 @@ class _Found:
         return max(self.tables, key=lambda d: int(d.mask.sum())), *self.things
 
 
-def _found(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _Found:
+def _find(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _Found:
     labels = tuple(reasoner.list_objects(reference))
     if TABLE not in labels:
         labels = (TABLE, *labels)
@@ -103,7 +103,7 @@ def _found(reference: Reference, reasoner: Reasoner, segmenter: Segmenter) -> _F
     )
 
 
-def _completed(
+def _complete(
     reference: Reference, found: tuple[Detection, ...], imager: Imager, complete_each: Each
 ) -> tuple[Instance, ...]:
     """Return what was found (the table first), each cut out, whole, with a name of its own."""

@@ -70,8 +70,8 @@ def align_canonically(raw: Model, instance: Instance, size: SizePrior, reasoner:
     """
     extent = np.asarray(raw.size, np.float32)
     shown = dataclasses.replace(raw.mesh, vertices=raw.mesh.vertices * extent)
-    model = turned(raw, reasoner.review_orientation(shown, instance, size))
-    model = turned(model, size_axes_turn(model.size, size.extent))
+    model = turn(raw, reasoner.review_orientation(shown, instance, size))
+    model = turn(model, size_axes_turn(model.size, size.extent))
     if size.measured:
         model = dataclasses.replace(model, size=measured_size(model, size.extent))
     return dataclasses.replace(model, name=instance.name, label=instance.label)
@@ -106,7 +106,7 @@ def size_axes_turn(
     return (("z", 90),) if clear and own * asked < 0 else ()
 
 
-def turned(model: Model, steps: Steps) -> Model:
+def turn(model: Model, steps: Steps) -> Model:
     """Return a model turned by multiples of 90 degrees, size and orientation carried along."""
     turn = quarter_turn(steps)
     if (turn == np.eye(3, dtype=int)).all():

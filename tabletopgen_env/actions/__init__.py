@@ -44,7 +44,7 @@ from typing import Literal, get_args
 from generator.errors import InputError, choices
 
 from .joints import JOINT_LEASH, JOINT_STEP, JointDelta, JointTarget
-from .servos import CONTROL_HZ, Controller, GripperMode, Servos, checked
+from .servos import CONTROL_HZ, Controller, GripperMode, Servos, check_action
 from .tool import (
     EE_LEASH,
     EE_STEP,
@@ -72,7 +72,7 @@ __all__ = [
     "Controller",
     "GripperMode",
     "Servos",
-    "checked",
+    "check_action",
 ]
 
 ActionMode = Literal[

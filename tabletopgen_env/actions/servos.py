@@ -113,7 +113,7 @@ class Controller(Protocol):
         ...
 
 
-def checked(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:
+def check_action(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:
     """Return ``action`` as float64, clipped to ``space``.
 
     Raises:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tyro import conf
 
-from generator.errors import InputError, TabletopError, escaped, exit_code
+from generator.errors import InputError, TabletopError, escape, exit_code
 
 from .certificate import STARTS, Terms
 
@@ -20,7 +20,7 @@ def certify(
     *,
     tasks: tuple[str, ...] = _USUAL.tasks,
     episodes: int = _USUAL.episodes,
-    most: int = _USUAL.most,
+    maximum: int = _USUAL.most,
     seed: int = _USUAL.seed,
     workers: int = 1,
     again: bool = False,
@@ -36,7 +36,7 @@ def certify(
         tasks: The tasks; Sequence includes its presets.
         episodes: Episodes of each instance at most: the first from the scene's own start, the
             others from perturbed starts, none after a failure. Fewer than 30 certify nothing.
-        most: Instances of each task at most.
+        maximum: Instances of each task at most.
         seed: The same seed gives the same certificate.
         workers: Processes; the result does not depend on them.
         again: Skip none.
@@ -47,7 +47,7 @@ def certify(
 
     if not bundles:
         raise InputError("Name at least one bundle to certify.")
-    terms = Terms(tasks, episodes, most, seed)
+    terms = Terms(tasks, episodes, maximum, seed)
     if episodes < STARTS:
         print(f"Fewer than {STARTS} episodes of an instance certify nothing.", file=sys.stderr)
     found = dict.fromkeys(path for wanted in bundles for path in assets_cache.find(wanted))
@@ -63,10 +63,10 @@ def certify(
             for seen in certificate.instances:
                 asked = {"preset": seen.preset} if seen.preset else seen.options
                 told = ", ".join(f"{name} {value}" for name, value in asked.items())
-                print(escaped(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
+                print(escape(f"{path.name}: {seen.task} ({told or 'as drawn'}): "
                       f"{seen.successes} of {seen.episodes}"), flush=True)  # fmt: skip
     finally:  # also when it is interrupted
         for path, error in failed:
-            told = escaped(f"error: {path.name} is not certified: {error}")
+            told = escape(f"error: {path.name} is not certified: {error}")
             print(told, file=sys.stderr)
     return exit_code(failed[0][1]) if failed else 0

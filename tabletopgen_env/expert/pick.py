@@ -29,7 +29,7 @@ from ..goals.goal import Goal, Raised
 from ..robot import franka
 from .arm import up
 from .driver import NEAR, Expert
-from .planning.choosing import HOVER, Plan, choose
+from .planning.choosing import HOVER, GraspPlan, choose
 from .planning.dropping import ABOVE, Drop, hanging, let_go_at, lift_of, load, lost, met
 from .planning.grasps import TIP, Grasp
 
@@ -82,7 +82,7 @@ class Picker(Expert):
         """
         self.attempts = 0
         self._failed: tuple[Grasp, ...] = ()
-        self._followed: Plan | None = None
+        self._followed: GraspPlan | None = None
         if not self._begin():
             raise SceneError(
                 f"The expert finds no grasp of {self._target!r} in scene "
@@ -112,7 +112,7 @@ class Picker(Expert):
             "lower": self._lower,
             "release": self._release,
             "retreat": self._retreat,
-            "stuck": self._stuck,
+            "stuck": self._recover,
         }
         return phases[self.phase](late)
 
@@ -163,11 +163,11 @@ class Picker(Expert):
 
     def _close(self, late: bool) -> Float[np.ndarray, "5"]:
         gap, grasp = self._gap, self._plan.grasp
-        told = self._commanded_gap < gap - _CLOSING  # else the hand is another's, who lingers
-        left, right, _ = self._env.world.touched(self._target)
+        commanded = self._commanded_gap < gap - _CLOSING  # else the hand is another's, who lingers
+        left, right, _ = self._env.world.touches(self._target)
         still = abs(gap - self._last_gap) < 2e-4
         self._last_gap = gap
-        if (told and ((left and right) or still)) or late:
+        if (commanded and ((left and right) or still)) or late:
             self._held = self._in_object()
             waiting = self._enter("lift")
             # The hint shows at once that it is held: to wait would be to advise against it.
@@ -235,11 +235,11 @@ class Picker(Expert):
 
     def _release(self, late: bool) -> Float[np.ndarray, "5"]:
         gap, opening = self._gap, self._drop.opening
-        told = self._commanded_gap > gap + _TOLD  # else the hand is another's, who lingers
+        commanded = self._commanded_gap > gap + _TOLD  # else the hand is another's, who lingers
         width = self._plan.grasp.width
-        if gap > width + _FREE * (opening - width) or (late and told):
+        if gap > width + _FREE * (opening - width) or (late and commanded):
             return self._enter("retreat")
-        if self._tool[2] > self._drop.tool[2] + NEAR and self._steps > 2 and not told:
+        if self._tool[2] > self._drop.tool[2] + NEAR and self._steps > 2 and not commanded:
             return self._enter("carry")
         return self._act(np.zeros(3), 0.0, opening)
 
@@ -272,7 +272,7 @@ class Picker(Expert):
         self.phase, self._steps = "stuck", 0
         return False
 
-    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
+    def _recover(self, late: bool) -> Float[np.ndarray, "5"]:
         if late:
             return self._retry(failed=False)
         return self._act(np.zeros(3), 0.0, 2 * franka.FINGER_STROKE)

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from ..actions.servos import Controller
     from ..goals.goal import Goal
     from ..world.world import World
-    from .planning.choosing import Chooser, Plan
+    from .planning.choosing import Chooser, GraspPlan
     from .planning.dropping import Drop
 
 
@@ -16,7 +16,7 @@ class Advice(Protocol):
     """The grasp hint of an environment that gives one: what it says is done."""
 
     @property
-    def planned(self) -> Plan | None:
+    def planned(self) -> GraspPlan | None:
         """The grasp that is hinted at."""
         ...
 
@@ -30,7 +30,7 @@ class Advice(Protocol):
         """What the hints are chosen by."""
         ...
 
-    def plan(self, world: World, name: str) -> Plan | None:
+    def plan(self, world: World, name: str) -> GraspPlan | None:
         """Return the grasp of an object where it is now; None if it is not the active target."""
         ...
 

@@ -160,7 +160,7 @@ class Pusher(Expert):
         rise = self._stroke.start[2] + 0.15 - self._tool[2]
         return self._act(up(max(rise, 0.0)), 0.0, 0.0)
 
-    def _stuck(self, late: bool) -> Float[np.ndarray, "5"]:
+    def _recover(self, late: bool) -> Float[np.ndarray, "5"]:
         return self._begin() if late else self._act(np.zeros(3), 0.0, 0.0)
 
     _acts: ClassVar[Mapping[Phase, Callable[[Pusher, bool], Float[np.ndarray, "5"]]]] = (
@@ -171,7 +171,7 @@ class Pusher(Expert):
                 "stroke": _push,
                 "back": _back,
                 "retreat": _retreat,
-                "stuck": _stuck,
+                "stuck": _recover,
             }
         )
     )

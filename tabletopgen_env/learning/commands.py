@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from tyro.conf import OmitArgPrefixes, Positional, arg
 
-from generator.errors import InputError, TabletopError, escaped, require_number, require_seed
+from generator.errors import InputError, TabletopError, escape, require_number, require_seed
 from generator.io.files import check_folder, check_target
 
 from .extra import need_sb3
@@ -82,7 +82,7 @@ def train(
     """
     need_sb3()
     from .recipes import recipe as named
-    from .tracking import Plan
+    from .tracking import TrainingPlan
     from .training import train as trained
 
     chosen = named(recipe, changes)
@@ -94,7 +94,9 @@ def train(
     chosen = dataclasses.replace(chosen, **{k: v for k, v in given.items() if v not in (None, ())})
     folder = out or Path("runs") / f"{Path(chosen.name).name}-{seed}"
     check_folder(folder)
-    plan = Plan(seed, checks.evaluate_every, checks.episodes, keep_replay, sys.stdout.isatty())
+    plan = TrainingPlan(
+        seed, checks.evaluate_every, checks.episodes, keep_replay, sys.stdout.isatty()
+    )
     done = trained(chosen, folder, plan, resume, _say)
     _say(f"{done.steps:,} steps of {chosen.name} in {folder}")
     return 130 if done.interrupted else 0
@@ -127,7 +129,7 @@ def enjoy(
         trust: Load a zip, which unpickles it and may execute arbitrary code: only your own.
         recipe: What a zip was trained by, if it does not lie in its run's folder.
     """
-    require_number("enjoy needs --episodes", episodes, least=1, whole=True)
+    require_number("enjoy needs --episodes", episodes, minimum=1, integer=True)
     require_seed(seed)
     if render and video_strip:
         raise InputError("Choose --render or --video-strip, not both.")
@@ -136,10 +138,10 @@ def enjoy(
     need_sb3()
     from ..scenes.source import close
     from ..tasks.registry import task_named
-    from .evaluating import play, seeds, summed
+    from .evaluating import play, seeds, summarize
     from .making import single_env, source_of
 
-    own = _loaded(policy, trust, recipe)
+    own = _load(policy, trust, recipe)
     task = task_named(own.task, own.env.get("preset"))
     source = source_of(_one(scenes), "held_out", task=task)
     _warn(own.scenes, source)
@@ -160,7 +162,7 @@ def enjoy(
     finally:
         env.close()
         close(source)
-    _say(f"{own.task} at {', '.join(scenes)}: {summed(played)}")
+    _say(f"{own.task} at {', '.join(scenes)}: {summarize(played)}")
 
 
 def plot(
@@ -185,32 +187,32 @@ def plot(
     from generator.io.pictures import write_picture
 
     from .plotting import bands, draw, number
-    from .runs import opened
+    from .runs import open_run
 
-    found = bands([opened(path) for path in runs], by)
+    found = bands([open_run(path) for path in runs], by)
     write_picture(draw(found, by), out)
     for name, band in found.items():
         mean, least, most = (100 * v[-1] for v in (band.mean, band.least, band.most))
-        told = f"{name}: {mean:.0f} % after {number(band.at[-1])} {by}"
-        _say(told + (f", {least:.0f} to {most:.0f} % of {band.runs} runs" * (band.runs > 1)))
+        message = f"{name}: {mean:.0f} % after {number(band.at[-1])} {by}"
+        _say(message + (f", {least:.0f} to {most:.0f} % of {band.runs} runs" * (band.runs > 1)))
     _say(f"drawn in {out}")
 
 
 def _warn(trained: tuple[str, ...], source: SceneSource) -> None:
     """Say so if a policy is about to be judged at tables it was trained at."""
-    from .making import shared, source_of
+    from .making import count_shared, source_of
 
     try:
-        both = shared(source_of(_one(trained), "train"), source)
+        both = count_shared(source_of(_one(trained), "train"), source)
         if both:
             what = "1 of these tables was" if both == 1 else f"{both} of these tables were"
             print(f"{what} trained at: this says little of others.", file=sys.stderr)
     except TabletopError as error:
-        told = escaped(f"Whether it was trained at these tables cannot be told: {error}")
-        print(told, file=sys.stderr)
+        message = escape(f"Whether it was trained at these tables cannot be told: {error}")
+        print(message, file=sys.stderr)
 
 
-def _loaded(name: str, trust: bool, recipe: str | None) -> _Loaded:
+def _load(name: str, trust: bool, recipe: str | None) -> _Loaded:
     """Return a policy with what is known of it."""
     from .policies import find_policy, load_policy
     from .runs import BEST, LATEST
@@ -224,21 +226,21 @@ def _loaded(name: str, trust: bool, recipe: str | None) -> _Loaded:
     elif path.suffix != ".zip":
         path = find_policy(name)
     if path.suffix == ".zip":
-        return _unzipped(path, trust, recipe)
+        return _load_zip(path, trust, recipe)
     policy = load_policy(path)
     card, seen = policy.card, policy.card.validation
-    told = (f"; validation: {seen['solved']} of {seen['episodes']} at {seen['scenes']} "
+    message = (f"; validation: {seen['solved']} of {seen['episodes']} at {seen['scenes']} "
             f"(tables: {seen['tables']})") if seen else ""  # fmt: skip
-    _say(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{told}")
+    _say(f"{path.name}: {card.recipe}, seed {card.seed}, {card.steps:,} steps{message}")
     return _Loaded(policy, card.task, card.env, card.scenes)
 
 
-def _unzipped(path: Path, trust: bool, recipe: str | None) -> _Loaded:
+def _load_zip(path: Path, trust: bool, recipe: str | None) -> _Loaded:
     """Return a model of a zip of Stable-Baselines3, if it is to be trusted."""
     from .making import load_zip
-    from .recipes import listed
+    from .recipes import as_texts
     from .recipes import recipe as named
-    from .runs import opened
+    from .runs import open_run
 
     if not trust:
         raise InputError(
@@ -249,8 +251,8 @@ def _unzipped(path: Path, trust: bool, recipe: str | None) -> _Loaded:
         own = named(recipe)
     else:
         folder = path.resolve().parent
-        own = opened(folder.parent if folder.name.startswith("checkpoint-") else folder).recipe
-    return _Loaded(load_zip(path, own), own.task, own.env, listed(own.scenes))
+        own = open_run(folder.parent if folder.name.startswith("checkpoint-") else folder).recipe
+    return _Loaded(load_zip(path, own), own.task, own.env, as_texts(own.scenes))
 
 
 def _write_strip(frames: list[Any], path: Path) -> None:
@@ -268,4 +270,4 @@ def _one(scenes: tuple[str, ...]) -> str | tuple[str, ...]:
 
 
 def _say(line: str) -> None:
-    print(escaped(line), flush=True)
+    print(escape(line), flush=True)

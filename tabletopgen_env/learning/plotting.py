@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from jaxtyping import Float, UInt8
 
-from generator.errors import InputError, escaped
+from generator.errors import InputError, escape
 
 from .extra import need
 from .recipes import Recipe
@@ -74,8 +74,8 @@ def labels(recipes: Sequence[Recipe]) -> list[str]:
         others = [s for r, s in zip(recipes, said, strict=True) if r.name == recipe.name]
         keys = sorted({key for s in others for key in s})
         odd = [key for key in keys if any(s.get(key) != own.get(key) for s in others)]
-        told = ", ".join(f"{key}={own.get(key, 'none')}" for key in odd)
-        found.append(f"{recipe.name} ({told})" if told else recipe.name)
+        label = ", ".join(f"{key}={own.get(key, 'none')}" for key in odd)
+        found.append(f"{recipe.name} ({label})" if label else recipe.name)
     return found
 
 
@@ -132,9 +132,9 @@ def figure(found: Mapping[str, Band], by: By) -> Figure:
         axes.plot(band.at, band.mean, color=color, linewidth=2, marker=marker, clip_on=False)
         if band.runs > 1:
             axes.fill_between(band.at, band.least, band.most, color=color, alpha=0.2, linewidth=0)
-        told = escaped(f"{name} ({band.runs} {'run' if band.runs == 1 else 'runs'})")
+        label = escape(f"{name} ({band.runs} {'run' if band.runs == 1 else 'runs'})")
         axes.text(
-            0.98, 0.03 + 0.05 * (len(found) - 1 - k), told, color=color, ha="right",
+            0.98, 0.03 + 0.05 * (len(found) - 1 - k), label, color=color, ha="right",
             transform=axes.transAxes, parse_math=False, in_layout=False,
         )  # fmt: skip
     return chart

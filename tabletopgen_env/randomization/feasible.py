@@ -12,7 +12,7 @@ from jaxtyping import Float
 from generator.geometry import rotation_yaw, wrap
 
 from ..expert.arm import stretch, up
-from ..expert.planning.choosing import HOVER, Plan, choose
+from ..expert.planning.choosing import HOVER, GraspPlan, choose
 from ..expert.planning.grasps import grasps_along, is_like
 from ..expert.planning.plans import first_plan
 from ..expert.planning.strokes import plan_stroke
@@ -54,7 +54,7 @@ class Feasible:
 
 def touches_robot(world: World) -> bool:
     """Return whether a thing touches the robot."""
-    return any(world.touched(name)[2] for name in world.names)
+    return any(world.touches(name)[2] for name in world.names)
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +62,7 @@ class _Taken:
     """A thing to take, with a grasp of it at a place (metres) and rotation, world frame."""
 
     name: str
-    plan: Plan
+    plan: GraspPlan
     position: Float[np.ndarray, "3"]
     rotation: Float[np.ndarray, "3 3"]
 

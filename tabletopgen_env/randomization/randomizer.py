@@ -12,7 +12,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from jaxtyping import Float
 
-from ..goals.goal import begun, named_by
+from ..goals.goal import begin_goals, named_by
 from ..observations.modes import Noise
 from ..rendering.views import SLOTS
 from ..tasks.task import Episode
@@ -114,7 +114,7 @@ class Randomizer:
             self._drawn["start"] = starting.start_off(
                 world, episode.goals, self.settings, self._stream("start")
             )
-            episode = begin(world, begun(world, episode.goals))
+            episode = begin(world, begin_goals(world, episode.goals))
         if "distractors" in self._on:
             self._leave(world, named_by(episode.goals))
         return episode
@@ -131,7 +131,7 @@ class Randomizer:
         if world in self._originals:
             self._originals[world].restore(world)
 
-    def delayed(self, action: Float[np.ndarray, "a"]) -> Float[np.ndarray, "a"] | None:
+    def delay(self, action: Float[np.ndarray, "a"]) -> Float[np.ndarray, "a"] | None:
         """Return the action to carry out now that ``action`` is asked for; None is none yet."""
         if "delay" not in self._on:
             return action

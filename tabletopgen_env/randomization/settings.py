@@ -125,8 +125,8 @@ class Randomization:
 
     def __post_init__(self) -> None:
         for name, most in _MOST.items():
-            require(self, name, least=0, most=most)
-        require(self, "delay", least=0, most=_LATEST, whole=True)
+            require(self, name, minimum=0, maximum=most)
+        require(self, "delay", minimum=0, maximum=_LATEST, integer=True)
         for name in _RANGES:
             low, high = self._pair(name, "two factors (low, high) above 0")
             if not (_number(low) and _number(high) and 0 < low <= high):

@@ -38,7 +38,7 @@ def record(
     shown = progress.add_task(config.name, total=config.episodes, note="")
     with ExitStack() as running:
 
-        def told(kept: int, tried: int) -> None:
+        def report(kept: int, tried: int) -> None:
             nonlocal played
             if not tried:  # what is wrong is told before, without a bar
                 running.enter_context(progress)
@@ -46,7 +46,7 @@ def record(
             note = f"of {tried} played" if tried > kept else ""
             progress.update(shown, completed=kept, note=note)
 
-        path = run(config, out, format, workers, told)
+        path = run(config, out, format, workers, report)
     print(f"{path}: {config.episodes} episodes of {played} played")
     if format == "minari":
         print(f'  MINARI_DATASETS_PATH={path.parent}  minari.load_dataset("{path.name}")')

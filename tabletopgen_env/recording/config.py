@@ -68,9 +68,9 @@ class RecordConfig:
         """
         if self.name not in NAMES:
             raise InputError(f"Unknown task {self.task!r}." + choices(self.name, NAMES))
-        require(self, "episodes", least=1, whole=True)
+        require(self, "episodes", minimum=1, integer=True)
         require_seed(self.seed, LARGEST_SEED)
-        require(self, "noise", least=0)
+        require(self, "noise", minimum=0)
 
     def environment(self) -> gym.Env[Any, Any]:
         """Return the environment to record in; its spec makes the same one again.

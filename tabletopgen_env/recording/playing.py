@@ -31,7 +31,7 @@ Columns = dict[str, "Shaped[np.ndarray, 't1'] | list[str] | Columns"]
 
 
 @dataclass(frozen=True, eq=False)
-class Played:
+class RecordedEpisode:
     """One episode of ``t`` steps; see the package's page."""
 
     observations: Shaped[np.ndarray, "t1 ..."] | dict[str, Shaped[np.ndarray, "t1 ..."]]
@@ -54,9 +54,9 @@ class Played:
         }
 
 
-def played(
+def play_episodes(
     config: RecordConfig, env: gym.Env[Any, Any], workers: int
-) -> Generator[Played | SceneError, None, None]:
+) -> Generator[RecordedEpisode | SceneError, None, None]:
     """Yield one episode after the other without end, or why there is none to keep.
 
     Which they are does not depend on the number of ``workers``, of which a single one plays in
@@ -70,7 +70,7 @@ def played(
     few = min(CHUNK, -(-config.episodes // workers))
     with closing(WorkerPool(workers, begin=partial(_begin, config))) as pool:
         numbers, begun = count(0, few), count(0, few)
-        ahead: deque[Future[list[Played | SceneError]]] = deque()
+        ahead: deque[Future[list[RecordedEpisode | SceneError]]] = deque()
         for done in numbers:
             wanted = max(-(-(config.episodes - done) // few), 1)  # if all of them are kept
             while len(ahead) < min(2 * workers, wanted):
@@ -89,17 +89,19 @@ def _begin(config: RecordConfig) -> None:
     _environment.set(env)
 
 
-def _chunk(config: RecordConfig, first: int, few: int) -> list[Played | SceneError]:
+def _chunk(config: RecordConfig, first: int, few: int) -> list[RecordedEpisode | SceneError]:
     """Play the episodes of a process's turn."""
     return [_attempt(config, _environment.get(), first + k) for k in range(few)]
 
 
-def _attempt(config: RecordConfig, env: gym.Env[Any, Any], number: int) -> Played | SceneError:
+def _attempt(
+    config: RecordConfig, env: gym.Env[Any, Any], number: int
+) -> RecordedEpisode | SceneError:
     """Play one episode; return it, or why it is not kept."""
     seed = int(np.random.default_rng((config.seed, number)).integers(2**31))
     infos: list[dict[str, Any]] = []
     try:
-        shown = demonstrate(env, seed, noise=config.noise, told=infos.append)
+        shown = demonstrate(env, seed, noise=config.noise, report=infos.append)
     except SceneError as error:
         return error
     if shown is None:
@@ -118,7 +120,7 @@ def _attempt(config: RecordConfig, env: gym.Env[Any, Any], number: int) -> Playe
         "success": shown.solved,
         "steps": len(shown.actions),
     }
-    return Played(shown.observations, shown.actions, shown.rewards, _columns(infos), facts)
+    return RecordedEpisode(shown.observations, shown.actions, shown.rewards, _columns(infos), facts)
 
 
 def _columns(infos: Sequence[Mapping[str, Any]]) -> Columns:

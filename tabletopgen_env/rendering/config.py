@@ -117,12 +117,12 @@ def _check_name(what: str, name: Any, known: Sequence[str]) -> None:
         raise InputError(f"Unknown {what} {name!r}." + choices(str(name), known))
 
 
-def _picture_size(name: str, size: int | tuple[int, int], most: int) -> tuple[int, int]:
-    """Return height and width of the setting ``name``, each at most ``most`` pixels."""
+def _picture_size(name: str, size: int | tuple[int, int], maximum: int) -> tuple[int, int]:
+    """Return height and width of the setting ``name``, each at most ``maximum`` pixels."""
     sizes = tuple(size) if isinstance(size, Iterable) else (size, size)
-    if len(sizes) != 2 or not all(_is_whole(k, _SMALLEST, most) for k in sizes):
+    if len(sizes) != 2 or not all(_is_whole(k, _SMALLEST, maximum) for k in sizes):
         raise InputError(
-            f"{name} must be between {_SMALLEST} and {most} pixels, one number or "
+            f"{name} must be between {_SMALLEST} and {maximum} pixels, one number or "
             f"(height, width), got {size!r}."
         )
     return int(sizes[0]), int(sizes[1])

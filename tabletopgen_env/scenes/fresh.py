@@ -12,7 +12,7 @@ from generator.language.distribution import SceneDistribution
 
 from .making.recipe import COMPOSE, GENERATE, MOST_SEEDS, SceneRecipe, maker
 from .source import SceneRef
-from .splitting import Rule
+from .splitting import SplitRule
 
 DRAWS = 1000
 """How many texts, or plans, and seeds are drawn for one of the right side of a split."""
@@ -36,7 +36,7 @@ class FreshScenes:
     prompts: str | Sequence[str] | SceneDistribution = field(default_factory=SceneDistribution)
     variants: int = 1_000_000
     making: str = COMPOSE
-    rules: tuple[Rule, ...] = ()
+    rules: tuple[SplitRule, ...] = ()
 
     def __post_init__(self) -> None:
         given = self.prompts
@@ -98,7 +98,7 @@ class FreshScenes:
         recipe = self.recipe(rng)
         return SceneRef(recipe.key, recipe.make)
 
-    def admitting(self, rule: Rule) -> FreshScenes:
+    def admitting(self, rule: SplitRule) -> FreshScenes:
         """Return the source of only those scenes that a rule admits.
 
         Raises:

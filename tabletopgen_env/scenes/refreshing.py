@@ -16,9 +16,9 @@ from generator.language.distribution import SceneDistribution
 from .finding import FixedChoice, fixed_scenes
 from .fixed import FixedScenes
 from .fresh import FreshScenes
-from .making.pool import Pace, ScenePool
+from .making.pool import RenewalPace, ScenePool
 from .source import SceneRef
-from .splitting import Rule, admits
+from .splitting import SplitRule, admits
 
 PER_MINUTE = 6.0
 """How many scenes are renewed a minute, unless said otherwise."""
@@ -73,7 +73,7 @@ class RefreshingScenes:
             self.fresh = FreshScenes(self.fresh)
         if self.per_minute is None and self.every_resets is None and not self.synchronous:
             self.per_minute = PER_MINUTE
-        require(self, "size", "workers", least=1, whole=True)
+        require(self, "size", "workers", minimum=1, integer=True)
         if self.seed is not None:
             require_seed(self.seed)
         if (self.per_minute is None) == (self.every_resets is None):
@@ -105,7 +105,7 @@ class RefreshingScenes:
     def _start(self, rng: np.random.Generator) -> ScenePool:
         fresh, initial = self._parts()
         seed = int(rng.integers(2**31)) if self.seed is None else self.seed
-        pace = Pace(self.per_minute, self.every_resets)
+        pace = RenewalPace(self.per_minute, self.every_resets)
         workers = 0 if self.synchronous else self.workers
         return ScenePool(fresh, self.size, initial, pace, workers, seed)
 
@@ -129,7 +129,7 @@ class RefreshingScenes:
         """The ids of the processes that are running."""
         return self._pool.background.pids if self._pool and self._pool.background else ()
 
-    def admitting(self, rule: Rule) -> RefreshingScenes:
+    def admitting(self, rule: SplitRule) -> RefreshingScenes:
         """Return the source of only those scenes that a rule admits, at first and later on.
 
         Where that leaves none of the first ones, the first pool is made.

@@ -22,7 +22,7 @@ from ..affordance import collision_points, grasp_width, resting_height
 from ..expert.planning.strokes import beside, plan_stroke
 from ..goals.goal import SPOT, Pushed
 from ..goals.needs import LOW
-from .sampling import Reasons, blocked, drawn, given_point, on_table, rest_height
+from .sampling import Reasons, blocking_reason, draw_episode, given_point, on_table, rest_height
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -71,15 +71,15 @@ class Push(Task):
             return episode(world, (Pushed(obj.name, spot, rest_height(world, obj.name), up),))
 
         lacks = "no free way to push it along"
-        return drawn(world, rng, target, slidable(world), make, lacks, held=False)
+        return draw_episode(world, rng, target, slidable(world), make, lacks, held=False)
 
 
 def slidable(world: World) -> Reasons:
     """Return why each object cannot be pushed, None where it can."""
-    return {o.name: _fixed(world, o) for o in world.scene.objects}
+    return {o.name: _fixed_reason(world, o) for o in world.scene.objects}
 
 
-def _fixed(world: World, obj: Object) -> str | None:
+def _fixed_reason(world: World, obj: Object) -> str | None:
     if not on_table(obj):
         return f"it stands on {obj.placement.on}"
     if obj.mass > HEAVIEST:
@@ -88,7 +88,7 @@ def _fixed(world: World, obj: Object) -> str | None:
         return "it would topple or roll"
     if resting_height(obj) < 0.01:
         return "too flat for the fingers"
-    return blocked(world, obj)
+    return blocking_reason(world, obj)
 
 
 def tips(obj: Object) -> bool:

@@ -34,10 +34,12 @@ Reasons = dict[str, str | None]
 
 def liftable(world: World) -> Reasons:
     """Return why each object cannot be picked up, None where it can; grasps are not planned."""
-    return {o.name: world.ungraspable[o.name] or blocked(world, o) for o in world.scene.objects}
+    return {
+        o.name: world.ungraspable[o.name] or blocking_reason(world, o) for o in world.scene.objects
+    }
 
 
-def blocked(world: World, obj: Object) -> str | None:
+def blocking_reason(world: World, obj: Object) -> str | None:
     """Return why the hand cannot come at an object, or move it alone; None if it can."""
     if not reachable(world.mount, obj.pose.position):
         return "out of the robot's reach"
@@ -49,7 +51,7 @@ def blocked(world: World, obj: Object) -> str | None:
     return f"{loaded[0]} stands on it" if loaded else None
 
 
-def drawn(
+def draw_episode(
     world: World,
     rng: np.random.Generator,
     target: str | None,
@@ -77,7 +79,7 @@ def drawn(
         names = [name for name, reason in reasons.items() if reason is None]
         names = [names[k] for k in rng.permutation(len(names))]
     else:
-        names = [known(world, target, "to move")]
+        names = [check_known(world, target, "to move")]
     for name in names:
         if target is None and held and not has_grasp(world, name):
             reasons[name] = NO_GRASP
@@ -89,7 +91,7 @@ def drawn(
     raise nothing(world, reasons)
 
 
-def known(world: World, name: str, what: str) -> str:
+def check_known(world: World, name: str, what: str) -> str:
     """Return ``name`` if the scene has such an object.
 
     Raises:
@@ -197,12 +199,12 @@ def given_object(world: World, goal: Choice, use: str, wanted: str) -> str | Non
     Raises:
         InputError: the option is a spot or a point, or the scene has no such object.
     """
-    if goal is not None and named(goal) is None:
+    if goal is not None and target_of(goal) is None:
         raise InputError(f"{wanted}, got {goal!r}.")
-    return None if goal is None else known(world, str(goal), use)
+    return None if goal is None else check_known(world, str(goal), use)
 
 
-def named(goal: Choice) -> str | None:
+def target_of(goal: Choice) -> str | None:
     """Return the object that a goal option names, None for a spot, a point or nothing."""
     return goal if isinstance(goal, str) and goal != SPOT else None
 

@@ -22,7 +22,7 @@ from ..expert.planning.plans import first_plan
 from ..goals.goal import OnTop
 from ..goals.needs import FLAT, STANDING
 from ..robot.mount import reachable
-from .sampling import drawn, given_object, liftable, on_table, rest_height
+from .sampling import draw_episode, given_object, liftable, on_table, rest_height
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -61,7 +61,7 @@ class Stack(Task):
             return episode(world, (on_top(world, obj, base),))
 
         lacks = "no flat top in reach that carries it"
-        return drawn(world, rng, target, liftable(world), make, lacks)
+        return draw_episode(world, rng, target, liftable(world), make, lacks)
 
 
 def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[Object]:

@@ -122,7 +122,7 @@ class WorldConfig:
 
     def __post_init__(self) -> None:
         panda(self.robot)
-        require_number("The environment needs cache", self.cache, least=1, whole=True)
+        require_number("The environment needs cache", self.cache, minimum=1, integer=True)
 
     @property
     def arm(self) -> Panda:

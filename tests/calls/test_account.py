@@ -144,7 +144,7 @@ def test_a_price_is_of_tokens_images_and_calls() -> None:
 
 
 def test_the_shipped_prices_are_dated() -> None:
-    prices = Prices.shipped()
+    prices = Prices.default()
     assert prices.date.startswith("20") and prices.currency == "USD"
     free = {name for name, p in prices.models.items() if not p.of(1, 1, 1)}
     assert free == set()

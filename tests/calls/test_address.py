@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from generator.calls import Session
-from generator.calls.http.address import checked_address, linked, local
+from generator.calls.http.address import check_link, checked_address, local
 from generator.errors import BackendError
 
 
@@ -29,15 +29,15 @@ def test_what_is_no_address_is_told(url: object) -> None:
     with pytest.raises(BackendError, match=r"^It must "):
         checked_address(url, "It")  # type: ignore[arg-type]
     with pytest.raises(BackendError, match=r"^It "):
-        linked(url, "It", BackendError)
+        check_link(url, "It", BackendError)
     with pytest.raises(BackendError):
         Session().client("cloud", url)  # type: ignore[arg-type]
 
 
 def test_links_hold_no_user_and_stay_as_they_are() -> None:
     link = "https://a.example/b?Signature=x%2Fy&e=1"
-    assert linked(link, "It", BackendError) == link
+    assert check_link(link, "It", BackendError) == link
     for user in ("me@", "me:pw@", "@"):
         with pytest.raises(BackendError, match="a user name or a password") as told:
-            linked(link.replace("//", "//" + user), "It", BackendError)
+            check_link(link.replace("//", "//" + user), "It", BackendError)
         assert "pw" not in str(told.value).partition("a user name")[0]

@@ -13,10 +13,10 @@ from pathlib import Path
 import pytest
 from bounded import LONG, at_once, line_of, running
 
-from generator.calls.store import MOST_ANSWER_BYTES, Answer, CallStore
+from generator.calls.store import MOST_ANSWER_BYTES, CallStore, StoredAnswer
 from generator.errors import InputError, StorageError
 
-ANSWER = Answer(200, "application/json", b'{"a": 1}\n\x00\xff')
+ANSWER = StoredAnswer(200, "application/json", b'{"a": 1}\n\x00\xff')
 
 
 def key(name: str) -> str:
@@ -77,11 +77,11 @@ def test_an_answer_under_another_key_is_none(tmp_path: Path) -> None:
 def test_what_was_not_asked_for_the_longest_goes_first(tmp_path: Path) -> None:
     store = CallStore(tmp_path, most_bytes=3500)
     for age, name in ((30, "a"), (20, "b"), (10, "c")):
-        store.put(key(name), Answer(200, "", bytes(1000)))
+        store.put(key(name), StoredAnswer(200, "", bytes(1000)))
         path = tmp_path / "answers" / key(name)[:2] / key(name)
         os.utime(path, (path.stat().st_mtime - age,) * 2)
     assert store.get(key("a")) is not None  # asked for: now the newest
-    store.put(key("d"), Answer(200, "", bytes(1000)))
+    store.put(key("d"), StoredAnswer(200, "", bytes(1000)))
     there = [n for n in "abcd" if store.get(key(n)) is not None]
     assert there == ["a", "c", "d"]
     assert store.size() <= 3500
@@ -90,11 +90,11 @@ def test_what_was_not_asked_for_the_longest_goes_first(tmp_path: Path) -> None:
 def test_a_store_is_looked_at_only_where_it_may_be_full(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    looks, look = [], CallStore._kept
-    monkeypatch.setattr(CallStore, "_kept", lambda store: looks.append(1) or look(store))
+    looks, look = [], CallStore._list_kept
+    monkeypatch.setattr(CallStore, "_list_kept", lambda store: looks.append(1) or look(store))
     store = CallStore(tmp_path, most_bytes=1_000_000)
     for k in range(100):
-        store.put(key(str(k)), Answer(200, "", bytes(3_000)))
+        store.put(key(str(k)), StoredAnswer(200, "", bytes(3_000)))
     assert 8 <= len(looks) <= 12  # some 315,000 bytes, by 31,250 at a time
     assert len(CallStore(tmp_path)) == 100
 
@@ -104,7 +104,7 @@ def test_stores_of_several_processes_are_bounded_together(tmp_path: Path) -> Non
     stores = [CallStore(tmp_path, most_bytes=320_000) for _ in range(3)]
     sizes = []
     for k in range(400):
-        stores[k % 3].put(key(str(k)), Answer(200, "", bytes(2_000)))
+        stores[k % 3].put(key(str(k)), StoredAnswer(200, "", bytes(2_000)))
         sizes.append(stores[0].size())
     assert max(sizes) <= 320_000 + 3 * 10_000
     assert min(sizes[200:]) >= 320_000 - 2 * 10_000 - 3_000  # no more is dropped than has to be
@@ -118,7 +118,7 @@ def test_threads_that_write_at_once_stay_within_bounds(tmp_path: Path) -> None:
     def write(store: CallStore, k: int) -> None:
         try:
             for j in range(40):
-                store.put(key(f"{k} {j}"), Answer(200, "", bytes(1_500)))
+                store.put(key(f"{k} {j}"), StoredAnswer(200, "", bytes(1_500)))
         except Exception as error:
             errors.append(error)
 
@@ -130,7 +130,7 @@ def test_threads_that_write_at_once_stay_within_bounds(tmp_path: Path) -> None:
 def test_an_answer_larger_than_the_store_is_refused(tmp_path: Path) -> None:
     store = CallStore(tmp_path, most_bytes=300)
     with pytest.raises(StorageError, match="most_bytes"):
-        store.put(key("q"), Answer(200, "", bytes(300)))
+        store.put(key("q"), StoredAnswer(200, "", bytes(300)))
     store.put(key("r"), ANSWER)
     assert store.get(key("q")) is None and store.get(key("r")) == ANSWER
     with pytest.raises(InputError, match="most_bytes"):
@@ -150,7 +150,7 @@ def test_one_answer_is_bounded_in_a_store_of_any_size(
     assert store.get(key("q")) is None and not file.exists()
     monkeypatch.setattr("generator.calls.store.MOST_ANSWER_BYTES", 300)
     with pytest.raises(StorageError, match="300 an answer"):
-        CallStore(tmp_path).put(key("q"), Answer(200, "", bytes(300)))
+        CallStore(tmp_path).put(key("q"), StoredAnswer(200, "", bytes(300)))
 
 
 def test_a_disk_that_refuses_is_told_once(tmp_path: Path) -> None:
@@ -232,7 +232,7 @@ def test_another_process_holds_it_until_it_is_killed(tmp_path: Path) -> None:
 
 WRITE = """
 import os, sys, time
-from generator.calls.store import Answer, CallStore
+from generator.calls.store import StoredAnswer, CallStore
 
 def slow(number):
     print("writing", flush=True)
@@ -241,7 +241,7 @@ def slow(number):
 os.fsync = slow
 store = CallStore(sys.argv[1])
 with store.holding(sys.argv[2]):
-    store.put(sys.argv[2], Answer(200, "", b"half"))
+    store.put(sys.argv[2], StoredAnswer(200, "", b"half"))
 """
 
 

@@ -19,10 +19,10 @@ from generator.calls.money.database import FILE, LOCAL
 from generator.calls.money.entries import Entry
 from generator.calls.money.prices import Prices
 from generator.calls.money.spending import Spending
-from generator.calls.store import Answer, CallStore
+from generator.calls.store import CallStore, StoredAnswer
 from generator.errors import InputError, StorageError
 
-ANSWER = Answer(200, "application/json", b"{}")
+ANSWER = StoredAnswer(200, "application/json", b"{}")
 KEY = "ab" + "0" * 62
 SPENDER = "0123456789abcdef"
 HUGE = "1" + "0" * 400
@@ -60,7 +60,7 @@ def database(folder: Path, *statements: str, values: Iterable[tuple[object, ...]
 def test_only_hex_digits_are_a_spender(tmp_path: Path, kept: Path, name: str) -> None:
     folder = database(tmp_path / "place", values=[(name, 0.5)])
     with pytest.raises(StorageError, match="16 hex digits") as caught:
-        SharedBudget(folder, "m").spent()
+        SharedBudget(folder, "m").total()
     assert str(caught.value).isprintable()
     assert kept.read_text() == "precious"
     assert {p.name for p in folder.iterdir()} == {FILE}
@@ -72,7 +72,7 @@ def test_what_a_dead_spender_held_is_spent(tmp_path: Path) -> None:
         values=[(SPENDER, 0.5), (SPENDER, 0.25), ("f" * 16, None)],
     )  # fmt: skip
     (folder / "spenders").mkdir()
-    spent = SharedBudget(folder, "m").spent()
+    spent = SharedBudget(folder, "m").total()
     assert (spent.money, spent.held, spent.unpriced) == (1.75, 0.0, 1)
     assert list((folder / "spenders").iterdir()) == []
 
@@ -80,10 +80,10 @@ def test_what_a_dead_spender_held_is_spent(tmp_path: Path) -> None:
 def test_many_spenders_are_dead_at_once_and_too_many_are_refused(tmp_path: Path) -> None:
     folder = database(tmp_path / "place", values=[(f"{k:016x}", 0.25) for k in range(1024)])
     (folder / "spenders").mkdir()
-    assert SharedBudget(folder, "m").spent().money == 256
+    assert SharedBudget(folder, "m").total().money == 256
     database(folder, values=[(f"{k:016x}", 0.25) for k in range(10_001)])
     with pytest.raises(StorageError, match="10001 calls under way"):
-        SharedBudget(folder, "m").spent()
+        SharedBudget(folder, "m").total()
 
 
 def test_spenders_elsewhere_are_refused(tmp_path: Path) -> None:
@@ -92,7 +92,7 @@ def test_spenders_elsewhere_are_refused(tmp_path: Path) -> None:
     (tmp_path / "other" / f"{SPENDER}.lock").write_text("precious")
     (folder / "spenders").symlink_to(tmp_path / "other")
     with pytest.raises(StorageError, match="is a link"):
-        SharedBudget(folder, "m").spent()
+        SharedBudget(folder, "m").total()
     with pytest.raises(StorageError, match="is a link"), LOCAL.owning(folder):
         pass
     assert (tmp_path / "other" / f"{SPENDER}.lock").read_text() == "precious"
@@ -142,7 +142,7 @@ def test_a_damaged_page_is_one_clear_error(tmp_path: Path) -> None:
         (tmp_path / FILE).write_bytes(whole[: 4096 * page] + b"\xff" * (len(whole) - 4096 * page))
         with pytest.raises(StorageError, match="does not say what was spent"):
             SharedBudget.open(tmp_path, "USD")
-            SharedBudget(tmp_path, "m").spent()
+            SharedBudget(tmp_path, "m").total()
 
 
 @pytest.mark.parametrize("end", ["", "-journal"])
@@ -180,7 +180,7 @@ def test_a_journal_deletes_no_file(tmp_path: Path, kept: Path) -> None:
     page = struct.pack(">I", 2**31 // 4096 + 1 + 2**18)
     journal.write_bytes(head.ljust(512, b"\0") + page + name + end)
     with pytest.raises(StorageError, match="names another file"):
-        SharedBudget(folder, "m").spent()
+        SharedBudget(folder, "m").total()
     assert kept.read_text() == "precious" and journal.exists()
 
 
@@ -208,10 +208,10 @@ def spending(folder: Path, facts: object) -> Spending:
 )  # fmt: skip
 def test_money_counts_whatever_else_a_call_says(tmp_path: Path, wrong: dict[str, object]) -> None:
     account = Account()
-    account.resume(spending(tmp_path, json.dumps({**CALL, **wrong})), Prices.shipped())
+    account.resume(spending(tmp_path, json.dumps({**CALL, **wrong})), Prices.default())
     assert account.money == 0.75
     assert "0.7500" in account.text()
-    json.dumps(account.facts(Prices.shipped()))
+    json.dumps(account.facts(Prices.default()))
 
 
 @pytest.mark.parametrize(

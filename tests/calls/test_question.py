@@ -46,7 +46,7 @@ def test_a_picture_is_no_text(size: int) -> None:
 
 def test_a_picture_of_the_cheapest_eye_costs_no_more_than_thought() -> None:
     # 8 tiles of 5667 tokens, and 2833: https://platform.openai.com/docs/guides/images-vision
-    price = Prices.shipped().models["gpt-4o-mini"]
+    price = Prices.default().models["gpt-4o-mini"]
     assert price.picture >= 8 * 5667 + 2833
 
 

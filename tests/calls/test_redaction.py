@@ -8,7 +8,7 @@ from urllib.parse import quote
 
 import pytest
 
-from generator.calls.http.redaction import holds, plain_url, redacted
+from generator.calls.http.redaction import holds, plain_url, redact
 
 KEY = 'mark/er+"7f3a'
 
@@ -23,7 +23,7 @@ KEY = 'mark/er+"7f3a'
     ],
 )
 def test_a_secret_goes_in_every_form(written: str) -> None:
-    text = redacted(f"Incorrect key provided: {written}. Look it up.", (KEY,))
+    text = redact(f"Incorrect key provided: {written}. Look it up.", (KEY,))
     assert written.strip('"') not in text
     assert holds(written, (KEY,)) and not holds(text, (KEY,))
     assert text.startswith("Incorrect key provided: ") and text.endswith(". Look it up.")
@@ -38,7 +38,7 @@ def test_a_secret_goes_in_every_form(written: str) -> None:
     ],
 )
 def test_what_is_shaped_like_a_key_goes_unasked(text: str) -> None:
-    clean = redacted(text)
+    clean = redact(text)
     assert "[redacted]" in clean
     assert not {"abcDEF123", "sk-proj-abcdefgh12345", "abcdef0123"} & set(
         clean.replace("=", " ").split()
@@ -52,18 +52,18 @@ def test_what_is_shaped_like_a_key_goes_unasked(text: str) -> None:
 )  # fmt: skip
 def test_keys_of_known_makers_go_unasked(start: str, length: int) -> None:
     key = start + ("a1B2c3D4e5F6" * 20)[:length]
-    assert redacted(f"key {key} is wrong") == "key [redacted] is wrong"
+    assert redact(f"key {key} is wrong") == "key [redacted] is wrong"
 
 
 @pytest.mark.parametrize(
     "name", ["xai-grok-4-fast", "hf-internal-model-1", "pk-something-long", "r8_model_abcdef"]
 )
 def test_names_of_models_stay(name: str) -> None:
-    assert redacted(f"no model {name} here") == f"no model {name} here"
+    assert redact(f"no model {name} here") == f"no model {name} here"
 
 
 def test_a_longer_secret_goes_before_one_that_it_contains() -> None:
-    assert redacted("abcdef", ("abc", "abcdef")) == "[redacted]"
+    assert redact("abcdef", ("abc", "abcdef")) == "[redacted]"
 
 
 @pytest.mark.parametrize(
@@ -75,12 +75,12 @@ def test_a_longer_secret_goes_before_one_that_it_contains() -> None:
     ],
 )
 def test_a_short_secret_is_a_word_by_itself(secret: str, text: str, clean: str) -> None:
-    assert redacted(text, (secret,)) == clean
+    assert redact(text, (secret,)) == clean
     assert holds(text, (secret,)) and not holds("here", (secret,))
 
 
 def test_an_empty_secret_changes_nothing() -> None:
-    assert redacted("plain words", ("", " ")) == "plain words"
+    assert redact("plain words", ("", " ")) == "plain words"
 
 
 def test_links_signed_at_other_times_are_the_same() -> None:

@@ -46,7 +46,7 @@ def test_many_spenders_never_overdraw_it(tmp_path: Path) -> None:
             gate.wait(LONG)
             try:
                 with account.reserving(0.25, 1.0, "a call") as enter:
-                    sent.append(shared.spent())
+                    sent.append(shared.total())
                     enter(Entry("s", "q", money=0.25))
             except BudgetError as error:
                 refused.append(str(error))
@@ -54,7 +54,7 @@ def test_many_spenders_never_overdraw_it(tmp_path: Path) -> None:
     at_once(*[call] * 6)
     assert (len(sent), len(refused)) == (4, 2)
     assert all(s.money + s.held <= 1.0 for s in sent)
-    assert (shared.spent().money, shared.spent().held) == (1.0, 0.0)
+    assert (shared.total().money, shared.total().held) == (1.0, 0.0)
     assert "budget of 1 for all scenes, 1.0000 is spent" in refused[0]
 
 
@@ -68,7 +68,7 @@ def test_it_is_there_in_the_next_run(tmp_path: Path) -> None:
                     spender.reserve(0.75, 1.0, "a call")
                 call = spender.reserve(0.75, 2.0, "a call")  # with a larger budget
                 spender.settle(call, 0.25)
-        assert SharedBudget.open(tmp_path, "USD").spent().money == 0.5 + 0.25 * run
+        assert SharedBudget.open(tmp_path, "USD").total().money == 0.5 + 0.25 * run
     assert list(tmp_path.glob("*/*.lock")) == []
 
 
@@ -80,7 +80,7 @@ def test_no_budget_is_kept_while_earlier_calls_have_no_price(tmp_path: Path) -> 
             spender.reserve(0.25, 5.0, "a call")
         assert spender.reserve(0.0, 5.0, "free") is not None
         assert spender.reserve(0.25, None, "no budget")
-    assert SharedBudget.open(tmp_path, "USD").spent().unpriced == 1
+    assert SharedBudget.open(tmp_path, "USD").total().unpriced == 1
 
 
 def test_who_lives_is_waited_for_and_what_costs_nothing_is_not_stopped(tmp_path: Path) -> None:
@@ -105,11 +105,11 @@ def test_what_a_killed_process_had_under_way_is_spent(tmp_path: Path) -> None:
     )  # fmt: skip
     assert line_of(process) == b"held\n" and process.stdout is not None
     shared = SharedBudget.open(tmp_path, "USD")
-    assert (shared.spent().money, shared.spent().held) == (0.125, 0.25)
+    assert (shared.total().money, shared.total().held) == (0.125, 0.25)
     process.send_signal(signal.SIGKILL)
     process.wait(LONG)
     process.stdout.close()
-    assert (shared.spent().money, shared.spent().held) == (0.375, 0.0)
+    assert (shared.total().money, shared.total().held) == (0.375, 0.0)
 
 
 SPENDS = """
@@ -147,7 +147,7 @@ def test_whenever_processes_are_killed_no_call_is_forgotten_and_no_budget_exceed
 
     for _ in range(3):
         at_once(*(partial(killed, k) for k in range(4)))
-        spent, sent = shared.spent(), log.stat().st_size
+        spent, sent = shared.total(), log.stat().st_size
         assert 0.125 * sent <= spent.money <= 100.0
         assert spent.money <= 0.125 * sent + 0.25 * 12 and spent.held == 0.0
 
@@ -158,7 +158,7 @@ def test_a_call_that_broke_off_is_spent(tmp_path: Path) -> None:
         broken.enter_context(pytest.raises(KeyboardInterrupt))
         broken.enter_context(Account(spender).reserving(0.25, 1.0, "a call"))
         raise KeyboardInterrupt
-    assert shared.spent().money == 0.25
+    assert shared.total().money == 0.25
 
 
 def test_calls_of_sessions_are_paid_from_it(tmp_path: Path) -> None:
@@ -173,7 +173,7 @@ def test_calls_of_sessions_are_paid_from_it(tmp_path: Path) -> None:
         with pytest.raises(BudgetError, match=r"0\.0420 is spent"):
             ask(first, server.url, "three")  # it may cost 0.04
     assert len(server.asked) == 2
-    assert (first.account.money, shared.spent().money) == (0.021, pytest.approx(0.042))
+    assert (first.account.money, shared.total().money) == (0.021, pytest.approx(0.042))
 
 
 def test_another_folder_of_that_name_is_refused(tmp_path: Path) -> None:
@@ -192,7 +192,7 @@ def test_another_folder_of_that_name_is_refused(tmp_path: Path) -> None:
     with pytest.raises(
         StorageError, match="is here not the folder that the batch was started with"
     ):
-        SharedBudget(tmp_path / "no", "m").spent()
+        SharedBudget(tmp_path / "no", "m").total()
     assert not (tmp_path / "no").exists()
 
 
@@ -211,7 +211,7 @@ def test_what_an_older_version_kept_is_not_taken_for_nothing(tmp_path: Path, old
         with pytest.raises(StorageError, match=rf"{old} is from an older version.*remove it"):
             SharedBudget.open(tmp_path, "USD")
     (tmp_path / old).unlink()
-    assert SharedBudget.open(tmp_path, "USD").spent().money == 0.0
+    assert SharedBudget.open(tmp_path, "USD").total().money == 0.0
 
 
 def test_another_currency_is_refused(tmp_path: Path) -> None:
@@ -232,10 +232,10 @@ def test_a_disk_that_refuses_loses_no_answer(
         asking = session(account=Account(spender))
         assert ask(asking, server.url).status_code == 200
         assert asking.account.notes == ("full",)
-    assert shared.spent().money > asking.account.money  # the most it can have cost
+    assert shared.total().money > asking.account.money  # the most it can have cost
 
 
 def test_prices_can_be_sent_to_processes() -> None:
     assert pickle.loads(pickle.dumps(PRICES)) == PRICES
-    shipped = type(PRICES).shipped()
+    shipped = type(PRICES).default()
     assert pickle.loads(pickle.dumps(shipped)).models == dict(shipped.models)

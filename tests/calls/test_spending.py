@@ -223,7 +223,7 @@ def test_with_a_budget_nothing_is_sent_that_cannot_be_written_down(tmp_path: Pat
         with pytest.raises(StorageError, match=r"not sent, .* cannot be read or written"):
             ask(shared, server.url)
         assert server.asked == []
-    assert budget.spent().money == shared.account.money == 0.0
+    assert budget.total().money == shared.account.money == 0.0
 
 
 def test_an_answer_under_a_budget_outlives_a_disk_that_refuses_late(tmp_path: Path) -> None:

@@ -180,8 +180,8 @@ def test_what_cannot_be_signed_costs_nothing(tmp_path: Path) -> None:
         with pytest.raises(OSError, match="no clock"):
             ask(shared, server.url, sign=sign)
         assert server.asked == []
-    assert shared.account.money == shared_budget.spent().money == 0.0
-    assert shared_budget.spent().held == 0.0
+    assert shared.account.money == shared_budget.total().money == 0.0
+    assert shared_budget.total().held == 0.0
 
 
 def test_answers_of_no_use_are_dropped(tmp_path: Path) -> None:

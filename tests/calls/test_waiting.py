@@ -55,9 +55,9 @@ def test_a_breaker_opens_rests_and_lets_one_try() -> None:
     now = [0.0]
     breaker = Breaker("maker", RetryPolicy(failures=2, rest=10.0), lambda: now[0])
     line = breaker.line()
-    breaker.failed("It is down.", line)
+    breaker.record_failure("It is down.", line)
     breaker.check("a call")
-    breaker.failed("It is down.", line)
+    breaker.record_failure("It is down.", line)
     now[0] = 4.0
     with pytest.raises(BackendError, match=r"a call.* maker failed 2 .* It is down\. .* 6 s more"):
         breaker.check("a call")
@@ -65,13 +65,13 @@ def test_a_breaker_opens_rests_and_lets_one_try() -> None:
     breaker.check("the trial")
     with pytest.raises(BackendError, match="10 s more"):
         breaker.check("a call beside it")
-    breaker.failed("Still down.", breaker.line())
+    breaker.record_failure("Still down.", breaker.line())
     now[0] = 19.0
     with pytest.raises(BackendError, match="Still down"):
         breaker.check("a call")
     now[0] = 20.0
     breaker.check("the trial")
-    breaker.worked()
+    breaker.record_success()
     breaker.check("a call")
 
 
@@ -79,8 +79,8 @@ def test_an_answer_in_between_starts_the_count_again() -> None:
     breaker = Breaker("maker", RetryPolicy(failures=2))
     line = breaker.line()
     for _ in range(3):
-        breaker.failed("It is down.", line)
-        breaker.worked()
+        breaker.record_failure("It is down.", line)
+        breaker.record_success()
     breaker.check("a call")
 
 
@@ -89,8 +89,8 @@ def test_calls_that_fail_beside_each_other_count_once() -> None:
     beside = [breaker.line() for _ in range(8)]
     for _ in range(2):
         for line in beside:
-            breaker.failed("It is down.", line)
+            breaker.record_failure("It is down.", line)
             breaker.check("a call")
     with pytest.raises(BackendError, match="failed 3 times"):
-        breaker.failed("It is down.", breaker.line())  # after them
+        breaker.record_failure("It is down.", breaker.line())  # after them
         breaker.check("a call")

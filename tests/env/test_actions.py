@@ -17,7 +17,7 @@ from tabletopgen_env.actions import (
     WORKSPACE,
     YAW_LEASH,
     ActionConfig,
-    checked,
+    check_action,
 )
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.robot.kinematics import rotation_vector
@@ -206,7 +206,7 @@ def test_actions_that_are_not_finite_are_refused_and_change_nothing(ready, bad, 
 )
 def test_what_is_no_number_is_refused(action) -> None:
     with pytest.raises(InputError, match="An action must be 5 real numbers, got"):
-        checked(action, ActionConfig().controller().space)
+        check_action(action, ActionConfig().controller().space)
 
 
 def test_out_of_range_actions_are_clipped(ready) -> None:

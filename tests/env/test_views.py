@@ -12,7 +12,7 @@ from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.observations.modes import slot_order
 from tabletopgen_env.rendering.config import ObservationConfig
 from tabletopgen_env.rendering.drawer import drawer
-from tabletopgen_env.rendering.point_cloud import ABOVE, point_cloud, unprojected
+from tabletopgen_env.rendering.point_cloud import ABOVE, point_cloud, unproject
 from tabletopgen_env.rendering.software import model_camera
 from tabletopgen_env.rendering.views import DEPTH_FAR, SLOTS, TABLETOP, geom_labels, pictures
 from tabletopgen_env.robot.panda import Panda
@@ -254,12 +254,12 @@ def test_a_cloud_of_nothing_is_all_padding() -> None:
 def test_pixels_and_points_are_inverse(world) -> None:
     camera = model_camera(world, "front", 12, 20)
     depth = np.linspace(0.5, 3.0, 240).reshape(12, 20)
-    points = unprojected(camera, depth)
+    points = unproject(camera, depth)
     rows, columns = np.indices(depth.shape) + 0.5
     assert np.allclose(camera.project(points), np.stack([columns, rows], -1).reshape(-1, 2))
     assert np.allclose(camera.to_camera(points)[:, 2], depth.ravel())
     depth[3, 4] = np.inf
-    assert np.isnan(unprojected(camera, depth)[3 * 20 + 4]).all()
+    assert np.isnan(unproject(camera, depth)[3 * 20 + 4]).all()
 
 
 def test_there_is_room_for_the_slots_that_the_state_has() -> None:

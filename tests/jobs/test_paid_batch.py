@@ -54,7 +54,7 @@ def test_processes_spend_one_sum_and_go_on_with_a_larger_one(tmp_path: Path) -> 
         more = run(0.1)
         assert [o.state for o in more.outcomes].count("made") == 1 and more.unpaid == ()
     assert len(server.asked) == 3
-    assert batch.shared_budget(out).spent().money == pytest.approx(0.063)
+    assert batch.shared_budget(out).total().money == pytest.approx(0.063)
     assert made(log).count("a cube 0") == 1
 
 

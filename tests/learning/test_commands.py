@@ -65,7 +65,7 @@ def test_resuming_by_the_command(trained: Path, table: str, other: str, capsys) 
     same = ("train", str(trained.parent / "tiny.toml"), "--scenes", table, "--held-out", other,
             "--out", str(trained), "--seed", "3", "--set", "envs=2")  # fmt: skip
     assert command(*same) == 2
-    assert "go on with --resume" in capsys.readouterr().err
+    assert "continue with --resume" in capsys.readouterr().err
     assert command(*same, "--resume") == 0
     assert "32 steps of tiny" in capsys.readouterr().out
 

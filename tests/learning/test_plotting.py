@@ -11,16 +11,16 @@ from PIL import Image
 
 from generator.cli import run as command
 from generator.errors import InputError, StorageError
-from tabletopgen_env.learning.evaluating import Evaluation
+from tabletopgen_env.learning.evaluating import PolicyEvaluation
 from tabletopgen_env.learning.plotting import Band, bands, draw, figure, number
-from tabletopgen_env.learning.runs import Run, begin, opened
+from tabletopgen_env.learning.runs import Run, begin, open_run
 
 
 def made(path: Path, recipe, seed: int, shares: dict[int, int]) -> Run:
     """A run that was evaluated: episodes solved of 10, by steps."""
     run = begin(path, recipe, seed)
     for steps, solved in shares.items():
-        run.add(steps, steps * 3.6, Evaluation(10, solved, 0.5, 40.0, 3))
+        run.add(steps, steps * 3.6, PolicyEvaluation(10, solved, 0.5, 40.0, 3))
     return run
 
 
@@ -45,7 +45,7 @@ def test_runs_of_other_settings_are_told_apart(small, tmp_path: Path) -> None:
     longer = made(tmp_path / "b", small(steps=999), 1, {0: 1, 100: 3})
     gamma = {"learning_starts": 20, "buffer_size": 2000, "batch_size": 16, "gamma": 0.5}
     other = made(tmp_path / "c", small(options=gamma), 0, {0: 1, 100: 9})
-    again = opened(tmp_path / "a" / ".." / "a")
+    again = open_run(tmp_path / "a" / ".." / "a")
     found = bands([one, longer, again])
     assert {name: band.runs for name, band in found.items()} == {"small-sac": 2}
     assert found["small-sac"].mean[-1] == pytest.approx(0.2)

@@ -292,5 +292,5 @@ def test_a_policy_says_which_detector_it_learned_with(small, tmp_path: Path, mon
 
 def test_what_is_said_of_a_policy_suits_a_terminal(policy, tmp_path: Path, capsys) -> None:
     path = save_policy(policy, tmp_path / "p\x1b[2J.safetensors")
-    commands._loaded(str(path), trust=False, recipe=None)
+    commands._load(str(path), trust=False, recipe=None)
     assert capsys.readouterr().out.startswith(r"p\x1b[2J.safetensors: ")

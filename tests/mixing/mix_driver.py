@@ -15,8 +15,8 @@ from backends.openai_server import CHAT, IMAGES
 from fitted_models import SIDE
 
 from generator.backends import Backends
-from generator.backends.huggingface.encoder import Encoder
-from generator.backends.huggingface.segmenter import Segmenter
+from generator.backends.huggingface.encoder import HuggingFaceEncoder
+from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
 from generator.calls import Session
 from generator.calls.http.waiting import RetryPolicy
 from generator.calls.money.prices import Price, Prices
@@ -45,8 +45,8 @@ def mix(session: Session) -> Backends:
     return Backends.select(
         "cloud",
         session=session,
-        segmenter=Segmenter("grounding-dino-tiny", tiles=1, side=SIDE, device="cpu"),
-        encoder=Encoder(side=28, device="cpu"),
+        segmenter=HuggingFaceSegmenter("grounding-dino-tiny", tiles=1, side=SIDE, device="cpu"),
+        encoder=HuggingFaceEncoder(side=28, device="cpu"),
         modeler="hunyuan3d",
     )
 

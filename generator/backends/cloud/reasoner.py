@@ -30,7 +30,7 @@ from .server.calling import Server
 
 
 @dataclass(frozen=True)
-class Reasoner:
+class CloudReasoner:
     """Answers the six questions, and the two of ``Judge`` and of ``PoseGuesser``, by a chat model.
 
     Attributes:
@@ -73,7 +73,7 @@ class Reasoner:
             worded("plan_scene", text=text, seed=str(seed)),
             (),
             PlanAnswer,
-            lambda answer: planning.planned(prompt, answer),
+            lambda answer: planning.to_plan(prompt, answer),
         )
 
     def list_objects(self, reference: Reference) -> tuple[str, ...]:

@@ -123,7 +123,7 @@ class Wire(httpx2.BaseTransport):
             ),
             headers=request.headers.raw, content=request.read(), extensions=request.extensions,
         )  # fmt: skip
-        with _translated():
+        with _raise_as_httpx2():
             answer = self._pool.handle_request(sent)
         return httpx2.Response(answer.status, headers=answer.headers, stream=_Body(answer))
 
@@ -140,7 +140,7 @@ class _Body(httpx2.SyncByteStream):
         self._answer = answer
 
     def __iter__(self) -> Iterator[bytes]:
-        with _translated():
+        with _raise_as_httpx2():
             yield from self._answer.iter_stream()
 
     def close(self) -> None:
@@ -185,7 +185,7 @@ def _proxy(address: str, trust: ssl.SSLContext) -> httpcore2.Proxy:
 
 
 @contextlib.contextmanager
-def _translated() -> Iterator[None]:
+def _raise_as_httpx2() -> Iterator[None]:
     """Raise errors of ``httpcore2`` as those of the same name of ``httpx2``."""
     try:
         yield

@@ -98,7 +98,7 @@ def exchange(
         return Trouble(told, again=True, charged=paid)
     if isinstance(reply, Trouble):
         return reply
-    return _judged(reply, paid, secrets)
+    return _judge(reply, paid, secrets)
 
 
 class _TooSlow(Exception):
@@ -159,7 +159,7 @@ def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | T
     pieces, size = [], 0
     length = response.headers.get("content-length", "")
     if not (length.isdecimal() and (len(length) > 18 or int(length) > most_bytes)):
-        for piece in _unpacked(response.iter_raw(_PIECE), packed):
+        for piece in _unpack(response.iter_raw(_PIECE), packed):
             size += len(piece)
             pieces.append(piece)
             if size > most_bytes:
@@ -174,7 +174,7 @@ def _body(response: httpx2.Response, until: float, most_bytes: int) -> Reply | T
     return Trouble(told, again=False, charged=response.is_success, alive=True, unusable=True)
 
 
-def _unpacked(raw: Iterator[bytes], packed: str) -> Iterator[bytes]:
+def _unpack(raw: Iterator[bytes], packed: str) -> Iterator[bytes]:
     """Yield a body's pieces, none of more than ``_PIECE`` bytes, as they were before packing."""
     if packed in ("", "identity"):
         yield from raw
@@ -193,7 +193,7 @@ def _unpacked(raw: Iterator[bytes], packed: str) -> Iterator[bytes]:
             raise zlib.error("the packed body ends too early")
 
 
-def _judged(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Trouble:
+def _judge(reply: Reply, paid: bool, secrets: tuple[str, ...]) -> Reply | Trouble:
     """Return the answer with its JSON, or why it is none."""
     status, again = reply.status, reply.status in _AGAIN
     head = reply.body[:_EXCERPT].lstrip().lower()

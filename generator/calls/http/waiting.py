@@ -20,7 +20,8 @@ class RetryPolicy:
     The k-th wait is drawn evenly from half to all of ``first * factor**k``, at most ``longest``.
     A server that says how long to wait (Retry-After) is obeyed up to ``obeyed``; one that asks for
     more is not waited for. After ``failures`` in a row a server is left alone for ``rest``; then
-    one call tries it. Calls that fail beside each other count as one of them: see ``Line``.
+    one call tries it. Calls that fail beside each other count as one of them: see
+    ``FailureStreak``.
 
     Raises:
         InputError: a number is out of range.
@@ -34,9 +35,9 @@ class RetryPolicy:
     rest: float = 30.0
 
     def __post_init__(self) -> None:
-        require(self, "first", "longest", "obeyed", "rest", least=0)
-        require(self, "factor", least=1)
-        require(self, "failures", least=1, whole=True)
+        require(self, "first", "longest", "obeyed", "rest", minimum=0)
+        require(self, "factor", minimum=1)
+        require(self, "failures", minimum=1, integer=True)
 
     def pause(self, k: int, share: float) -> float:
         """Return the wait after the k-th failure, k from 0; ``share`` in [0, 1] is the draw."""
@@ -70,7 +71,7 @@ def retry_after(text: str | None, now: datetime | None = None) -> float | None:
 
 
 @dataclass
-class Line:
+class FailureStreak:
     """The failures in a row that one call stands at the end of: earlier calls' and its own.
 
     Of calls at once each has a line of its own, so that one bad moment of a server, which befalls
@@ -115,18 +116,18 @@ class Breaker:
                 )
             self._closed_again = self._clock() + self._policy.rest  # others wait for this one
 
-    def line(self) -> Line:
+    def line(self) -> FailureStreak:
         """Return the line of a call that begins now."""
         with self._lock:
-            return Line(self._turn, self._failures)
+            return FailureStreak(self._turn, self._failures)
 
-    def worked(self) -> None:
+    def record_success(self) -> None:
         """Hear that a call was answered."""
         with self._lock:
             self._failures = 0
             self._turn += 1
 
-    def failed(self, reason: str, line: Line) -> None:
+    def record_failure(self, reason: str, line: FailureStreak) -> None:
         """Hear that the call of a line was not; ``reason`` is a sentence for messages."""
         with self._lock:
             if line.turn != self._turn:

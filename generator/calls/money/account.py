@@ -13,7 +13,7 @@ from typing import Any
 from ...errors import BudgetError, StorageError
 from ...io.files import write_whole
 from .budget import SharedBudget
-from .entries import Entry, Row, rows_of, table
+from .entries import Entry, LedgerRow, rows_of, table
 from .prices import Prices
 from .spending import Spending
 
@@ -50,7 +50,7 @@ class Account:
             StorageError: the file is there, and cannot be read.
             InputError: what was spent was in another currency.
         """
-        entries = [_priced(entry, prices) for entry in spending.earlier()]
+        entries = [_price(entry, prices) for entry in spending.earlier()]
         with self._lock:
             self._spending = spending
             self._entries[:0] = entries
@@ -207,7 +207,7 @@ class Account:
                 if str(error) not in self._notes:
                     self._notes.append(str(error))
 
-    def summary(self) -> tuple[Row, ...]:
+    def summary(self) -> tuple[LedgerRow, ...]:
         """Return a row for each question, server and model, in the order first asked."""
         return rows_of(self.entries)
 
@@ -242,7 +242,7 @@ class Account:
         return path
 
 
-def _priced(entry: Entry, prices: Prices | None) -> Entry:
+def _price(entry: Entry, prices: Prices | None) -> Entry:
     """Return an answer of unknown price with that of its model, if that is known by now."""
     if entry.money is not None or entry.outcome != "answered" or prices is None:
         return entry

@@ -12,7 +12,7 @@ from typing import Any
 
 from ...errors import BudgetError, InputError, StorageError
 from ...io.reading import is_count, is_number, printable
-from .database import FILE, LOCAL, Keeper, NoDatabaseError, T, damaged, is_alive
+from .database import FILE, LOCAL, Keeper, NoDatabaseError, T, damage_error, is_alive
 
 _MAX_HELD = 10_000  # calls under way at once
 
@@ -66,22 +66,22 @@ class SharedBudget:
             )
         return cls(home, known.mark)
 
-    def spent(self) -> Spent:
+    def total(self) -> Spent:
         """Return what was spent; reservations of processes that have ended are.
 
         Raises:
             StorageError: here the folder is not the one that the budget was opened in.
         """
-        return self._transact(_spent)
+        return self._transact(_total)
 
     @contextlib.contextmanager
     def spending(self) -> Iterator[SharedBudget]:
         """Yield it for one process, whose threads may reserve and settle at once.
 
         Raises:
-            StorageError: as of ``spent``.
+            StorageError: as of ``total``.
         """
-        self.spent()
+        self.total()
         with self.keeper.owning(self.folder) as owner:
             yield replace(self, owner=owner)
 
@@ -125,7 +125,7 @@ def _open(database: sqlite3.Connection, folder: Path, currency: str) -> Spent:
     return _read(database, folder)
 
 
-def _spent(database: sqlite3.Connection, shared: SharedBudget) -> Spent:
+def _total(database: sqlite3.Connection, shared: SharedBudget) -> Spent:
     """Return what was spent, reservations of dead owners included."""
     if _read(database, shared.folder).mark != shared.mark:
         raise _elsewhere(shared.folder)
@@ -145,7 +145,7 @@ def _reserve(
     budget: float | None,
     what: str,
 ) -> int | None:
-    spent, asked = _spent(database, shared), maximum or 0.0
+    spent, asked = _total(database, shared), maximum or 0.0
     if budget is not None and spent.unpriced:
         raise BudgetError(
             f"{what}: not sent, for {spent.unpriced} calls of earlier runs into this folder have "
@@ -167,7 +167,7 @@ def _reserve(
 def _settle(
     database: sqlite3.Connection, shared: SharedBudget, number: int, money: float | None
 ) -> None:
-    _spent(database, shared)
+    _total(database, shared)
     _spend(database, number, money)
 
 
@@ -198,7 +198,7 @@ def _read(database: sqlite3.Connection, folder: Path) -> Spent:
         if len(rows) > 1 or len(held) > _MAX_HELD:
             raise StorageError(f"It has {len(rows)} budgets and {len(held)} calls under way.")
     except StorageError as error:
-        raise damaged(folder / FILE, str(error)) from error
+        raise damage_error(folder / FILE, str(error)) from error
     return Spent(mark, currency, money, unpriced, sum(amounts))
 
 

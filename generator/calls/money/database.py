@@ -95,7 +95,7 @@ class LocalKeeper:
             finally:
                 remove_file(folder, new.name)
         except (OSError, sqlite3.Error) as error:
-            raise _refused(folder / FILE, str(error)) from error
+            raise _refusal(folder / FILE, str(error)) from error
 
     def transact(self, folder: Path, operation: Callable[..., T], *args: Any) -> T:
         """Return ``operation(connection, *args)``, done in one transaction.
@@ -106,7 +106,7 @@ class LocalKeeper:
         """
         path = folder / FILE
         try:
-            with _connected(path) as database:
+            with _transaction(path) as database:
                 result = operation(database, *args)
                 database.execute("COMMIT")
                 return result
@@ -116,10 +116,10 @@ class LocalKeeper:
             raise
         except sqlite3.DatabaseError as error:
             if not isinstance(error, sqlite3.OperationalError) or "decode" in str(error):
-                raise damaged(path, f"{error}.") from error
-            raise _refused(path, str(error)) from error
+                raise damage_error(path, f"{error}.") from error
+            raise _refusal(path, str(error)) from error
         except OSError as error:
-            raise _refused(path, error.strerror or str(error)) from error
+            raise _refusal(path, error.strerror or str(error)) from error
 
     @contextlib.contextmanager
     def owning(self, folder: Path, name: str | None = None) -> Iterator[str]:
@@ -144,7 +144,7 @@ def is_alive(folder: Path, name: str) -> bool:
         StorageError: the name, which a database holds, is no owner's.
     """
     if not _NAME.fullmatch(name):
-        raise damaged(folder / FILE, f"{name!r:.80} is no spender: they have 16 hex digits.")
+        raise damage_error(folder / FILE, f"{name!r:.80} is no spender: they have 16 hex digits.")
     lock = _owners_of(folder) / f"{name}.lock"
     with contextlib.suppress(Timeout):
         if lock.exists():
@@ -164,7 +164,7 @@ def _refuse_old(folder: Path) -> None:
             )
 
 
-def damaged(path: Path, why: str) -> StorageError:
+def damage_error(path: Path, why: str) -> StorageError:
     """Return the error of a database that does not say what was spent, and why."""
     return StorageError(
         f"{path} does not say what was spent: {why} It is left as it is. Restore it, choose "
@@ -172,7 +172,7 @@ def damaged(path: Path, why: str) -> StorageError:
     )
 
 
-def _refused(path: Path, why: str) -> StorageError:
+def _refusal(path: Path, why: str) -> StorageError:
     return StorageError(
         f"What was spent cannot be read or written ({path}: {why}). Free space there, see who uses "
         "it, or choose another folder."
@@ -187,7 +187,7 @@ def _owners_of(folder: Path) -> Path:
 
 
 @contextlib.contextmanager
-def _connected(path: Path) -> Iterator[sqlite3.Connection]:
+def _transaction(path: Path) -> Iterator[sqlite3.Connection]:
     """Begin a transaction on a database; it is rolled back unless it is committed.
 
     Nothing else may open and close the file: that would drop the locks that SQLite holds on it.
@@ -206,7 +206,7 @@ def _connected(path: Path) -> Iterator[sqlite3.Connection]:
         database.execute("BEGIN IMMEDIATE")
         tables = [sql for (sql,) in database.execute("SELECT sql FROM sqlite_master LIMIT 9")]
         if sorted(map(str, tables)) != sorted(TABLES):
-            raise damaged(path, f"It has other tables: {tables!r:.200}.")
+            raise damage_error(path, f"It has other tables: {tables!r:.200}.")
         yield database
 
 
@@ -215,7 +215,7 @@ def _check_file(path: Path) -> None:
     if not stat.S_ISREG(status.st_mode):
         raise StorageError(f"{path} is not a regular file. Choose another folder.")
     if status.st_size > _MAX_BYTES:
-        raise damaged(path, f"It has {status.st_size} bytes; at most {_MAX_BYTES} are read.")
+        raise damage_error(path, f"It has {status.st_size} bytes; at most {_MAX_BYTES} are read.")
 
 
 def _check_journal(path: Path) -> None:
@@ -225,4 +225,4 @@ def _check_journal(path: Path) -> None:
         with path.open("rb") as file:
             file.seek(max(0, path.lstat().st_size - len(_SUPER_JOURNAL)))
             if file.read() == _SUPER_JOURNAL:
-                raise damaged(path, "It names another file.")
+                raise damage_error(path, "It names another file.")

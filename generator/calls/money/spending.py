@@ -18,8 +18,8 @@ from typing import Any, get_args
 
 from ...errors import InputError, StorageError
 from ...io.reading import is_count, is_number, parse_object
-from ..http.redaction import redacted
-from .database import FILE, LOCAL, Keeper, NoDatabaseError, damaged
+from ..http.redaction import redact
+from .database import FILE, LOCAL, Keeper, NoDatabaseError, damage_error
 from .entries import Entry, Outcome
 
 
@@ -79,7 +79,7 @@ class Spending:
             StorageError: the disk refuses.
         """
         told = {"key": key, "time": round(time.time(), 3), "currency": self.currency}
-        facts = redacted(json.dumps({**told, **dataclasses.asdict(entry)}))
+        facts = redact(json.dumps({**told, **dataclasses.asdict(entry)}))
         self.keeper.create(self.folder)
         return self.keeper.transact(self.folder, _write, self.scene, facts, call)
 
@@ -107,10 +107,10 @@ def _read(facts: Any, path: Path) -> tuple[str, Entry]:
     try:
         told = parse_object(str(facts).encode(), "A call", StorageError)
     except (StorageError, UnicodeError) as error:
-        raise damaged(path, str(error)) from error
+        raise damage_error(path, str(error)) from error
     fine = {name: value for name, value in told.items() if name in _FITS and _FITS[name](value)}
     if not {"currency", "server", "question", "money"} <= set(fine):
-        raise damaged(path, f"A call has the values {sorted(told)!r:.200}.")
+        raise damage_error(path, f"A call has the values {sorted(told)!r:.200}.")
     known = {f.name for f in dataclasses.fields(Entry)}
     entry = Entry(**{name: value for name, value in fine.items() if name in known})
     return fine["currency"], dataclasses.replace(entry, earlier=True)

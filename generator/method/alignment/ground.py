@@ -43,7 +43,7 @@ def boxes_on_ground(
         low, high = tops.get(rank[name].on, (0.0, 0.0))
         floor = low + _INSIDE * (high - low) if rank[name].inside else high
         yaw = rotations[name].yaw if name in rotations else 0.0
-        found = _stood(shown[name], models[name], yaw, floor, eye)
+        found = _stand(shown[name], models[name], yaw, floor, eye)
         if found is not None:
             boxes[name], tall = found
             tops[name] = floor, floor + tall
@@ -73,7 +73,7 @@ def table_on_ground(
     return np.array([points[:, 0].min(), points[:, 0].max(), -points[:, 1].max()])
 
 
-def _stood(
+def _stand(
     thing: Instance, model: Model, yaw: float, floor: float, eye: Camera
 ) -> tuple[Float[np.ndarray, "4"], float] | None:
     """Return a thing's box from above and its height, both in units of the camera's height."""

@@ -45,8 +45,10 @@ def complete_boxes(
     for row, column in zip(rows, columns, strict=True):
         boxes[missing[row].name] = things[column].box
     extra = len(things) - len(columns)
-    told = (f"The top view shows {extra} more than the picture; left out.",) if extra > 0 else ()
-    return replace(top, table_box=table, boxes=boxes), told
+    messages = (
+        (f"The top view shows {extra} more than the picture; left out.",) if extra > 0 else ()
+    )
+    return replace(top, table_box=table, boxes=boxes), messages
 
 
 def _cost(

@@ -61,12 +61,12 @@ def refine_scene(
     than two objects, which cannot tell where the camera stands, is left as it is.
     """
     config = config or RefinementConfig()
-    shown = _shown(instances)
+    shown = _shown_instances(instances)
     moving = [p for p in placements if p.name in shown]
     if len(moving) < 2 or not config.steps:
         return Refinement(tuple(placements), 0.0, 0.0)
 
-    def measured(placed: Sequence[Placement]) -> Float[np.ndarray, "n"]:
+    def measure(placed: Sequence[Placement]) -> Float[np.ndarray, "n"]:
         there = [p for p in placed if p.name in shown]
         posed = make_posed(
             [models[p.name].mesh for p in there], [p.scale for p in there],
@@ -82,8 +82,8 @@ def refine_scene(
         steps = descend(problem, camera, config)
         carries = problem.links.carries.numpy().astype(float)
         for _ in range(2):
-            found = _moved(placements, moving, steps, carries, models, float(table_scale[2]))
-            after = measured(found)
+            found = _move(placements, moving, steps, carries, models, float(table_scale[2]))
+            after = measure(found)
             worse = after > start + _WORSE
             if not worse.any():
                 break
@@ -108,7 +108,7 @@ def outline_misfit(
     table, and what shows nothing, are left out.
     """
     config = config or RefinementConfig()
-    shown = _shown(instances)
+    shown = _shown_instances(instances)
     there = [o for o in objects if o.name in shown]
     if not there:
         return 1.0
@@ -116,25 +116,25 @@ def outline_misfit(
         things = [shown[o.name] for o in there]
         seen = make_seen(things, list(shown.values()), view, image_size, config)
         posed = make_posed(
-            [_rested(o) for o in there], [np.ones(3)] * len(there), [0.0] * len(there),
+            [_resting_mesh(o) for o in there], [np.ones(3)] * len(there), [0.0] * len(there),
             np.array([o.pose.position for o in there]), config, seed,
         )  # fmt: skip
         found, _ = misfits(seen, posed, config)
     return float((found.sum() + len(shown) - len(there)) / len(shown))
 
 
-def _shown(instances: Sequence[Instance]) -> dict[str, Instance]:
+def _shown_instances(instances: Sequence[Instance]) -> dict[str, Instance]:
     return {i.name: i for i in instances if i.name != TABLE and (i.crop[..., 3] > 127).any()}
 
 
-def _rested(thing: Object) -> Mesh:
+def _resting_mesh(thing: Object) -> Mesh:
     """Return an object's mesh in metres, turned as it rests."""
     mesh = thing.model.mesh
     turn = quaternion_matrix(thing.pose.quaternion)
     return replace(mesh, vertices=(mesh.vertices * thing.scale) @ turn.T)
 
 
-def _moved(
+def _move(
     placements: Sequence[Placement],
     moving: Sequence[Placement],
     steps: Float[np.ndarray, "n 4"],

@@ -36,7 +36,7 @@ def cartoon(
     return flat * (1 - line) + rng.uniform(0, 60) * line
 
 
-def developed(
+def develop(
     rng: np.random.Generator, image: Float[np.ndarray, "h w 3"], clean: bool
 ) -> UInt8[np.ndarray, "h w 3"]:
     """Return the picture as a camera would give it; a ``clean`` one keeps its white white."""

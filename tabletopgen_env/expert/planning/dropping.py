@@ -59,7 +59,7 @@ class Drop:
 
         What is let go no longer counts, nor does a goal that moves when the hand is down there.
         """
-        left, right, _ = world.touched(self._target)
+        left, right, _ = world.touches(self._target)
         if not (left and right):
             return
         place, tool = self._place, world.data.site_xpos[world.tcp]
@@ -124,7 +124,7 @@ def met(world: World, goal: Goal) -> bool:
 def lost(world: World, goal: Goal) -> bool:
     """Return whether the goal's target lies still and let go, but not as the goal asks."""
     assert goal.target is not None
-    still = not world.touched(goal.target)[2] and at_rest(world, goal.target)
+    still = not world.touches(goal.target)[2] and at_rest(world, goal.target)
     return still and not met(world, goal)
 
 

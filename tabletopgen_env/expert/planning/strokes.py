@@ -17,7 +17,7 @@ from generator.scene import ConvexPart
 
 from ..arm import stretch, turn_left, wrist_is_free
 from .grasps import TIP
-from .heights import HeightMap, height_map, moved, surroundings
+from .heights import HeightMap, height_map, move_parts, surroundings
 
 if TYPE_CHECKING:
     from ...world.world import World
@@ -92,7 +92,9 @@ def plan_stroke(
     length = float(np.linalg.norm(way))
     ahead = way / max(length, 1e-9)
     bearing = float(np.arctan2(ahead[1], ahead[0]))
-    parts = moved(world.scene.object(target).parts, world.position(target), world.rotation(target))
+    parts = move_parts(
+        world.scene.object(target).parts, world.position(target), world.rotation(target)
+    )
     com = mass_center(world, target)[:2]
     others = others or beside(world, target)
     own = _tops(parts)

@@ -26,7 +26,7 @@ REST = 60.0
 
 
 @dataclass(frozen=True)
-class Pace:
+class RenewalPace:
     """How often a scene is renewed: so many a minute, or one every so many draws."""
 
     per_minute: float | None
@@ -63,7 +63,7 @@ class ScenePool:
         fresh: FreshScenes,
         size: int,
         initial: FixedScenes | None,
-        pace: Pace,
+        pace: RenewalPace,
         workers: int,
         seed: int,
     ) -> None:

@@ -15,7 +15,7 @@ from generator.errors import InputError, SceneError, choices
 from generator.language.distribution import SceneDistribution
 from generator.scene import Scene, ScenePlan
 
-from ..splitting import Rule, kinds_of, scene_kinds
+from ..splitting import SplitRule, kinds_of, scene_kinds
 
 COMPOSE, GENERATE = "compose", "generate"
 
@@ -45,7 +45,7 @@ class SceneRecipe:
     what: str | SceneDistribution
     seed: int
     making: str = COMPOSE
-    rules: tuple[Rule, ...] = ()
+    rules: tuple[SplitRule, ...] = ()
 
     @property
     def identity(self) -> str:
@@ -97,11 +97,11 @@ class SceneRecipe:
             SceneError: no sound scene of the right side came of any attempt.
         """
         make = maker(self.making)
-        what = self.plan() if self.making == COMPOSE else self._given()
+        what = self.plan() if self.making == COMPOSE else self._input()
         failures: list[str] = []
         for attempt in range(ATTEMPTS):
             try:
-                return self._checked(make(what, self.seed + attempt * MOST_SEEDS))
+                return self._check(make(what, self.seed + attempt * MOST_SEEDS))
             except SceneError as error:
                 failures.append(str(error))
         raise SceneError(
@@ -109,10 +109,10 @@ class SceneRecipe:
             + " ".join(dict.fromkeys(failures))
         )
 
-    def _given(self) -> str | ScenePlan:
+    def _input(self) -> str | ScenePlan:
         return self.what if isinstance(self.what, str) else self.plan()
 
-    def _checked(self, scene: Scene) -> Scene:
+    def _check(self, scene: Scene) -> Scene:
         """Return the scene if it is what the rules ask for; what is planned may turn out else."""
         found = scene_kinds(scene)
         for rule in self.rules:

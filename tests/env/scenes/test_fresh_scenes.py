@@ -14,7 +14,7 @@ from generator.errors import InputError, SceneError
 from generator.language.distribution import SceneDistribution
 from generator.scene import Report, Scene, ScenePlan
 from tabletopgen_env.env import make_env
-from tabletopgen_env.scenes import FreshScenes, Rule, SceneRecipe
+from tabletopgen_env.scenes import FreshScenes, SceneRecipe, SplitRule
 
 LAB = SceneDistribution(themes=("lab",), objects=(2, 3))
 
@@ -71,7 +71,7 @@ def test_another_distribution_and_another_making_are_other_scenes() -> None:
 
 
 def test_a_recipe_survives_json_and_pickle() -> None:
-    rules = (Rule("train", "category", categories=("mug",)), Rule("held_out", share=0.3))
+    rules = (SplitRule("train", "category", categories=("mug",)), SplitRule("held_out", share=0.3))
     for recipe in (
         SceneRecipe("a desk", 3, "generate", rules),
         SceneRecipe(LAB, 4, rules=rules[1:]),

@@ -27,12 +27,12 @@ from tabletopgen_env.scenes import (
     FixedScenes,
     FreshScenes,
     RefreshingScenes,
-    Rule,
     SceneDistribution,
+    SplitRule,
 )
 from tabletopgen_env.scenes.finding import fixed_scenes
 from tabletopgen_env.scenes.making.background import Background
-from tabletopgen_env.scenes.making.pool import Pace
+from tabletopgen_env.scenes.making.pool import RenewalPace
 
 
 def initial(count: int = 3) -> FixedScenes:
@@ -150,8 +150,8 @@ def test_a_text_that_cannot_be_planned_is_an_error_at_the_first_draw() -> None:
 
 
 def test_what_is_due() -> None:
-    assert [Pace(None, 3).due(k, 99.0) for k in range(7)] == [0, 0, 0, 1, 0, 0, 1]
-    assert Pace(6.0, None).due(5, 20.0) == 2.0
+    assert [RenewalPace(None, 3).due(k, 99.0) for k in range(7)] == [0, 0, 0, 1, 0, 0, 1]
+    assert RenewalPace(6.0, None).due(5, 20.0) == 2.0
 
 
 @pytest.mark.parametrize(
@@ -337,7 +337,7 @@ def test_a_process_that_cannot_start_is_a_failure_like_any_other(pool, monkeypat
 
 
 def test_what_cannot_be_ordered_is_not_looked_for_at_every_draw(pool) -> None:
-    neither = (Rule("train"), Rule("held_out"))
+    neither = (SplitRule("train"), SplitRule("held_out"))
     fresh = FreshScenes("x", making="makers:toy", rules=neither)
     source, rng = RefreshingScenes(fresh, size=9, initial=initial()), np.random.default_rng(0)
     with pytest.warns(RuntimeWarning, match="None of 1000 drawn scenes is for 'train'.*'held_out'"):

@@ -14,7 +14,7 @@ from ....render.contact import Body
 from ....render.picture import TOP_DOWN
 from ....render.raster import Item, place, render
 from ....scene import TABLE, Instance, Model, Reference, Rotation, TopView, View
-from ..depth.seating import seated
+from ..depth.seating import seat
 from ..layout.survey import floor_of, stacking_of, survey
 from ..plane.measure import measured_extent, whole_box
 from ..plane.plane import TablePlane
@@ -64,7 +64,7 @@ def top_view(
                 fitted[thing.name] = fit_model(thing, model, yaw, plane, floor)
             else:
                 others = covered & ~np.asarray(thing.mask)
-                fitted[thing.name] = seated(model, yaw, floor, solid, others, plane)
+                fitted[thing.name] = seat(model, yaw, floor, solid, others, plane)
             footprints[thing.name] = fitted[thing.name].footprint
         else:
             extent, middle = measured_extent(np.asarray(thing.mask), plane)

@@ -25,7 +25,7 @@ from generator.calls.money.database import FILE, TABLES
 from generator.calls.money.entries import Entry
 from generator.calls.money.prices import Prices
 from generator.calls.money.spending import Spending
-from generator.calls.store import Answer, CallStore
+from generator.calls.store import CallStore, StoredAnswer
 from generator.errors import InputError, TabletopError
 from generator.jobs import running as batch_running
 from generator.jobs.place import PLACE
@@ -248,12 +248,12 @@ def budgets(rng: random.Random, folder: Path) -> Run:
 
     def spend() -> None:
         shared = SharedBudget.open(place, "USD")
-        shared.spent()
+        shared.total()
         with shared.spending() as spender:
             reservation = spender.reserve(0.5, budget, "a call")
             if reservation is not None:
                 spender.settle(reservation, 0.25)
-        shared.spent()
+        shared.total()
 
     return lambda: accepts(spend, lambda: batch.shared_budget(folder / "batch"))
 
@@ -272,7 +272,7 @@ def ledgers(rng: random.Random, folder: Path) -> Run:
     spending = Spending(folder / "calls", "scene")
     content = _database(rng, calls=[(None, "scene", row) for row in rng.sample(told, len(told))])
     put(spending.path, content, rng)
-    prices = Prices.shipped()
+    prices = Prices.default()
 
     def read() -> None:
         account = Account()
@@ -377,7 +377,7 @@ def calls(rng: random.Random, folder: Path) -> Run:
             if found is not None:
                 found.body.decode("latin-1")
                 assert isinstance(found.status, int) and isinstance(found.content_type, str)
-            store.put(key, Answer(200, "text/plain", b"x" * 50))
+            store.put(key, StoredAnswer(200, "text/plain", b"x" * 50))
             store.get(key)
         len(store)
         store.size()

@@ -228,12 +228,12 @@ def run_folders(rng: random.Random, folder: Path) -> Run:
         (place / "checkpoint-99").symlink_to(rng.choice(("../../../precious", ".", "nowhere")))
 
     def restore() -> None:
-        run = runs.opened(place)
+        run = runs.open_run(place)
         run.rows()
         run.restore(_model())
 
     def plot() -> None:
-        run = runs.opened(place)
+        run = runs.open_run(place)
         plotting.draw(plotting.bands([run]), "steps")
 
     def begin() -> None:
