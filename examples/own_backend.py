@@ -1,4 +1,4 @@
-"""Your own backend: a class that answers one of the stages' questions in its own way.
+"""A custom backend: a class that implements one of the backend protocols.
 
 This modeler makes every object a box of its commonsense size in the crop's mean colour. Any class
 with the methods of a protocol in ``generator.backends.protocols`` can be passed in.
@@ -22,7 +22,7 @@ FACES = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 
 
 @dataclass(frozen=True)
 class BoxModeler:
-    """Answers the modeler's one question with a box; leaves the table to the embedded modeler."""
+    """Models every object as a box; leaves the table to the embedded modeler."""
 
     revision: str = "1"
 

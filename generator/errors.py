@@ -1,4 +1,4 @@
-"""The errors this project raises on purpose: one base class, its five children, and theirs.
+"""The errors this project raises on purpose, below one base class.
 
 Each message says what was wrong, what exists instead, and what to do: ``choices`` helps with names,
 ``require`` with the numbers of settings.
@@ -16,7 +16,7 @@ from collections.abc import Iterable
 class TabletopError(Exception):
     """Base of every error the project raises on purpose; catch this to catch them all.
 
-    Its text can be shown on a terminal, whatever foreign text it quotes.
+    Its text is safe to print on a terminal: control characters in quoted text are escaped.
     """
 
     def __str__(self) -> str:
@@ -32,19 +32,19 @@ class BackendError(TabletopError, RuntimeError):
 
 
 class UnusableError(BackendError):
-    """A backend answered, and its answer is of no use; asked again it may answer otherwise."""
+    """A backend gave an unusable answer; another attempt may succeed."""
 
 
 class BudgetError(BackendError):
-    """A call was not sent since it might cost more than is left of the budget."""
+    """A call was not sent because it might exceed the budget."""
 
 
 class DryRunError(BackendError):
-    """A call was not sent since nothing is to be sent; the message says what would have been."""
+    """A dry run sends no calls; the message lists what would have been sent."""
 
 
 class StoppedError(BackendError):
-    """A call was not sent, or not tried again, since the session was stopped."""
+    """A call was not sent, or not retried, because the session was stopped."""
 
 
 class BundleError(TabletopError, RuntimeError):
@@ -52,7 +52,7 @@ class BundleError(TabletopError, RuntimeError):
 
 
 class MissingError(BundleError):
-    """There is no bundle there, or none any more: another process removed it."""
+    """The bundle does not exist, or another process removed it."""
 
 
 class StorageError(TabletopError, OSError):
@@ -73,11 +73,11 @@ EXIT_CODES: tuple[tuple[type[TabletopError], int], ...] = (
     (StorageError, 5),
     (SceneError, 6),
 )
-"""What the commands end with, by kind of error."""
+"""Exit codes of the commands by kind of error."""
 
 
 def exit_code(error: TabletopError) -> int:
-    """Return what a command ends with after an error."""
+    """Return the exit code of a command that failed with an error."""
     return next(code for kind, code in EXIT_CODES if isinstance(error, kind))
 
 
@@ -105,7 +105,7 @@ def require(
     pass.
 
     Raises:
-        InputError: one is not.
+        InputError: a value is no number or out of range.
     """
     for name in names:
         require_number(
@@ -127,7 +127,7 @@ def require_number(
     """Check one number as ``require`` does; ``needs`` begins the message: "certify needs episodes".
 
     Raises:
-        InputError: it is none, or out of range.
+        InputError: the value is no number or out of range.
     """
     kind = numbers.Integral if integer else numbers.Real
     low, high = f" >= {minimum:g}" if minimum is not None else "", ""
@@ -146,7 +146,7 @@ def require_number(
 
 
 def require_seed(seed: object, maximum: int = MAX_SEED) -> None:
-    """Check a seed: the one rule for all commands and functions.
+    """Check a seed; all commands and functions share this rule.
 
     Raises:
         InputError: it is no whole number from 0 to ``maximum``, the largest that what it seeds
@@ -158,7 +158,7 @@ def require_seed(seed: object, maximum: int = MAX_SEED) -> None:
 
 
 def _as_float(value: object) -> float:
-    """Return a number as a float, infinite where it is too large for one."""
+    """Return a number as a float; infinity if it is too large."""
     try:
         return float(value)  # type: ignore[arg-type]
     except OverflowError:

@@ -1,4 +1,4 @@
-"""Candidate places for one object, and how good each is."""
+"""Candidate places for one object, and their costs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _SIGHT = 0.7  # cotangent of the 55 degrees from which the table is seen
 
 @dataclass(frozen=True, eq=False)
 class Neighbour:
-    """Something that already has its place."""
+    """An object that is already placed."""
 
     shape: Footprint
     center: Float[np.ndarray, "2"]

@@ -1,4 +1,4 @@
-"""Things on and in other things: a body lowered onto what is below it, by their real surfaces."""
+"""Stacking: a body is lowered onto the real surface of what is below it."""
 
 from __future__ import annotations
 

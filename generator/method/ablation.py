@@ -1,6 +1,6 @@
-"""Sec. 4.3, ablations: the reasoner asked for the numbers themselves, in place of a stage.
+"""Sec. 4.3, ablations: the reasoner gives the numbers in place of a stage.
 
-Without DRO it says the rotations (here); without TSA it says places and sizes
+Without DRO it gives the rotations (here); without TSA, places and sizes
 (``method.alignment.direct``).
 """
 
@@ -22,7 +22,7 @@ def pose_guesser(reasoner: Reasoner) -> PoseGuesser:
     """Return the reasoner as one that can be asked for poses.
 
     Raises:
-        BackendError: it cannot.
+        BackendError: the reasoner cannot.
     """
     if isinstance(reasoner, PoseGuesser):
         return reasoner
@@ -41,7 +41,7 @@ def ask_rotations(
     view: View,
     guesser: PoseGuesser,
 ) -> dict[str, Rotation]:
-    """Return the yaw of every instance but the table as the reasoner says it; no loss is known.
+    """Return the yaw that the reasoner gives for every instance but the table, without a loss.
 
     Raises:
         BackendError: an answer is missing, or no finite angle.

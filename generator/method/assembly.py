@@ -124,10 +124,9 @@ def assemble(
 def reassemble(
     wanted: Scene, arranged: Scene, fresh: Collection[str], config: AssemblyConfig | None = None
 ) -> Scene:
-    """Settle and judge a scene again of which some things are new, or elsewhere.
+    """Settle and judge a scene again after things were added or moved.
 
-    What is not new stays as it is: no foot is put under it, and where settling does not move it,
-    it keeps its pose to the bit.
+    Things that are not new get no foot, and keep their pose bit for bit unless settling moves them.
 
     Args:
         wanted: the scene with everything where it was asked to be.
@@ -145,7 +144,7 @@ def reassemble(
 
 
 def arrange(scene: Scene, config: AssemblyConfig) -> tuple[Scene, tuple[str, ...]]:
-    """Free a scene of overlaps: stand, separate, stack, separate again, at last relocate.
+    """Remove overlaps from a scene: stand, separate, stack, separate again, and finally relocate.
 
     Returns the scene and the names of objects for which there is no free place.
     """
@@ -228,7 +227,7 @@ def _model(models: Mapping[str, Model], name: str) -> Model:
 
 
 def _check_supports(placements: Sequence[Placement]) -> Sequence[Placement]:
-    """Check that what things stand on is there, and that no thing stands on itself."""
+    """Check that every support exists, and that no thing stands on itself."""
     on = {p.name: p.on for p in placements}
     for name, below in on.items():
         seen = {name}
@@ -246,7 +245,7 @@ def _check_supports(placements: Sequence[Placement]) -> Sequence[Placement]:
 
 
 def _find_toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]:
-    """Return what leans too far, though it should stand, and what left the table."""
+    """Return things that lean too far though they should stand, and things that left the table."""
     simulation = Simulation(scene)
     simulation.place(poses)
     simulation.contacts()
@@ -259,7 +258,7 @@ def _find_toppled(scene: Scene, poses: Sequence[Pose], limit: float) -> set[str]
 
 
 def _again(scene: Scene, config: AssemblyConfig) -> Scene:
-    """Let a scene settle on, shaken by more than the gate leans it unless that topples a thing."""
+    """Settle a scene further, shaken by more than the gate's lean unless that topples a thing."""
     down = _find_toppled(scene, [o.pose for o in scene.objects], config.topple)
     for shake in (_SHAKE * config.limits.lean, 0.0):
         poses = settle(scene, config.settle_seconds, config.settle_seconds / 4, shake)
@@ -269,7 +268,7 @@ def _again(scene: Scene, config: AssemblyConfig) -> Scene:
 
 
 def _keep_unmoved(arranged: Scene, rested: Scene, fresh: Collection[str]) -> Scene:
-    """Return the scene at rest with what is not new, and has not moved, just as it was."""
+    """Return the scene at rest; things that are neither new nor moved keep their exact pose."""
     poses = [[o.pose for o in scene.objects] for scene in (arranged, rested)]
     moved = (shift_distances(*poses) > _STAYS[0]) | (turn_angles(*poses) > _STAYS[1])
     triples = zip(arranged.objects, rested.objects, moved, strict=True)
@@ -321,7 +320,7 @@ def _record(
     config: AssemblyConfig,
     may: Collection[str] | None = None,
 ) -> Scene:
-    """Judge the scene; where something does not hold, let it settle on from there, shaken.
+    """Judge the scene; if it fails the gate, let it settle further, shaken.
 
     What stands, but topples as gravity leans, gets a weighted foot if it ``may``.
     """

@@ -1,4 +1,4 @@
-"""Instance extraction (Sec. 3.1): list what is there, segment it, complete each thing."""
+"""Instance extraction (Sec. 3.1): list the things, segment them, complete each one."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _APART = 1_000_003  # between the seeds of two drawings
 
 @dataclass(frozen=True)
 class ExtractionConfig:
-    """``drawings``: how often a plan is drawn at most, until all that it asks for shows.
+    """``drawings``: the largest number of times a plan is drawn until all planned things show.
 
     Raises:
         InputError: not a whole number from 1.
@@ -62,7 +62,7 @@ def extract(
     for k in range(1, (config or ExtractionConfig()).drawings):
         if plan is None or len(found.things) >= len(plan.objects):
             break
-        with contextlib.suppress(SceneError):  # a drawing of no use; the one before stays
+        with contextlib.suppress(SceneError):  # an unusable drawing; keep the previous one
             drawn = dataclasses.replace(reference, image=imager.draw(plan, seed + _APART * k))
             again = _find(drawn, reasoner, segmenter)
             if again.tables and len(again.things) > len(found.things):
@@ -78,7 +78,7 @@ class _Found:
     things: tuple[Detection, ...]
 
     def check(self) -> tuple[Detection, ...]:
-        """Return the largest table and the things, or say what is missing."""
+        """Return the largest table and the things; raise if either is missing."""
         if not self.tables:
             raise SceneError(
                 "No table found in the picture. Show the whole tabletop on a plain, light ground."

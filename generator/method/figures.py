@@ -22,7 +22,7 @@ from .alignment import Alignment
 
 
 class Stagewise(Protocol):
-    """A ``Generation``, as its figures see it."""
+    """The part of a ``Generation`` that the figures need."""
 
     @property
     def reference(self) -> Reference: ...  # noqa: D102

@@ -17,7 +17,7 @@ Steps = Sequence[tuple[str, int]]
 """Turns about the fixed axes "x", "y" or "z", in degrees, applied in order."""
 
 SQUARISH = 1.15
-"""Below this ratio of length to width, which is which is left open."""
+"""Below this ratio of length to width, the two are not told apart."""
 
 STRETCH = 1.8
 """A measured size changes a model's proportions by at most this factor."""

@@ -30,7 +30,7 @@ DepthSource = str | Path | bytes | np.ndarray
 16-bit PNG of millimetres (a path, or its bytes). 0, NaN and infinity mean unknown."""
 
 FORMATS = ("PNG", "JPEG", "WEBP", "BMP", "TIFF", "GIF")
-"""What pictures may come as; nothing that starts another program to be read."""
+"""Accepted picture formats; none starts another program to be read."""
 
 
 @dataclass(frozen=True)

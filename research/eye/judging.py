@@ -1,10 +1,10 @@
-"""Train the judge of what the eye finds (``eye.judge``), on renders the eye never learned from.
+"""Train the judge of the eye's detections (``eye.judge``) on renders not used to train the eye.
 
     python -m research.eye.pictures.renders --out DIR/judging --count 800 --split hard --seed 21
     python -m research.eye.judging --data DIR/judging --work DIR/judged
 
-The eye looks at every picture first, a shard at a time, and what it finds is kept in ``--work``;
-an interrupted run goes on there. The networks are so small that they then learn in a minute.
+The eye first processes every picture, a shard at a time; its detections are kept in ``--work``,
+from where an interrupted run resumes. The networks are small and then train in a minute.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def write_lesson(path: Path, work: Path) -> Path:
 
 
 def train_judge(lesson: JudgeLesson, seed: int, steps: int = _STEPS) -> DetectionJudge:
-    """Return a judge that learned a lesson."""
+    """Return a judge trained on a lesson."""
     torch.manual_seed(seed)
     judge = DetectionJudge()
     _fit(judge.alone, lesson.alone[lesson.counts], lesson.right[lesson.counts], steps)

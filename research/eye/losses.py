@@ -1,4 +1,4 @@
-"""What the network is marked on: one function a term, and their weighted sum."""
+"""Training losses: one function per term, and their weighted sum."""
 
 from __future__ import annotations
 
@@ -90,7 +90,7 @@ def terms(eye: Eye, batch: CropBatch) -> dict[str, Tensor]:
 
 
 def _quality_loss(eye: Eye, maps: Maps, batch: CropBatch) -> Tensor:
-    """Judge masks of cells that might be asked, good ones and bad ones."""
+    """Loss of the mask quality at likely cells, good and bad ones."""
     with torch.no_grad():
         asked = ((maps.heat[:, 0].sigmoid() > _ASKED) | (batch.heat > 0.5)) & (batch.weight > 0)
         owner, row, column = asked.nonzero(as_tuple=True)

@@ -1,4 +1,4 @@
-"""What the network should answer for a picture: crops of samples, and their dense targets."""
+"""Training targets: crops of samples, and their dense targets."""
 
 from __future__ import annotations
 

@@ -241,7 +241,7 @@ def rename_categories(
 
 
 def batches(args: argparse.Namespace, run: TrainingRun) -> Iterator[CropBatch]:
-    """Yield batches for ever; which crops they hold depends on the seed and the step alone."""
+    """Yield batches without end; their crops depend only on the seed and the step."""
     while True:
         crops = Crops(args.data, args.size, args.seed)  # look again which shards there are
         run.shards |= {path.name for path in crops.paths}
@@ -272,7 +272,7 @@ def train(args: argparse.Namespace) -> None:
 
 
 def _learn(args: argparse.Namespace, run: TrainingRun, show: Callable[[str], None]) -> None:
-    """Take steps for as long as there is time; log every hundred, save every few minutes."""
+    """Train until the time is spent; log every hundred steps, save every few minutes."""
     recent: list[dict[str, float]] = []
     last = saved = time.monotonic()
     for batch in batches(args, run):

@@ -1,4 +1,4 @@
-"""What the detector learns from: height maps of objects, and the grasps of the expert's planner."""
+"""Training data of the detector: height maps of objects, and the grasps of the expert's planner."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class GraspLesson:
 
 
 def lessons(source: SceneSource, scenes: int, seed: int) -> Iterator[list[GraspLesson]]:
-    """Yield what ``scenes`` drawn scenes teach, scene by scene."""
+    """Yield the lessons of ``scenes`` generated scenes, scene by scene."""
     rng = np.random.default_rng(seed)
     worlds = WorldCache(Panda(), 1)
     for _ in range(scenes):
@@ -55,7 +55,7 @@ def lessons(source: SceneSource, scenes: int, seed: int) -> Iterator[list[GraspL
 
 
 def lesson(world: World, name: str, rng: np.random.Generator) -> GraspLesson | None:
-    """Return what one object teaches, None if it has no grasp.
+    """Return the lesson of one object, None if it has no grasp.
 
     Every other object is seen at turns that do not go with its faces.
     """

@@ -51,7 +51,7 @@ _NEAR = (0.004, 0.008, 0.008)  # metres along, across and up within which grasps
 
 
 class GraspBatch(NamedTuple):
-    """Objects as the network sees them, and what it is to say of p = TURNS * PLACES**2 places.
+    """Objects as the network sees them, and the targets at p = TURNS * PLACES**2 places.
 
     ``share`` is the share of the best grasps that a place has, ``possible`` whether it has any,
     ``grasp`` its best one: where (along, across, height), width and room (metres).
@@ -65,7 +65,7 @@ class GraspBatch(NamedTuple):
 
 @dataclass(frozen=True)
 class DetectorScores:
-    """What a detector makes of lessons.
+    """A detector's scores on lessons.
 
     ``found`` is the share of the objects where the grasp it rates best is one of the planner's,
     ``worse`` by how much the planner rates that one lower than its own best (mean).
@@ -142,7 +142,7 @@ def train(taught: Sequence[GraspLesson], steps: int, seed: int, size: int = 16) 
 
 
 def evaluate(detector: GraspDetector, taught: Sequence[GraspLesson]) -> DetectorScores:
-    """Return what a detector makes of lessons."""
+    """Return a detector's scores on lessons."""
     worse = []
     for lesson in taught:
         found = detector.detect(lesson.look)
@@ -223,7 +223,7 @@ def _same(lesson: GraspLesson, grasp: Grasp) -> Bool[np.ndarray, "g"]:
 
 
 def main() -> None:
-    """Make what lessons are missing, train, and write the weights."""
+    """Make missing lessons, train, and write the weights."""
     parser = argparse.ArgumentParser(description="Train the grasp detector.")
     parser.add_argument("--lessons", type=Path, required=True, help="folder of the lessons")
     parser.add_argument("--scenes", type=int, default=1500, help="to learn from")

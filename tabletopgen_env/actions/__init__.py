@@ -111,7 +111,7 @@ class ActionConfig:
     control_hz: int = Servos.hz
 
     def __post_init__(self) -> None:
-        if self.mode not in get_args(ActionMode):  # what is wrong may have no hash
+        if self.mode not in get_args(ActionMode):  # an invalid value may be unhashable
             raise InputError(
                 f"Unknown action mode {self.mode!r}." + choices(str(self.mode), ACTIONS)
             )

@@ -1,4 +1,4 @@
-"""What all action modes share: checked actions, the rate, the gripper, commands to the servos."""
+"""Shared by all action modes: checking of actions, rate, gripper and servo commands."""
 
 from __future__ import annotations
 

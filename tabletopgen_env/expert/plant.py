@@ -1,4 +1,4 @@
-"""What the experts drive: as much of an environment as they need to know."""
+"""What the experts drive: the part of an environment that they need."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class Advice(Protocol):
-    """The grasp hint of an environment that gives one: what it says is done."""
+    """The grasp hint of an environment, which the expert follows if there is one."""
 
     @property
     def planned(self) -> GraspPlan | None:
@@ -53,5 +53,5 @@ class Plant(Protocol):
 
     @property
     def hint(self) -> Advice | None:
-        """What advises the hand, if anything does."""
+        """The grasp hint, if the environment gives one."""
         ...

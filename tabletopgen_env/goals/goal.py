@@ -1,4 +1,4 @@
-"""What has to be where, and how: the goals of which every task is made.
+"""The goals that tasks are made of: a thing, a region and a state.
 
 A goal asks for one thing, an object or the tool centre point, in one *region*, an upright elliptic
 cylinder that may move with another object, and for a *state* there (at rest, let go, held ...).
@@ -124,7 +124,7 @@ class Reached:
         return Region(self.spot, np.full(3, REACHED))
 
     def settled(self, world: World) -> bool:
-        """Return True: nothing is asked but to be there."""
+        """Return True: being in the region is enough."""
         return True
 
     def words(self, world: World) -> str:
@@ -295,7 +295,7 @@ def named_by(goals: Iterable[Goal]) -> list[str]:
 
 
 def begin_goals(world: World, goals: Iterable[Goal]) -> tuple[Goal, ...]:
-    """Return goals drawn for a scene for a start at which its things stand elsewhere: as now.
+    """Return goals drawn for a scene, adapted to a start at which its things stand elsewhere.
 
     Where a thing stood is where it stands now; marked spots stay where they are.
     """

@@ -1,4 +1,4 @@
-"""Where things stand, and which of them are there at all.
+"""Where things stand, and which of them are present.
 
 Things that carry or touch one another, a bowl and its fruit, a book and what leans on it, are one
 *bundle*: they are moved and taken away together, so that nothing loses its support.

@@ -1,4 +1,4 @@
-"""Whether an episode can be played from where its things start: what is to be moved can be."""
+"""Whether an episode can be played from its start: the things to move can be moved."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class Feasible:
-    """What is asked of a start: made at the start of a scene, asked once things are moved."""
+    """Requirements on a start, built at the start of a scene and checked once things are moved."""
 
     def __init__(self, world: World, goals: Sequence[Goal]) -> None:
         self._world = world
@@ -37,10 +37,10 @@ class Feasible:
         )
 
     def now(self) -> bool:
-        """Return whether it can be done from where things are now.
+        """Return whether the goals can be reached from where things are now.
 
-        Nothing touches the robot, what is to be pushed has a stroke, and of what is to be taken
-        and had a grasp that the arm reaches, the arm reaches one still.
+        Nothing touches the robot, what is to be pushed has a stroke, and what had a reachable grasp
+        still has one.
         """
         world = self._world
         return (

@@ -1,4 +1,4 @@
-"""Convex outlines on the table, seen from above: carried about, and how far they are apart."""
+"""Convex outlines on the table, seen from above: moves and distances."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The Panda's looks: light shells of revolution and swept tubes, built from a few numbers.
+"""The Panda's appearance: light shells of revolution and swept tubes, built from a few numbers.
 
 Every shell is a closed triangle mesh in its body's frame, metres, faces counter-clockwise seen
 from outside. All together stay below 3,000 faces, a fortieth of the scanned covers, because

@@ -35,7 +35,7 @@ HEAVIEST = 1.5
 """Heaviest object to push, kg."""
 
 SLENDER = 1.2
-"""Tallest thing to push, in its own smallest widths: what is more slender topples."""
+"""Tallest thing to push, in multiples of its smallest width: slenderer ones topple."""
 
 LEAST_GRIP = 0.5
 """Friction on the table, at least, that a push at the centre of mass's height has to overcome."""

@@ -29,7 +29,7 @@ NO_GRASP = "the arm reaches no grasp of it, or its neighbours leave no room for 
 """Why what ``has_grasp`` denies cannot be moved."""
 
 Reasons = dict[str, str | None]
-"""Why each object cannot be used, None where it can."""
+"""Reasons why objects cannot be used; None for usable ones."""
 
 
 def liftable(world: World) -> Reasons:
@@ -68,7 +68,7 @@ def draw_episode(
         target: the object asked for, which is tried whatever ``reasons`` says; None draws.
         reasons: why objects cannot be targets; what is found on the way is added.
         make: returns an object's episode, or None if there is none.
-        lacks: what it means that there is none.
+        lacks: the reason to report if there is none.
         held: whether the arm must reach a grasp of the target.
 
     Raises:
@@ -95,7 +95,7 @@ def check_known(world: World, name: str, what: str) -> str:
     """Return ``name`` if the scene has such an object.
 
     Raises:
-        InputError: it has not.
+        InputError: there is no such object.
     """
     if name not in world.names:
         raise InputError(f"No object {name!r} {what}." + choices(str(name), world.names))
@@ -131,7 +131,7 @@ def coordinates(goal: object, count: int, wanted: str) -> Float[np.ndarray, "c"]
     """Return ``count`` finite numbers that a user gave; ``wanted`` says what they are.
 
     Raises:
-        InputError: they are something else.
+        InputError: the value is something else.
     """
     try:
         point = np.asarray(goal, float)

@@ -32,7 +32,7 @@ LEAST_TOP = 0.022
 """Least radius of a flat top to put things on, metres."""
 
 _YAWS = np.arange(8) * np.pi / 4
-"""Of the hand, base frame, radians."""
+"""Yaws of the hand, base frame, radians."""
 
 TALLEST = 0.25
 """Tallest support, metres: the arm has to come over it."""

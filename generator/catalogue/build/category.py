@@ -1,4 +1,4 @@
-"""What the catalogue knows about a kind of object, besides how to shape it."""
+"""Facts about a category of objects, besides its shape."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Drawing styles: what any shape looks like as a cartoon or in low-poly, whatever its category.
+"""Drawing styles: any shape as a cartoon or in low-poly, independent of its category.
 
 A style rewrites a finished shape in metres: its solids, its texture tiles and, where the solids
-grow, its collision parts. Nothing here knows a category.
+grow, its collision parts. It does not depend on the category.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Pictures within pictures: what hangs in frames, lies on covers, shows on screens."""
+"""Artwork for frames, covers and screens."""
 
 from __future__ import annotations
 

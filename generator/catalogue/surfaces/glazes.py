@@ -1,4 +1,4 @@
-"""Painted and glazed crockery: what goes round mugs, bowls, pots and vases."""
+"""Paint and glaze for mugs, bowls, pots and vases."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How one variant of a category looks: seeded choices that give way to what was asked for."""
+"""Appearance of one variant of a category: seeded choices, overridden by requested attributes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What computers and phones show."""
+"""Screen contents of computers and phones."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Procedural texture tiles: small ``uint8`` RGB images, row 0 at the top (v = 1).
 
 Every function is pure: the same arguments and generator state give the same bytes. Sides are
-powers of two between 8 and 256 pixels; plain surfaces stay small because they say little.
+powers of two between 8 and 256 pixels; plain surfaces stay small because they hold little detail.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A top view held against the reference picture: what an image model moved, dropped or invented.
+"""Checks a top view against the reference picture: what an image model moved, dropped or invented.
 
 The picture tells where each thing's box from above lies on the tabletop's plane (``ground``). One
 scale and one shift carry all of these boxes into the top view, if it is true. Most of what it shows
@@ -149,7 +149,7 @@ def _over(box: Box, below: Box) -> bool:
 def _false(
     boxes: Mapping[str, Box], placed: Mapping[str, Box], standing: Collection[str], unit: float
 ) -> dict[str, str]:
-    """Tell of drawn boxes that are not where geometry has them, or not as large, what is wrong.
+    """Return what is wrong with drawn boxes whose place or size disagrees with geometry, by name.
 
     ``unit`` is the table's length in pixels, times how much more than usual may be off. Only what
     stands on the table is held to its place.
@@ -208,7 +208,7 @@ def _likely(
     drawn: Mapping[str, Box],
     length: float,
 ) -> bool:
-    """Tell whether a scale and a shift are not quite other than what the tabletop's ends tell."""
+    """Return whether a scale and a shift are close to those given by the tabletop's ends."""
     if ends is None:
         return True
     middle = np.mean([ground[n] for n in drawn], axis=0)

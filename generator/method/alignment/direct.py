@@ -1,4 +1,4 @@
-"""Sec. 4.3, without TSA: places and sizes as the reasoner says them, with no view from above."""
+"""Sec. 4.3, without TSA: places and sizes given by the reasoner, without a top view."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def ask_layout(
     reasoner: Reasoner,
     guesser: PoseGuesser,
 ) -> Alignment:
-    """Return the instances placed and scaled as the reasoner says; the table has its usual size.
+    """Return the instances placed and scaled by the reasoner; the table has its usual size.
 
     What stands on what is its answer too, as in TSA, so only x, y and the sizes are others: z
     comes from lowering each mesh, and what stands on another is kept above it. There is no anchor

@@ -1,9 +1,9 @@
-"""Where the reference picture itself has things, seen from above, on a plane below its camera.
+"""Boxes from above that follow from the reference picture, on a plane below its camera.
 
-The plane is the tabletop's, one unit below the camera: how far below, in metres, one picture does
-not tell. A thing's model, turned by its yaw and as large and far as its box in the picture has it,
-stands on that plane in one place only, which tells its box from above. Boxes are (left, far,
-right, near), +x right and +y towards the viewer as in a top view.
+The plane is the tabletop's, one unit below the camera: one picture does not determine how far below
+in metres. A thing's model, turned by its yaw and as large and far as its box in the picture has it,
+stands on that plane in one place only, which tells its box from above. Boxes are (left, far, right,
+near), +x right and +y towards the viewer as in a top view.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ def boxes_on_ground(
 ) -> dict[str, Float[np.ndarray, "4"]]:
     """Return each thing's box from above, in units of the camera's height over the tabletop.
 
-    Left out is what has no model, shows nothing, or would stand above the camera's horizon.
+    Instances without a model, without visible pixels or above the camera's horizon are left out.
     ``image_size`` is (width, height) of the reference picture.
     """
     eye = Camera(np.zeros(3), view_rotation(view), view.fov, *image_size)

@@ -1,4 +1,4 @@
-"""Boxes in a top view drawn freely: what was detected there is matched to the instances."""
+"""Matches what was detected in a freely drawn top view to the instances."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def complete_boxes(
 ) -> tuple[TopView, tuple[str, ...]]:
     """Return the top view with a box for every instance that can be found in its picture.
 
-    What is found there and is none of the instances is left out, with a warning.
+    Detections that match no instance are left out, with a warning.
 
     Detections are matched to instances of the same label, nearest relative position first; a
     wrong label costs more than any distance.

@@ -1,4 +1,4 @@
-"""What keeps things apart and on the table: their footprints at the heights that they share."""
+"""Keeps things apart and on the table, by their footprints at shared heights."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How well outlines agree, and the descent to where they agree best."""
+"""Agreement of outlines, and the descent to its optimum."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def misfits(
 ) -> tuple[Float[np.ndarray, "n"], Float[Tensor, "3"]]:
     """Return one minus the overlap of each thing's outline with its mask, and the camera's place.
 
-    The camera looks from where the outlines agree best: nothing else tells its place.
+    The camera is where the outlines agree best: nothing else determines its place.
     """
     import torch
 

@@ -1,4 +1,4 @@
-"""The refinement as a stage, and the agreement of outlines that it goes by."""
+"""The refinement as a stage, and the agreement of outlines it optimises."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def refine_scene(
     The camera's direction is not moved: outlines agree as well with an elevation 3 degrees off, so
     they do not tell it; the table's edges do.
 
-    What comes out worse is not taken, for the whole scene or for an object. A picture with fewer
+    A result that is worse is not used, for the whole scene or for an object. A picture with fewer
     than two objects, which cannot tell where the camera stands, is left as it is.
     """
     config = config or RefinementConfig()

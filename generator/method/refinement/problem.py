@@ -1,4 +1,4 @@
-"""What the picture shows of things, and what moves them: the tensors of the joint refinement."""
+"""Tensors of the joint refinement: what the picture shows, and what moves things."""
 
 from __future__ import annotations
 

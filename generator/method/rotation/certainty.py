@@ -1,4 +1,4 @@
-"""How sure a found yaw is: against other sides, and against small turns."""
+"""Certainty of a yaw: against other sides, and against small turns."""
 
 from __future__ import annotations
 

@@ -41,8 +41,9 @@ class RotationConfig:
         patience: stop after that many steps without progress; 0 never stops early.
         suspect, flat: an object whose coarse losses vary by less than ``suspect`` of the lowest
             may look the same from all sides. Then its own renders are compared with each other;
-            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. Likewise told
-            is which turns leave the looks of a doubtful object as they are. 0 asks for neither.
+            if turning adds less than ``flat`` to Eq. 1 between them, it keeps yaw 0. The same
+            comparison tells which turns leave the looks of a doubtful object unchanged. 0 turns
+            both off.
         edge_unit: the distance that counts as 1 in Eq. 3, as a share of the crop's side.
         keep_aspect: pad the tight crop to a square; False stretches it, which drops the aspect.
         perspective: see each object along its own ray; False looks at all of them as if they
@@ -56,7 +57,7 @@ class RotationConfig:
         relight: put the picture's light, a linear function of the surface's normal, on each render
             before Eq. 4 compares the two.
         unsure: weight of pixels where another instance may hide this one.
-        device: where torch works, "cpu" or "cuda". Only the CPU repeats itself to the bit.
+        device: where torch works, "cpu" or "cuda". Only the CPU is reproducible bit for bit.
     """
 
     lambda_s: float = 0.5

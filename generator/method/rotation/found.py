@@ -1,4 +1,4 @@
-"""What the search finds."""
+"""Results of the search."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Rows = list[list[RotationCandidate]]
 
 @dataclass(frozen=True)
 class RotationAnswer:
-    """What is found for one object.
+    """The result for one object.
 
     ``looks`` are its candidates at each look, the closest look first; ``margin``, ``width``,
     ``symmetric`` and ``order`` are those of ``generator.scene.Rotation``.

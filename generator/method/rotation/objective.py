@@ -1,4 +1,4 @@
-"""What candidates are compared with, and L_rot of Eq. 1 for objects of a scene, all at once."""
+"""Targets of the comparison, and L_rot of Eq. 1 for all objects of a scene at once."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""What a modeler saw of an object's orientation: a hint where renders cannot tell the sides apart.
+"""The orientation seen by a modeler: a hint where renders cannot tell the sides apart.
 
 A model may come with the orientation in which its modeler saw it (``Model.orientation``). The yaw
-that it implies is one more start of the search, and it decides between sides whose losses differ
-by next to nothing. It never speaks against a loss that is clearly the least.
+that it implies is one more start of the search, and it decides between sides whose losses hardly
+differ. It never overrides a loss that is clearly lowest.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def agrees(yaw: float, prior: float | None) -> bool:
 
 
 def prefer(found: list[RotationCandidate], prior: float | None) -> list[RotationCandidate]:
-    """Return candidates, best first, with the one that the prior speaks for put in front.
+    """Return candidates, best first, with the one that the prior supports in front.
 
     That is the best of another side that agrees with the prior, if the best does not, and if the
     losses of the two cannot be told apart.

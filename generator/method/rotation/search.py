@@ -83,7 +83,7 @@ def _answer(
     """Return an object's answer; where another side fits about as well, look if it is the same.
 
     ``candidates`` is the coarse search: all candidates may be of sides that are the same. Of those
-    that are, the one that the prior speaks for is taken.
+    that are, the one that the prior supports is taken.
     """
     config, sure, order = levels.coarse.config, margin(looks), 1
     least = min(looks[0], key=lambda f: f.loss).yaw

@@ -1,4 +1,4 @@
-"""Where an object lies in its crop if something hides one side of it."""
+"""Place of an object in its crop if something hides one side of it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which sides of an object look the same: told by its own renders, not by the picture."""
+"""Which sides of an object look the same, judged by its own renders, not by the picture."""
 
 from __future__ import annotations
 

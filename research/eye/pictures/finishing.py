@@ -1,4 +1,4 @@
-"""What happens to a picture after it is drawn: cartoon ink, lens, sensor, colours, JPEG."""
+"""Post-processing of a picture: cartoon ink, lens, sensor, colours, JPEG."""
 
 from __future__ import annotations
 

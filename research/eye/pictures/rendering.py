@@ -1,4 +1,4 @@
-"""From a seed to a finished sample: stage, draw, ask for the truth, finish."""
+"""From a seed to a finished sample: stage, draw, read the ground truth, post-process."""
 
 from __future__ import annotations
 

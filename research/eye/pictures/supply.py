@@ -1,4 +1,4 @@
-"""What scenes are set with: a seeded choice of models, tables and textures, compiled once."""
+"""The stock of scenes: a seeded choice of models, tables and textures, compiled once."""
 
 from __future__ import annotations
 

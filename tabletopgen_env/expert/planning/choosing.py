@@ -1,4 +1,4 @@
-"""Which of an object's grasps to take: the best one that the arm can reach."""
+"""Choice of a grasp: the best one that the arm can reach."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class GraspPlan:
 
 
 class Chooser(Protocol):
-    """Says which grasp to take: the expert's planner (``choose``), or a detector."""
+    """Chooses a grasp: the expert's planner (``choose``), or a detector."""
 
     def __call__(
         self, world: World, target: str, failed: tuple[Grasp, ...] = ()
@@ -64,7 +64,7 @@ def first_reachable(world: World, target: str, found: list[Grasp]) -> GraspPlan 
     clear = wrists_are_free(world, others, points[:, :2], points[:, 2] - TIP)
     free = list(compress(found, clear))
     last: GraspPlan | None = None
-    # Where the wrist has no room for any, it may yet come by.
+    # If the wrist has no room for any grasp, it may still pass.
     for grasp in free or found:
         points, tip = (grasp.point, grasp.point + up(HOVER)), float(grasp.point[2]) - TIP
         yaw = easiest(world, points, grasp.angle - world.mount.yaw + np.pi / 2)

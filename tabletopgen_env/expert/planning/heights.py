@@ -134,7 +134,7 @@ def solid(parts: tuple[ConvexPart, ...], cell: float, rise: float) -> VoxelSolid
     filled = np.zeros((len(axes[0]), len(axes[1]), len(levels)), bool)
     for part, cells, points in _over(parts, axes):
         hit, ground, ceiling = part_span(part, points)
-        # What is thinner than a voxel fills the one in whose middle it lies.
+        # A part thinner than a voxel fills the voxel at its middle.
         spare = np.maximum(rise - (ceiling - ground), 0.0)[:, None] / 2
         low, high = ground[:, None] - spare, ceiling[:, None] + spare
         window = filled[cells]

@@ -1,8 +1,8 @@
 """Where to let go of what the hand holds: place and turn, with room for it and for the fingers.
 
 What is held, and the fingers that open around it, come straight down on the height map of all
-else: their undersides say how deep they go. Of many places and turns in the goal's region that one
-is best where the thing comes to lie low, near the middle and well supported, and falls least.
+else: their undersides say how deep they go. Of many places and turns in the goal's region, the best
+one is low, near the middle and well supported, with the shortest fall.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Place:
 
 
 class Placer(Protocol):
-    """Says where to let go: the expert's planner (``plan_place``), or ``middle_place``."""
+    """Plans where to let go: the expert's planner (``plan_place``), or ``middle_place``."""
 
     def __call__(self, world: World, goal: Goal, yaw: float, opening: float) -> Place:
         """Return a place; see ``plan_place``."""

@@ -102,7 +102,7 @@ def plan_stroke(
     best: tuple[float, Stroke] | None = None
     for k, turn in enumerate(_TURNS):
         if best is not None and k > 1:
-            break  # the hand and its opposite are compared, the others are makeshifts
+            break  # the hand and its opposite are compared; the others are fallbacks
         # The fingers open along the hand's y axis; side by side they are broadest.
         opening = bearing + turn + np.pi / 2
         found = _contact(parts, own, com, ahead, opening, world.scene.table.height)
@@ -145,7 +145,7 @@ def _contact(
 ) -> tuple[Float[np.ndarray, "2"], float] | None:
     """Return where the tool (x, y) and how high it is when the fingers touch, world frame.
 
-    As low as may be, with the palm over the object; None if the fingers would miss it.
+    As low as possible, with the palm over the object; None if the fingers would miss it.
     """
     spans = np.array([p.bounds[:, 2] for p in parts])
     low, high = spans[:, 0].min(), spans[:, 1].max()

@@ -1,4 +1,4 @@
-"""Small devices people carry about."""
+"""Small portable devices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bottles, cans, jars, cartons, shakers: what food and drink come in."""
+"""Containers of food and drink: bottles, cans, jars, cartons, shakers."""
 
 from __future__ import annotations
 

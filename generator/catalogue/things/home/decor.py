@@ -1,4 +1,4 @@
-"""What stands on a table to look at, or to see by."""
+"""Decoration and lights of a table."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Clocks, pictures, globes, glasses: personal things."""
+"""Personal things: clocks, pictures, globes, glasses."""
 
 from __future__ import annotations
 

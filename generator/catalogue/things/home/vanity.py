@@ -1,4 +1,4 @@
-"""What stands on a vanity table or by a wash basin."""
+"""Things of a vanity table or a wash basin."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What tea and coffee are made with."""
+"""Things for making tea and coffee."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What one eats and drinks from."""
+"""Tableware for food and drink."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What one cooks, brews and serves with."""
+"""Things for cooking, brewing and serving."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands on a laboratory bench."""
+"""Things of a laboratory bench."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Maps spread out: sheets with creases both ways, and what is printed on them."""
+"""Spread-out maps: sheets with creases both ways, and their print."""
 
 from __future__ import annotations
 

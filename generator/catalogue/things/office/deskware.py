@@ -1,4 +1,4 @@
-"""What else lies on desks and by the door: mouse pad, keys, wallet, envelope, folder, map."""
+"""Other things of desks and of the hallway: mouse pad, keys, wallet, envelope, folder, map."""
 
 from __future__ import annotations
 

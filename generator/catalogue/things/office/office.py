@@ -1,4 +1,4 @@
-"""Paper and what one does with it: books, pens, small desk things, boxes."""
+"""Paper and stationery: books, pens, small desk things, boxes."""
 
 from __future__ import annotations
 

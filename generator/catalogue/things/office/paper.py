@@ -1,4 +1,4 @@
-"""Printed paper lying about: an open book, loose photographs."""
+"""Loose printed paper: an open book, loose photographs."""
 
 from __future__ import annotations
 

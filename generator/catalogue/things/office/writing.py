@@ -1,4 +1,4 @@
-"""Pens, pencils and what they stand in."""
+"""Pens, pencils and their holders."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a handicraft table holds."""
+"""Things of a handicraft table."""
 
 from __future__ import annotations
 

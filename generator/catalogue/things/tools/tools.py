@@ -1,4 +1,4 @@
-"""What lies on a workbench."""
+"""Tools of a workbench."""
 
 from __future__ import annotations
 

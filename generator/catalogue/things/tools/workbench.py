@@ -1,4 +1,4 @@
-"""What lies about on a workbench, besides hand tools."""
+"""Things of a workbench besides hand tools."""
 
 from __future__ import annotations
 
