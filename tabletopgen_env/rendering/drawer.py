@@ -98,7 +98,7 @@ def drawer(choice: str, height: int, width: int, profile: Profile = "fast") -> D
     return SoftwareDrawer(height, width, profile)
 
 
-class GlDrawer:
+class GlDrawer(Drawer):
     """Draws with MuJoCo's OpenGL renderer: one GL context, a few worlds' worth of meshes.
 
     A forked copy neither draws nor frees anything.
@@ -135,14 +135,6 @@ class GlDrawer:
             drawn["depth"] = np.flipud(_metres(world.model, depth))
             drawn["segmentation"] = np.flipud(_geoms(scene, picture))
         return {kind: drawn[kind] for kind in kinds}
-
-    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
-        """Return what ``camera`` sees."""
-        return self.draw(world, camera, ("rgb",))["rgb"]
-
-    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
-        """Return the distance along the optical axis in metres (inf where nothing is)."""
-        return self.draw(world, camera, ("depth",))["depth"]
 
     def forget(self, world: World) -> None:
         """Free the meshes and textures of ``world``."""

@@ -15,6 +15,7 @@ from generator.scene.triangles import scaled_normals
 
 from ..world.composition import MARKER
 from ..world.room import backdrop
+from .kinds import Drawer, Kind
 
 if TYPE_CHECKING:
     import mujoco
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from generator.render.shading import Light
 
     from ..world.world import World
-    from .kinds import Kind, Profile
+    from .kinds import Profile
 
 _ROUND = 24  # sides of a drawn cylinder
 _FACING = 0.7  # how much of the headlight what is seen gets on average
@@ -42,7 +43,7 @@ class VisibleGeom:
     tint: Float[np.ndarray, "3"]
 
 
-class SoftwareDrawer:
+class SoftwareDrawer(Drawer):
     """Draws with ``generator.render.raster``; needs no graphics library at all."""
 
     def __init__(self, height: int, width: int, profile: Profile) -> None:
@@ -61,14 +62,6 @@ class SoftwareDrawer:
             "segmentation": made.ids,
         }
         return {kind: drawn[kind] for kind in kinds}
-
-    def rgb(self, world: World, camera: str) -> UInt8[np.ndarray, "h w 3"]:
-        """Return what ``camera`` sees."""
-        return self.draw(world, camera, ("rgb",))["rgb"]
-
-    def depth(self, world: World, camera: str) -> Float[np.ndarray, "h w"]:
-        """Return the distance along the optical axis in metres (inf where nothing is)."""
-        return self.draw(world, camera, ("depth",))["depth"]
 
     def forget(self, world: World) -> None:
         """Free the triangles of ``world``."""
