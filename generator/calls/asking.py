@@ -111,7 +111,7 @@ class PaidCall:
         """
         self.session.check()
         self.breaker.check(str(self.asked))
-        told = self._paid()
+        told = self._pay()
         if isinstance(told, Reply):
             self.breaker.record_success()
             return told
@@ -128,7 +128,7 @@ class PaidCall:
         self._late += told.late
         return told
 
-    def _paid(self) -> Reply | Trouble:
+    def _pay(self) -> Reply | Trouble:
         """Send the request once, within the budget, and enter it in the ledger."""
         session, asked, account = self.session, self.asked, self.session.account
         lost = entry_of(asked, "failed", 0.0, asked.most)
