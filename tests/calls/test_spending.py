@@ -176,7 +176,9 @@ def test_a_write_that_was_killed_spoils_no_other(tmp_path: Path) -> None:
     writer = "import sys; from pathlib import Path; from test_spending import die; die(sys.argv[1])"
     path = os.pathsep.join([str(Path(__file__).parent), *sys.path])
     done = subprocess.run(
-        [sys.executable, "-c", writer, str(tmp_path)], env={**os.environ, "PYTHONPATH": path}
+        [sys.executable, "-c", writer, str(tmp_path)],
+        env={**os.environ, "PYTHONPATH": path},
+        timeout=60,
     )
     assert done.returncode == 9 and (tmp_path / f"{FILE}-journal").stat().st_size > 0
     spending.write("k", Entry("s", "q", money=0.5))

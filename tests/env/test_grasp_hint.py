@@ -265,7 +265,7 @@ def test_a_detected_hint_is_the_detectors_grasp() -> None:
 
 def test_a_detected_hint_asks_no_planner(monkeypatch) -> None:
     """Neither the grasps nor the places of the expert's planners are behind it."""
-    for planner in ("choosing.plan_grasps", "placing._held"):
+    for planner in ("choosing.plan_grasps", "placing._held_underside"):
         monkeypatch.setattr(f"tabletopgen_env.expert.planning.{planner}", lambda *_: 1 / 0)
     env = lift(task="PickPlace", grasp_hint="detected")
     seen = env.reset(seed=0, options={"target": "cube_1", "goal": "spot"})[0]
