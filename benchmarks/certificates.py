@@ -40,7 +40,7 @@ SHIPPED = tuple(str(HERE.parent / "assets_cache" / name / "*") for name in ("sta
 """The bundles of the package, as globs."""
 
 
-class Job(NamedTuple):
+class CertificateJob(NamedTuple):
     """The certified instances of one task at one bundle; ``starts`` of each, drawn by ``seed``."""
 
     bundle: Path
@@ -54,7 +54,7 @@ class Job(NamedTuple):
         return (self.bundle.name, self.task, str(self.seed), str(self.starts))
 
 
-def work(job: Job) -> list[Row]:
+def work(job: CertificateJob) -> list[Row]:
     """Play the certified instances of a job; return a row for each."""
     instances = [i for i in certificate_of(job.bundle).certified if i.task == job.task]
     again = played_again(job.bundle, instances, job.starts, job.seed)
@@ -88,7 +88,7 @@ def certificate_of(bundle: Path) -> Certificate:
     return found
 
 
-def jobs(bundles: Sequence[Path], seed: int, starts: int) -> Iterator[Job]:
+def jobs(bundles: Sequence[Path], seed: int, starts: int) -> Iterator[CertificateJob]:
     """Yield a job for each task with a certified instance at each bundle.
 
     Raises:
@@ -100,10 +100,10 @@ def jobs(bundles: Sequence[Path], seed: int, starts: int) -> Iterator[Job]:
         if certificate.terms.seed == seed:
             raise InputError(f"{bundle.name} was certified with the seed {seed}; choose another.")
         for task in dict.fromkeys(i.task for i in certificate.certified):
-            yield Job(bundle, task, seed, starts)
+            yield CertificateJob(bundle, task, seed, starts)
 
 
-def is_current(job: Job, rows: Sequence[Row]) -> bool:
+def is_current(job: CertificateJob, rows: Sequence[Row]) -> bool:
     """Return whether rows are of the instances that are certified now."""
     now = {
         (i.preset or "", i.target or "", i.goal or "", str(i.successes), str(i.episodes))

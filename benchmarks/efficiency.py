@@ -80,8 +80,8 @@ def work(job: tuple[str, int], seed: int, device: str) -> list[Row]:
 
 def say(rows: list[Row]) -> str:
     (row,) = rows
-    told = row["error"] or f"{row['built']} objects, {row['wall_total']} s"
-    return f"{row['text'][:50]!r}: {told}"
+    label = row["error"] or f"{row['built']} objects, {row['wall_total']} s"
+    return f"{row['text'][:50]!r}: {label}"
 
 
 def summary(rows: Sequence[Row], command: str, note: str = "") -> str:
@@ -139,8 +139,8 @@ def bars(rows: Sequence[Row]) -> UInt8[np.ndarray, "h w 3"]:
         at += 34 + draw.textlength(stage, small)
     for number, row in enumerate(done):
         y = top + line * number
-        told = f"{row['text'][:44]} ({row['built']})"
-        draw.text((left - 10, y + line / 2), told, _INK, small, anchor="rm")
+        label = f"{row['text'][:44]} ({row['built']})"
+        draw.text((left - 10, y + line / 2), label, _INK, small, anchor="rm")
         x = float(left)
         for color, stage in zip(_COLORS, STAGES, strict=True):
             reach = wide * float(row[f"wall_{stage.replace(' ', '_')}"]) / most

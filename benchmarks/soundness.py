@@ -24,7 +24,7 @@ from posing.figures import column
 from posing.tables import Row
 
 from generator.bundle import load, save
-from generator.compose import compose
+from generator.composition import compose
 from generator.evaluation import collisions
 from generator.evaluation.soundness import VARIANTS, soundness
 from generator.pipeline import generate
@@ -52,12 +52,12 @@ def work(job: tuple[str, int], route: str) -> list[Row]:
             else:
                 path = generate(text, seed=seed).save(folder)
             row["seconds"] = round(time.perf_counter() - start, 2)
-            return [row | measured(path)]
+            return [row | measure(path)]
         except Exception as error:  # one text must not end the run
             return [row | {"error": tables.failure(error)}]
 
 
-def measured(bundle: Path) -> Row:
+def measure(bundle: Path) -> Row:
     """Return the figures of a saved bundle; of each rule, how many objects do not stand still."""
     scene = load(bundle)
     hit, touching = collisions(scene), collisions(scene, LEAST)
@@ -85,8 +85,8 @@ def measured(bundle: Path) -> Row:
 
 def say(rows: list[Row]) -> str:
     (row,) = rows
-    told = "; ".join(str(row[f]) for f in ("unstable", "error") if row[f])
-    return f"{row['text'][:50]!r} seed {row['seed']}: {told or 'sound'}"
+    message = "; ".join(str(row[f]) for f in ("unstable", "error") if row[f])
+    return f"{row['text'][:50]!r} seed {row['seed']}: {message or 'sound'}"
 
 
 def summary(rows: Sequence[Row], route: str, command: str) -> str:
@@ -125,8 +125,8 @@ def _clean(row: Row) -> bool:
     return not row["unstable"] and not row["error"] and not int(row["off_table"] or 0)
 
 
-def _share(part: float, whole: float) -> str:
-    return f"{100 * part / max(whole, 1):.2f} % ({part:.0f} of {whole:.0f})"
+def _share(part: float, total: float) -> str:
+    return f"{100 * part / max(total, 1):.2f} % ({part:.0f} of {total:.0f})"
 
 
 def main() -> None:

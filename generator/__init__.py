@@ -1,1 +1,45 @@
-"""Text or one picture of a tabletop in, a simulated table out (TabletopGen). Knows no robots."""
+"""Turn a text or one picture of a tabletop into a simulated table (TabletopGen). Knows no robots.
+
+    from generator import compose, generate, load, save
+
+    scene = compose("a desk with a laptop and a red mug", seed=0)
+    save(scene, "tables")
+
+The names below are imported when they are first used.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .backends import Backends as Backends
+    from .bundle import load as load
+    from .bundle import save as save
+    from .composition import compose as compose
+    from .generation import Config as Config
+    from .generation import Generation as Generation
+    from .pipeline import generate as generate
+
+_HOMES = {
+    "Backends": "backends",
+    "Config": "generation",
+    "Generation": "generation",
+    "compose": "composition",
+    "generate": "pipeline",
+    "load": "bundle",
+    "save": "bundle",
+}
+
+__all__ = ["Backends", "Config", "Generation", "compose", "generate", "load", "save"]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(import_module(f".{_HOMES[name]}", __name__), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

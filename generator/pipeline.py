@@ -9,15 +9,11 @@ from .backends import Backends
 from .errors import InputError, require_seed
 from .generation import STAGES, Config, Generation
 from .method.ablation import ask_rotations, pose_guesser
-from .method.alignment import (
-    align,
-    ask_layout,
-)
-from .method.assembly import assemble
+from .method.alignment import align, ask_layout
 from .method.extraction import extract
-from .method.finishing import finished
 from .method.ledger import Stopwatch
 from .method.modeling import make_models
+from .method.publish import Reconstruction, publish
 from .method.reference import (
     DepthSource,
     Source,
@@ -27,22 +23,9 @@ from .method.reference import (
     refer,
     source_digest,
 )
-from .method.refinement import (
-    outline_misfit,
-    refine_scene,
-)
+from .method.refinement import refine_scene
 from .method.rotation import estimate_rotations
-from .method.salvage import allowance, salvaged
-from .method.supplement import NOTHING, Supplement, supplement
-from .scene import (
-    TABLE,
-    Instance,
-    Intrinsics,
-    Placement,
-    Provenance,
-    Reference,
-    Scene,
-)
+from .scene import TABLE, Instance, Intrinsics, Provenance, Reference
 from .scene.provenance import plain, scene_name, versions
 
 Progress = Callable[[str, int, int], None]
@@ -138,40 +121,15 @@ def generate(
         replace(config.refinement, steps=0) if unrefined else config.refinement, seed,
     )  # fmt: skip
 
-    warnings = _hidden(reference, instances) + alignment.warnings
-
-    def added(placed: tuple[Placement, ...], gone: tuple[str, ...]) -> Supplement:
-        plan, scale = reference.plan, alignment.table_scale
-        if not config.supplement:
-            return NOTHING
-        return supplement(plan, instances, models, placed, scale, seed, gone)
-
-    def assembled(placed: tuple[Placement, ...], extra: Supplement, told: tuple[str, ...]) -> Scene:
-        told = warnings + extra.warnings + told
-        return assemble(
-            {n: model for n, model in {**models, **extra.models}.items() if n != TABLE},
-            (*placed, *extra.placements),
-            models[TABLE],
-            alignment.table_scale,
-            provenance=_provenance(source, depth, intrinsics, reference, b, config, seed, told),
-            name=name or scene_name(reference.prompt),
-            config=config.assembly,
-            view=view,
-            plan=reference.plan,
-        )
-
-    def built(placed: tuple[Placement, ...], told: tuple[str, ...]) -> Scene:
-        return salvaged(
-            lambda placed, extra, more: assembled(placed, extra, told + more),
-            added, placed, sizes, allowance(config.leave_out, len(placed)),
-        )  # fmt: skip
-
-    def misfit(scene: Scene) -> float:
-        size = width, height
-        return outline_misfit(instances, scene.objects, view, size, config.refinement, seed)
-
     step()  # Sec. 3.4: bodies with mass, friction and convex parts; settled and judged
-    scene = finished(built, misfit, refined, alignment.placements)
+    warnings = _warn_hidden(reference, instances) + alignment.warnings
+    found = Reconstruction(
+        reference, instances, sizes, models, view, alignment.table_scale,
+        _provenance(source, depth, intrinsics, reference, b, config, seed, warnings),
+        name or scene_name(reference.prompt), seed,
+        config.assembly, config.refinement, config.supplement, config.leave_out,
+    )  # fmt: skip
+    scene = publish(found, refined, alignment.placements)
     return Generation(
         reference, instances, view, sizes, models, rotations, alignment, refined, scene,
         clock.stop(),
@@ -185,7 +143,7 @@ def _table(instances: tuple[Instance, ...]) -> Instance:
     raise InputError("No table was found in the picture. Show the whole tabletop.")
 
 
-def _hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple[str, ...]:
+def _warn_hidden(reference: Reference, instances: tuple[Instance, ...]) -> tuple[str, ...]:
     """Return a warning if fewer things were found than planned."""
     planned = len(reference.plan.objects) if reference.plan else 0
     found = len(instances) - 1

@@ -117,7 +117,7 @@ def test_a_scene_error_has_its_own_code(monkeypatch: pytest.MonkeyPatch) -> None
     def fail(*args, **kwargs):
         raise SceneError("no room")
 
-    monkeypatch.setattr("generator.compose.compose", fail)
+    monkeypatch.setattr("generator.composition.compose", fail)
     assert command("compose", TEXT) == 6
 
 
@@ -187,7 +187,7 @@ def test_a_name_that_is_no_folders_is_refused_before_any_work(
     def work(*args, **kwargs):
         raise AssertionError("work began")
 
-    monkeypatch.setattr("generator.compose.compose", work)
+    monkeypatch.setattr("generator.composition.compose", work)
     monkeypatch.setattr("generator.pipeline.generate", work)
     assert command(name, TEXT, "--name", "../reading") == 6
 

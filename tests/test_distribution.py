@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import InputError
 from generator.language.distribution import SceneDistribution, categories_known, themes_known
 from generator.scene import ScenePlan

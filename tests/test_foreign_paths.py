@@ -15,7 +15,7 @@ from toy import toy_object, toy_scene
 import assets_cache
 from generator import editing
 from generator.bundle import save
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import InputError, StorageError, require_seed
 from generator.evaluation.external import load_external
 from generator.io.files import check_folder, check_target

@@ -36,6 +36,17 @@ def test_import_is_light(package: str) -> None:
     assert "torch" not in loaded_by(f"import {package}")
 
 
+def test_the_facade_loads_what_is_asked_for_and_no_more() -> None:
+    assert loaded_by("from generator import Backends") == []
+    assert set(loaded_by("from generator import load, save")) <= {"cv2"}
+    import generator
+
+    assert all(callable(getattr(generator, name)) for name in generator.__all__)
+    assert {*generator.__all__} <= {*dir(generator)}
+    with pytest.raises(AttributeError, match="'generator' has no attribute 'regenerate'"):
+        generator.regenerate  # noqa: B018
+
+
 def test_registration_needs_no_simulator() -> None:
     loaded = loaded_by(
         "import gymnasium, tabletopgen_env; gymnasium.spec('TabletopGen/PickPlace-v0')"
@@ -46,7 +57,7 @@ def test_registration_needs_no_simulator() -> None:
 
 @pytest.mark.slow
 def test_composing_needs_no_torch() -> None:
-    assert "torch" not in loaded_by("import generator.compose")
+    assert "torch" not in loaded_by("import generator.composition")
 
 
 @pytest.mark.slow

@@ -16,8 +16,8 @@ import torch
 from generator.errors import InputError, SceneError, TabletopError
 from generator.generation import STAGES, Generation
 from generator.method.figures import bundle_images
-from generator.method.finishing import WORSE
 from generator.method.ledger import Seconds
+from generator.method.publish import WORSE
 from generator.method.refinement import outline_misfit
 from generator.pipeline import generate
 from generator.scene import TABLE

@@ -60,7 +60,7 @@ _FAR = 10.0  # millimetres
 
 
 @dataclass(frozen=True)
-class Run:
+class AblationRun:
     """What the rows depend on besides the scene; ``strips`` is where pictures of it go.
 
     ``text`` is what every scene is of; without it, each is of a theme.
@@ -116,7 +116,7 @@ def rows_of(truth: Truth, made: Generation, seconds: float) -> list[Row]:
     return [blank | {f: row[f] for f in OBJECT} | shared for row in errors]
 
 
-def work(number: int, run: Run) -> list[Row]:
+def work(number: int, run: AblationRun) -> list[Row]:
     """Draw one scene, rebuild it in every variant, and compare; a failure is a row too."""
     rows: list[Row] = []
     tiles: dict[str, UInt8[np.ndarray, "h w 3"]] = {}
@@ -170,7 +170,9 @@ def sheet(numbers: Sequence[int], folder: Path) -> UInt8[np.ndarray, "h w 3"] | 
     return np.concatenate(even) if even else None
 
 
-def run(how: Run, cases: int, workers: int, table: Path, command: str, note: str = "") -> str:
+def run(
+    how: AblationRun, cases: int, workers: int, table: Path, command: str, note: str = ""
+) -> str:
     """Run what of the scenes ``table`` does not hold yet; return the table of all as Markdown.
 
     ``note`` is what a person who looked has to say; it goes below the table.
@@ -182,8 +184,8 @@ def run(how: Run, cases: int, workers: int, table: Path, command: str, note: str
 
 
 def _say(rows: list[Row]) -> str:
-    told = [f"{v} {median(column(_of(rows, v), 'place_percent'))}" for v in VARIANTS]
-    return f"scene {rows[0]['scene']} {rows[0]['text']}: place error, %: {', '.join(told)}"
+    cells = [f"{v} {median(column(_of(rows, v), 'place_percent'))}" for v in VARIANTS]
+    return f"scene {rows[0]['scene']} {rows[0]['text']}: place error, %: {', '.join(cells)}"
 
 
 def _of(rows: Sequence[Row], variant: str) -> list[Row]:

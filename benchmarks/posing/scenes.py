@@ -26,8 +26,8 @@ from . import tables
 from .distinct import DISTINCT
 from .figures import column, cumulative, error_cells, median, share
 from .tables import Row
-from .truth import Truth, apart, azimuth_error, draw_truth, seen, table_width
-from .turning import best_turn, posed
+from .truth import Truth, apart, azimuth_error, draw_truth, see, table_width
+from .turning import best_turn, turn_cloud
 
 KEY = ("scene",)
 FIELDS = (
@@ -101,18 +101,18 @@ def compare(truth: Truth, made: Generation, seconds: float) -> list[Row]:
         }  # fmt: skip
         if i in pairs:
             j, iou = pairs[i]
-            row |= {"iou": round(iou, 3)} | _held(truth, k, made, found[j], widths)
+            row |= {"iou": round(iou, 3)} | _compare(truth, k, made, found[j], widths)
             row["support_right"] = int(names.get(found[j].placement.on) == thing.placement.on)
         rows.append(row)
     return rows
 
 
-def _held(
+def _compare(
     truth: Truth, index: int, made: Generation, found: Object, widths: tuple[float, float]
 ) -> dict[str, Any]:
     """Return how one found object differs from the true one, ``index`` of the scene's."""
     true = truth.scene.objects[index]
-    a, b = seen(true, truth.view.azimuth), seen(found, made.scene.view.azimuth)
+    a, b = see(true, truth.view.azimuth), see(found, made.scene.view.azimuth)
     state, error, other = "judged", "", math.nan
     symmetry = order(true.model.mesh, np.asarray(true.scale))
     if math.isinf(symmetry):
@@ -123,7 +123,7 @@ def _held(
         state = "alike"
     else:
         clouds = [
-            posed(cloud(o.model.mesh, np.asarray(o.scale)), s.yaw)
+            turn_cloud(cloud(o.model.mesh, np.asarray(o.scale)), s.yaw)
             for o, s in ((found, b), (true, a))
         ]
         turn = best_turn(clouds[0], clouds[1])
@@ -211,8 +211,8 @@ def say(rows: list[Row]) -> str:
         return f"scene {r['scene']}: {r['error']}"
     found = sum(int(row["found"]) for row in rows)
     yaw = median(column(rows, "yaw_error_deg"), "°")
-    told = f"{found} of {len(rows)} found, yaw {yaw}, {r['cpu_seconds']} s"
-    return f"scene {r['scene']} {r['text']}: {told}"
+    message = f"{found} of {len(rows)} found, yaw {yaw}, {r['cpu_seconds']} s"
+    return f"scene {r['scene']} {r['text']}: {message}"
 
 
 def summary(rows: Sequence[Row], command: str) -> str:

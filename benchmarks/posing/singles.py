@@ -147,15 +147,15 @@ def _groups(rows: Sequence[Row]) -> list[str]:
         by_kind[str(r["object"]).partition(":")[0]].append(r)
     lines += ["", f"More than {BAD:g}° off: {share([r in worst for r in rows])} of the cases."]
     for kind, own in by_kind.items():
-        told = ", ".join(f"{float(r['error_deg']):.0f}° (case {r['case']})" for r in own)
-        lines.append(f"- {kind}: {told}")
+        shown = ", ".join(f"{float(r['error_deg']):.0f}° (case {r['case']})" for r in own)
+        lines.append(f"- {kind}: {shown}")
     return [*lines, ""]
 
 
 def sheet(rows: Sequence[Row], draw: Draw, count: int = 12) -> UInt8[np.ndarray, "h w 3"]:
     """Draw the worst cases: what the stage was given, the true yaw and the yaw it found."""
-    told = [r for r in rows if not r["error"]]
-    worst = sorted(told, key=lambda r: -float(r["error_deg"]))[:count]
+    shown = [r for r in rows if not r["error"]]
+    worst = sorted(shown, key=lambda r: -float(r["error_deg"]))[:count]
     pictures, captions = [], []
     for r in worst:
         case = draw_case(draw, int(r["case"]))

@@ -79,7 +79,7 @@ def run(
     with path.open("a", newline="", encoding="utf-8") as file:
         writer: csv.DictWriter[str] = csv.DictWriter(file, fields)
 
-        def done(number: int, new: list[Row]) -> None:
+        def record(number: int, new: list[Row]) -> None:
             out.extend(new)
             writer.writerows(new)
             file.flush()
@@ -87,12 +87,12 @@ def run(
 
         if workers <= 1:
             for number, job in enumerate(jobs, start=1):
-                done(number, work(job))
+                record(number, work(job))
         else:
             with ProcessPoolExecutor(workers, initializer=alone) as pool:
                 futures = [pool.submit(work, job) for job in jobs]
                 for number, future in enumerate(as_completed(futures), start=1):
-                    done(number, future.result())
+                    record(number, future.result())
     return sorted(out, key=lambda r: [_sortable(r[k]) for k in key])
 
 
@@ -127,10 +127,10 @@ def _commit() -> str:
     """Return the commit of the working tree, nothing where there is no repository."""
     command = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"]
     try:
-        told = subprocess.run(command, capture_output=True, text=True, timeout=10, check=True)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=10, check=True)
     except (OSError, subprocess.SubprocessError):
         return ""
-    return f", commit {told.stdout.strip()}"
+    return f", commit {done.stdout.strip()}"
 
 
 def command_line(*without: str) -> str:

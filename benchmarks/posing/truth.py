@@ -10,7 +10,7 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 from shapely.geometry import Polygon
 
-from generator.compose import compose
+from generator.composition import compose
 from generator.errors import SceneError
 from generator.evaluation.surfaces.symmetry import order, yaw_error
 from generator.geometry import (
@@ -83,7 +83,7 @@ def turned_about(scene: Scene, rng: np.random.Generator) -> Scene:
     for thing in scene.objects:
         angle = float(rng.uniform(-np.pi, np.pi))
         alone = thing.placement.on == TABLE and thing.name not in bearing
-        turned = _turned(thing, angle)
+        turned = _turn(thing, angle)
         shape = _outline(turned)
         others = [s for name, s in shapes.items() if name != thing.name]
         free = top.contains(shape) and all(s.distance(shape) > _CLEAR for s in others)
@@ -95,7 +95,7 @@ def turned_about(scene: Scene, rng: np.random.Generator) -> Scene:
     return scene.replace(objects=tuple(objects))
 
 
-def _turned(thing: Object, angle: float) -> Object:
+def _turn(thing: Object, angle: float) -> Object:
     """Return an object turned about the vertical where it stands."""
     quaternion = turned_quaternion(thing.pose.quaternion, angle)
     placement = dataclasses.replace(thing.placement, yaw=wrap(thing.placement.yaw + angle))
@@ -145,7 +145,7 @@ def apart(truth: Truth, index: int, symmetry: float) -> float:
 
 
 @dataclass(frozen=True, eq=False)
-class Seen:
+class SeenObject:
     """An object in its table's frame turned to the camera: +x right, +y away, metres, radians.
 
     ``place`` is from the table's centre, ``reach`` the root of its two longest sides' product.
@@ -158,13 +158,13 @@ class Seen:
     upright: bool
 
 
-def seen(thing: Object, azimuth: float) -> Seen:
+def see(thing: Object, azimuth: float) -> SeenObject:
     """Return an object as a camera of this azimuth (radians) sees it."""
     place = rotation_z(-azimuth)[:2, :2] @ thing.pose.position[:2]
     turn = quaternion_matrix(thing.pose.quaternion)
     reach = float(np.sqrt(np.prod(np.sort(thing.scale)[1:])))
     upright = bool(np.arccos(np.clip(turn[2, 2], -1, 1)) < _TILTED)
-    return Seen(place, wrap(quaternion_yaw(thing.pose.quaternion) - azimuth), reach, upright)
+    return SeenObject(place, wrap(quaternion_yaw(thing.pose.quaternion) - azimuth), reach, upright)
 
 
 def azimuth_error(truth: Truth, azimuth: float) -> float | None:

@@ -31,11 +31,11 @@ _HUGGINGFACE = "generator.backends.huggingface"
 
 TABLE: Mapping[str, Mapping[str, str]] = {
     "embedded": {
-        "reasoner": f"{_EMBEDDED}.reasoner:Reasoner",
-        "imager": f"{_EMBEDDED}.imager:Imager",
-        "segmenter": f"{_EMBEDDED}.segmenter:Segmenter",
-        "modeler": f"{_EMBEDDED}.modeler:Modeler",
-        "encoder": f"{_EMBEDDED}.encoder:Encoder",
+        "reasoner": f"{_EMBEDDED}.reasoner:EmbeddedReasoner",
+        "imager": f"{_EMBEDDED}.imager:EmbeddedImager",
+        "segmenter": f"{_EMBEDDED}.segmenter:EmbeddedSegmenter",
+        "modeler": f"{_EMBEDDED}.modeler:EmbeddedModeler",
+        "encoder": f"{_EMBEDDED}.encoder:EmbeddedEncoder",
     },
     "folder": {"modeler": f"{_MODELERS}.folder:Folder"},
     "hunyuan3d": {"modeler": f"{_MODELERS}.hunyuan3d:Hunyuan3D"},
@@ -44,12 +44,12 @@ TABLE: Mapping[str, Mapping[str, str]] = {
     "triposr": {"modeler": f"{_MODELERS}.triposr:TripoSR"},
     "sam3d": {"modeler": f"{_MODELERS}.sam3d:Sam3D"},
     "cloud": {
-        "reasoner": f"{_CLOUD}.reasoner:Reasoner",
-        "imager": f"{_CLOUD}.imager:Imager",
+        "reasoner": f"{_CLOUD}.reasoner:CloudReasoner",
+        "imager": f"{_CLOUD}.imager:CloudImager",
     },
     "huggingface": {
-        "segmenter": f"{_HUGGINGFACE}.segmenter:Segmenter",
-        "encoder": f"{_HUGGINGFACE}.encoder:Encoder",
+        "segmenter": f"{_HUGGINGFACE}.segmenter:HuggingFaceSegmenter",
+        "encoder": f"{_HUGGINGFACE}.encoder:HuggingFaceEncoder",
     },
 }
 """Backend name, then question set, to the class that answers; loaded when selected."""
@@ -85,11 +85,22 @@ def _questions(role: str) -> list[str]:
 def _load(name: str, role: str, session: Session) -> Any:
     module, _, attribute = TABLE[name][role].partition(":")
     kind = getattr(importlib.import_module(module), attribute)
-    shares = "session" in getattr(kind, "__dataclass_fields__", {})
+    shared = {"session": session} if "session" in _fields(kind) else {}
     try:
-        return kind(session=session) if shares else kind()
+        return _add_fallback(role, kind(**shared))
     except BackendError as error:
         raise BackendError(f"{role}: {error}") from error
+
+
+def _add_fallback(role: str, backend: Any) -> Any:
+    """Return a backend that has a ``fallback`` with the embedded one for it, unless it has one."""
+    if "fallback" not in _fields(type(backend)) or backend.fallback is not None:
+        return backend
+    return dataclasses.replace(backend, fallback=_load("embedded", role, Session()))
+
+
+def _fields(kind: type) -> Mapping[str, Any]:
+    return getattr(kind, "__dataclass_fields__", {})
 
 
 def _check(role: str, backend: Any) -> Any:
@@ -134,7 +145,9 @@ class Backends:
         chosen = {role: roles.get(role, default) for role in PROTOCOLS}
         return cls(
             **{
-                role: _check(role, _load(pick, role, shared) if isinstance(pick, str) else pick)
+                role: _check(role, _load(pick, role, shared))
+                if isinstance(pick, str)
+                else _add_fallback(role, _check(role, pick))
                 for role, pick in chosen.items()
             }
         )
@@ -152,27 +165,42 @@ class Backends:
         return any(hasattr(getattr(self, role), "session") for role in PROTOCOLS)
 
     def identity(self) -> dict[str, dict[str, Any]]:
-        """Return each role's class and fields: what provenance records. Holds no secret."""
+        """Return each role's stable name and fields: what provenance records. No secrets."""
         return {
             field.name: _identity(getattr(self, field.name)) for field in dataclasses.fields(self)
         }
 
 
 def _identity(backend: Any) -> dict[str, Any]:
-    kind = f"{type(backend).__module__}.{type(backend).__qualname__}"
     settings = {}
     if dataclasses.is_dataclass(backend) and not isinstance(backend, type):
         shown = (field.name for field in dataclasses.fields(backend) if field.repr)
-        settings = {name: _recorded(getattr(backend, name)) for name in shown}
-    return {"class": kind, **{k: v for k, v in settings.items() if v is not _UNTOLD}}
+        settings = {name: _record(getattr(backend, name)) for name in shown}
+    recorded = {k: v for k, v in settings.items() if v is not _UNTOLD}
+    return {"class": stable_name(type(backend)), **recorded}
 
 
-def _recorded(value: Any) -> Any:
+def stable_name(kind: type) -> str:
+    """Return what provenance calls a class, whatever module it moves to.
+
+    A backend of the table is its name and role ("embedded.modeler"); another class of this project
+    is its bare name; a user's is its module and name.
+    """
+    place = f"{kind.__module__}:{kind.__qualname__}"
+    for name, answers in TABLE.items():
+        for role, listed in answers.items():
+            if listed == place:
+                return f"{name}.{role}"
+    ours = kind.__module__.partition(".")[0] == __name__.partition(".")[0]
+    return kind.__qualname__ if ours else place.replace(":", ".")
+
+
+def _record(value: Any) -> Any:
     """Return what provenance records of a setting, ``_UNTOLD`` where it cannot be written down."""
     if isinstance(value, str | int | float | bool | type(None)):
         return value
     if isinstance(value, tuple | list):
-        parts = [_recorded(part) for part in value]
+        parts = [_record(part) for part in value]
         return _UNTOLD if _UNTOLD in parts else parts
     return _identity(value) if dataclasses.is_dataclass(value) else _UNTOLD
 

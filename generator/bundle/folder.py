@@ -24,7 +24,7 @@ from jaxtyping import UInt8
 
 from ..errors import BundleError, InputError, SceneError, StorageError
 from ..io.png import encode_png
-from ..physics.mjcf import compiled, document, spec_of
+from ..physics.mjcf import compile_spec, document, spec_of
 from ..scene import Scene
 from .bounds import BOUNDS, check_listed
 from .contents import decode_png, picture_size
@@ -298,7 +298,7 @@ def _read(folder: Path, visuals: bool = False) -> Scene:
         if visuals:
             model = check_builds(decoded, xml, contents)
         else:
-            model = compiled(spec_of(document(scene, visuals=False), scene.name), scene.name)
+            model = compile_spec(spec_of(document(scene, visuals=False), scene.name), scene.name)
         check_starts(model, scene.name)
     except (BundleError, InputError, SceneError) as error:
         raise BundleError(f"{folder}: {error}") from error

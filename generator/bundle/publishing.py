@@ -146,7 +146,7 @@ def steady(read: Reader[P, R]) -> Reader[P, R]:
     @functools.wraps(read)
     def reading(path: str | Path, *args: P.args, **kwargs: P.kwargs) -> R:
         for _ in range(_TRIES):
-            with _opened(Path(path)) as opened:
+            with _open(Path(path)) as opened:
                 try:
                     return read(path, *args, **kwargs)
                 except (BundleError, OSError):
@@ -225,7 +225,7 @@ def _remove(staging: Path) -> None:
 
 
 @contextlib.contextmanager
-def _opened(path: Path) -> Iterator[int | None]:
+def _open(path: Path) -> Iterator[int | None]:
     """Yield a descriptor of a folder: as long as it is open, no other has the same number.
 
     None where it cannot be opened for another reason than that it is not there.

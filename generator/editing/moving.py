@@ -11,7 +11,7 @@ from ..geometry import inside_margin, turned_quaternion
 from ..physics.parts import base
 from ..physics.seating import nearest_free, overlapping, seat_on_table
 from ..scene import TABLE, Object, Placement, Pose, Scene
-from .placing import carried_to, posed
+from .placing import carried_to, pose
 
 
 def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, turn: float) -> Scene:
@@ -26,7 +26,7 @@ def moved_to(scene: Scene, thing: Object, where: tuple[float, float] | None, tur
         )
     else:
         placement = replace(thing.placement, on=TABLE, inside=False)
-        thing_now = posed(thing, replace(placement, yaw=placement.yaw + turn))
+        thing_now = pose(thing, replace(placement, yaw=placement.yaw + turn))
         there = Pose(np.array([*where, 0.0]), thing_now.pose.quaternion)
         thing_now = seat_on_table(replace(thing_now, pose=there), scene.table.height)
     placement = replace(
@@ -46,7 +46,7 @@ def moved_by(scene: Scene, thing: Object, place: Placement) -> Scene:
         there = Pose(position, turned_quaternion(thing.pose.quaternion, turn))
         now = replace(thing, placement=place, pose=there)
     else:
-        now = posed(thing, place)
+        now = pose(thing, place)
         now = seat_on_table(now, scene.table.height) if place.on == TABLE else now
     return _with(carried_to(scene, thing.name, now.pose, turn), now)
 

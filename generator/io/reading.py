@@ -199,14 +199,14 @@ def printable(
     return text
 
 
-def is_number(value: object, *, least: float = 0.0, most: float = 1e12) -> bool:
+def is_number(value: object, *, minimum: float = 0.0, maximum: float = 1e12) -> bool:
     """Return whether a value of a foreign JSON text is a number in a range; ``true`` is none."""
-    return type(value) in (int, float) and least <= value <= most  # type: ignore[operator]
+    return type(value) in (int, float) and minimum <= value <= maximum  # type: ignore[operator]
 
 
-def is_count(value: object, *, most: float = 1e12) -> bool:
-    """Return whether a value of a foreign JSON text is an integer from 0 to ``most``."""
-    return type(value) is int and is_number(value, most=most)
+def is_count(value: object, *, maximum: float = 1e12) -> bool:
+    """Return whether a value of a foreign JSON text is an integer from 0 to ``maximum``."""
+    return type(value) is int and is_number(value, maximum=maximum)
 
 
 def _read(descriptor: int, count: int) -> bytes:

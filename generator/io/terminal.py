@@ -6,23 +6,13 @@ import errno
 import os
 import select
 import sys
-import unicodedata
 from collections.abc import Callable
 
 _UNREAD = 128 + 13  # as of a process that SIGPIPE ends
 _UNWRITTEN = 5  # as of a StorageError
 
 
-def escaped(text: str) -> str:
-    """Return a text that may be foreign as a terminal can show it, without controls."""
-    return "".join(c if _is_shown(c) else repr(c)[1:-1] for c in text)
-
-
-def _is_shown(letter: str) -> bool:
-    return letter.isprintable() or letter == "\n" or unicodedata.category(letter) == "Zs"
-
-
-def piped(run: Callable[[], int]) -> int:
+def run_piped(run: Callable[[], int]) -> int:
     """Run a command; return its exit code, or one for what it printed and could not.
 
     It ends quietly where nobody reads on, as ``| head`` does, and says so where what it prints

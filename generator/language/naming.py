@@ -10,6 +10,7 @@ from scipy.optimize import linear_sum_assignment
 
 from ..catalogue import CATEGORIES, Category, category
 from ..errors import InputError
+from ..scene import Instance, SizePrior
 
 _SURE = 0.45  # probability from which a thing gets its category's name
 _SPREAD = 0.3  # of a thing's usual size, log: one standard deviation
@@ -23,7 +24,7 @@ _NEVER = 1e3  # cost of a pair that is none
 _RARE = 1e-4  # probability that no category falls below
 
 
-def known(word: str) -> Category | None:
+def find_category(word: str) -> Category | None:
     """Return the catalogue's category for a word, or None if it has none."""
     try:
         return category(word)
@@ -31,7 +32,7 @@ def known(word: str) -> Category | None:
         return None
 
 
-def weighed(
+def weigh(
     names: Float[np.ndarray, "n k"],
     looks: Sequence[Mapping[int, tuple[float, float]] | None],
     metric: bool = False,
@@ -87,7 +88,7 @@ def shape_word(width: float, height: float, share: float) -> str:
     return "round object" if 0.72 < share < 0.86 else "object"
 
 
-def assigned(
+def assign(
     names: Float[np.ndarray, "n k"],
     keys: Sequence[str],
     scores: Float[np.ndarray, "n"],
@@ -102,7 +103,7 @@ def assigned(
         Pairs (thing, index into ``wanted``); words or things may be left over.
     """
     at = {key: k for k, key in enumerate(keys)}
-    found = [known(word) for word in wanted]
+    found = [find_category(word) for word in wanted]
     columns = [at.get(c.key, len(keys)) if c else len(keys) for c in found]
     likely = np.maximum(names[:, columns], _RARE)
     cost = -np.log(likely) - np.log(np.clip(scores, 0.05, 1.0))[:, None]
@@ -110,3 +111,8 @@ def assigned(
         cost[doubtful[:, None] & (likely < _LIKE)] = _NEVER
     pairs = zip(*linear_sum_assignment(cost), strict=True)
     return [(int(i), int(j)) for i, j in pairs if cost[i, j] < _NEVER]
+
+
+def known_category(instance: Instance, size: SizePrior) -> Category | None:
+    """Return the catalogue's category for an instance's label or its prior's name, if any."""
+    return find_category(instance.label) or find_category(size.name.rstrip("_0123456789"))

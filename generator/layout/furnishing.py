@@ -75,11 +75,11 @@ def _upright(model: Model) -> Model:
         model,
         mesh=Mesh(mesh.vertices @ turn.T, mesh.faces, mesh.uv, mesh.texture, mesh.opacity),
         size=model.size[[2, 1, 0]],
-        parts=tuple(_turned(part, turn) for part in model.parts),
+        parts=tuple(_turn(part, turn) for part in model.parts),
     )
 
 
-def _turned(part: ConvexPart, turn: Float[np.ndarray, "3 3"]) -> ConvexPart:
+def _turn(part: ConvexPart, turn: Float[np.ndarray, "3 3"]) -> ConvexPart:
     axis = (2, 1, 0)[part.axis]
     return ConvexPart(part.vertices @ turn.T, part.kind, axis)  # type: ignore[arg-type]
 

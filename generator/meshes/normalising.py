@@ -10,41 +10,17 @@ import numpy as np
 import trimesh
 from jaxtyping import Float
 
-from ..backends.embedded.modeler import known_category, metric
 from ..catalogue import Category
 from ..catalogue.build.matter import friction
 from ..errors import require
 from ..geometry import to_unit_box
-from ..scene import (
-    Instance,
-    Mesh,
-    Model,
-    Physics,
-    SizePrior,
-)
-from .coloring import (
-    best_size,
-    own_texture,
-    painted_faces,
-    painted_shape,
-)
-from .reading.surface import (
-    Axis,
-    Kind,
-    Surface,
-    read_surface,
-    surface_of,
-)
+from ..language.naming import known_category
+from ..scene import Instance, Mesh, Model, Physics, SizePrior
+from .coloring import best_size, own_texture, painted_faces, painted_shape
+from .reading.surface import Axis, ColoredSurface, Kind, read_surface, surface_of
 from .reading.textures import MOST_TEXTURE
-from .reducing import reduced, volume
-from .repairing import (
-    check_surface,
-    cleaned,
-    filled,
-    inside_out,
-    tidied,
-    welded_shape,
-)
+from .reducing import reduce, volume
+from .repairing import check_surface, clean, fill_holes, inside_out, tidy, welded_shape
 
 _FILLED = 0.4  # share of its box that an open mesh is taken to fill
 
@@ -55,15 +31,15 @@ class Normal:
 
     Attributes:
         faces: most triangles, 50 to 25,000; up to four times as many where the shape needs them.
-        texture: side of a texture made anew, texels, at most 2048; more where many faces need it.
+        texture: side of a texture made again, texels, at most 2048; more where many faces need it.
     """
 
     faces: int = 6000
     texture: int = 1024
 
     def __post_init__(self) -> None:
-        require(self, "faces", least=50, most=25_000, whole=True)
-        require(self, "texture", least=16, most=MOST_TEXTURE, whole=True)
+        require(self, "faces", minimum=50, maximum=25_000, integer=True)
+        require(self, "texture", minimum=16, maximum=MOST_TEXTURE, integer=True)
 
 
 def normal_mesh(
@@ -99,23 +75,25 @@ def normal_trimesh(mesh: trimesh.Trimesh, what: str, *, up: Axis, to: Normal | N
     return normal_surface(surface_of([mesh], what), what, up=up, to=to)
 
 
-def normal_surface(surface: Surface, what: str, *, up: Axis, to: Normal | None = None) -> Mesh:
+def normal_surface(
+    surface: ColoredSurface, what: str, *, up: Axis, to: Normal | None = None
+) -> Mesh:
     """Return a surface as one textured mesh with +z up; see ``normal_mesh``."""
     to = to or Normal()
-    surface = cleaned(surface.upright(up), what)
+    surface = clean(surface.upright(up), what)
     vertices, faces = welded_shape(surface.vertices, surface.faces)
     if len(faces) > to.faces:
-        vertices, faces = reduced(vertices, faces, to.faces, what)
-        faces = tidied(vertices, faces)
+        vertices, faces = reduce(vertices, faces, to.faces, what)
+        faces = tidy(vertices, faces)
     own = len(faces) == len(surface.faces)
     over = inside_out(vertices, faces)
     faces = np.where(over[:, None], faces[:, ::-1], faces)
-    vertices, faces = filled(vertices, faces)
+    vertices, faces = fill_holes(vertices, faces)
     check_surface(faces, what)
     size = best_size(surface, to.texture, len(faces))
     if not own or len(faces) > len(surface.faces):
         return painted_shape(vertices, faces, surface, size)
-    surface = surface.flipped(over)
+    surface = surface.flip(over)
     return own_texture(surface) or painted_faces(surface, size)
 
 
@@ -145,3 +123,9 @@ def physics_of(mesh: Mesh, extent: Float[np.ndarray, "3"], kind: Category | None
     share = volume(*welded_shape(mesh.vertices, mesh.faces)) / float(np.prod(extent)) or _FILLED
     density = kind.mass / (share * float(np.prod(kind.size)))
     return Physics(float(np.clip(density, 20.0, 8000.0)), kind.friction or friction(kind.key))
+
+
+def metric(extent: Float[np.ndarray, "3"], size: SizePrior) -> Float[np.ndarray, "3"]:
+    """Scale measured proportions to metres so that the two longest sides agree with the prior."""
+    have, want = np.sort(extent)[1:], np.sort(size.extent)[1:]
+    return extent * float(np.sqrt(np.prod(want) / np.prod(have)))

@@ -25,8 +25,8 @@ Vertices = Float[np.ndarray, "n 3"]
 Faces = Int[np.ndarray, "m 3"]
 
 
-def reduced(vertices: Vertices, faces: Faces, most: int, what: str) -> tuple[Vertices, Faces]:
-    """Return a shape with about ``most`` triangles, up to four times as many if it needs them.
+def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[Vertices, Faces]:
+    """Return a shape with about ``maximum`` triangles, up to four times as many if it needs them.
 
     By quadric error. It is held against the shape it was made of: silhouettes from four sides
     overlap by 97 % or more, and the volume of a closed one changes by 5 % at most.
@@ -38,10 +38,10 @@ def reduced(vertices: Vertices, faces: Faces, most: int, what: str) -> tuple[Ver
     solid = volume(vertices, faces)
     said = ""
     for times in _TRIES:
-        if times * most >= len(faces):
+        if times * maximum >= len(faces):
             return vertices, faces
-        fewer = _simplified(vertices, faces, times * most)
-        if len(fewer[1]) > _TRIES[-1] * most:
+        fewer = _simplify(vertices, faces, times * maximum)
+        if len(fewer[1]) > _TRIES[-1] * maximum:
             said = f"no fewer than {len(fewer[1])} can hold it"
             continue
         after = silhouettes(*fewer, vertices)
@@ -52,7 +52,7 @@ def reduced(vertices: Vertices, faces: Faces, most: int, what: str) -> tuple[Ver
         said = f"silhouettes overlap by {overlap:.0%}, the volume changes by {change:.0%}"
     raise BackendError(
         f"{what} has {len(faces)} triangles and does not keep its shape with "
-        f"{_TRIES[-1] * most}: {said}. Reduce it yourself, or allow more (faces)."
+        f"{_TRIES[-1] * maximum}: {said}. Reduce it yourself, or allow more (faces)."
     )
 
 
@@ -87,7 +87,7 @@ def volume(vertices: Vertices, faces: Faces) -> float:
     return abs(total) / 6
 
 
-def _simplified(vertices: Vertices, faces: Faces, count: int) -> tuple[Vertices, Faces]:
+def _simplify(vertices: Vertices, faces: Faces, count: int) -> tuple[Vertices, Faces]:
     import fast_simplification
 
     span = float(np.ptp(vertices, axis=0).max())

@@ -9,7 +9,7 @@ from jaxtyping import Float, Int
 from scipy import sparse
 
 from ..render.scanlines import rasterise
-from ..scene.triangles import face_normals, welded
+from ..scene.triangles import face_normals, weld_index
 
 _GUTTER = 2.0  # texels between charts
 
@@ -37,7 +37,7 @@ def _charts(vertices: np.ndarray, faces: np.ndarray) -> tuple[np.ndarray, np.nda
     # A slight preference keeps the faces of a 45-degree bevel together.
     axis = np.abs(normal * [1.0, 1.001, 1.002]).argmax(1)
     side = axis * 2 + (np.take_along_axis(normal, axis[:, None], 1)[:, 0] > 0)
-    corner = welded(vertices)[faces]
+    corner = weld_index(vertices)[faces]
     pairs = np.sort(np.concatenate([corner[:, [k, (k + 1) % 3]] for k in range(3)]), axis=1)
     owner = np.tile(np.arange(len(faces)), 3)
     order = np.lexsort((pairs[:, 1], pairs[:, 0]))

@@ -160,17 +160,17 @@ def _convex_pieces(
         except QhullError:  # flat
             continue
         if volume > _CONVEX * hull.volume:
-            hulls.append(_thinned(points[hull.vertices]))
+            hulls.append(_thin(points[hull.vertices]))
     return hulls
 
 
-def _thinned(corners: Float[np.ndarray, "n 3"]) -> ConvexPart:
+def _thin(corners: Float[np.ndarray, "n 3"]) -> ConvexPart:
     """Return the hull of ``corners``, all of them extreme, without those it can do without."""
     if len(corners) <= _FEW:
         return ConvexPart(corners.round(6))
     start = corners[np.unique((corners @ _WAYS.T).argmax(0))]
     try:
-        return _grown(ConvexPart(start), corners)
+        return _grow(ConvexPart(start), corners)
     except QhullError:  # a sheet whose extreme corners lie in a plane
         return ConvexPart(corners.round(6))
 
@@ -198,7 +198,7 @@ def _beyond(hull: ConvexHull, points: Float[np.ndarray, "n 3"]) -> Float[np.ndar
     return (points @ hull.equations[:, :3].T + hull.equations[:, 3]).max(1)
 
 
-def _grown(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
+def _grow(part: ConvexPart, lacking: Float[np.ndarray, "n 3"]) -> ConvexPart:
     """Return the part with as many of the points as it takes to hold them all."""
     corners, left = part.vertices, lacking
     for _ in range(_ROUNDS):
@@ -229,7 +229,7 @@ def _grown_where_solid(
     axis = np.abs(normals).argmax(1)
     facing = 2 * axis + (normals[np.arange(len(axis)), axis] > 0)
     for way in np.unique(facing):
-        wider = _grown(part, lacking[facing == way])
+        wider = _grow(part, lacking[facing == way])
         if not _buries(wider, bare):
             part = wider
     return part
@@ -253,7 +253,7 @@ def _patches(
         return []
     points = places[np.unique(faces)]
     try:
-        hull = _thinned(points[ConvexHull(points).vertices])
+        hull = _thin(points[ConvexHull(points).vertices])
     except QhullError:  # flat
         hull = ConvexPart((points[:, None] + _SPECK).reshape(-1, 3).round(6))
     if not halvings or len(faces) <= 2 or not _buries(hull, bare):

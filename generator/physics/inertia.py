@@ -49,7 +49,7 @@ def body_mass(
         found = volume_mass(triangles, physics.density)
     else:
         found = parts_mass(parts, physics.density)
-    return _bounded(found, np.asarray(scale, float))
+    return _bound(found, np.asarray(scale, float))
 
 
 def volume_mass(triangles: Float[np.ndarray, "m 3 3"], density: float) -> MassProperties:
@@ -96,7 +96,7 @@ def box_mass(
     return MassProperties(mass, center, mass / 12 * np.diag(squares.sum() - squares))
 
 
-def joined(bodies: Sequence[MassProperties]) -> MassProperties:
+def join_bodies(bodies: Sequence[MassProperties]) -> MassProperties:
     """Return bodies fixed to each other as one, by Steiner's theorem."""
     mass = sum(body.mass for body in bodies)
     com = sum((body.mass * body.com for body in bodies), np.zeros(3)) / mass
@@ -109,14 +109,14 @@ def joined(bodies: Sequence[MassProperties]) -> MassProperties:
 
 def is_watertight(mesh: Mesh) -> bool:
     """Whether a mesh encloses a volume, faces outwards, its texture's seams taken as joined."""
-    vertices, faces = welded(mesh)
+    vertices, faces = weld(mesh)
     if not closed(faces):
         return False
     a, b, c = vertices[faces].transpose(1, 0, 2)
     return float(np.einsum("ij,ij->", a, np.cross(b, c))) > 0
 
 
-def welded(mesh: Mesh) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
+def weld(mesh: Mesh) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
     """Return vertices and faces with vertices at the same place made one, slivers left out."""
     cells = np.round(mesh.vertices.astype(np.float64) / _WELD).astype(np.int64)
     places, index = np.unique(cells, axis=0, return_inverse=True)
@@ -143,7 +143,7 @@ def _from_moments(
     return MassProperties(total, com, np.trace(about_com) * np.eye(3) - about_com)
 
 
-def _bounded(found: MassProperties, scale: Float[np.ndarray, "3"]) -> MassProperties:
+def _bound(found: MassProperties, scale: Float[np.ndarray, "3"]) -> MassProperties:
     """Keep the centre inside the box, and mass and inertia away from zero."""
     mass = max(found.mass, LEAST_MASS)
     inertia = found.inertia * (mass / found.mass)

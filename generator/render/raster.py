@@ -127,7 +127,7 @@ class _Shadow:
         p[:, :2] = (p[:, :2] - self._low[:2]) * self._scale + 4
         return p
 
-    def lit(
+    def lit_share(
         self, points: Float[np.ndarray, "p 3"], normals: Float[np.ndarray, "p 3"]
     ) -> Float[np.ndarray, "p"]:
         """Return the lit share of each point in [0, 1]; points off the map are lit.
@@ -161,7 +161,7 @@ def _colors(
         point = (item.vertices[item.faces[face]] * w).sum(1)
         normal = (normals[face] * w).sum(1)
         albedo = sample_texture(item.texture, (item.uv[item.faces[face]] * w).sum(1))
-        lit = np.ones(len(own)) if shadow is None else shadow.lit(point, normal)
+        lit = np.ones(len(own)) if shadow is None else shadow.lit_share(point, normal)
         color[own] = shade(albedo, normal, camera.position - point, lit, light)
 
     pieces = []
@@ -195,7 +195,7 @@ def _ground_shade(
     points = camera.on_plane(_centers(empty, camera, width), 0.0)
     seen = np.isfinite(points).all(1)
     up = np.broadcast_to([0.0, 0.0, 1.0], points[seen].shape)
-    factor[empty[seen]] = 1 - strength * (1 - shadow.lit(points[seen], up))
+    factor[empty[seen]] = 1 - strength * (1 - shadow.lit_share(points[seen], up))
     return factor
 
 
@@ -233,8 +233,8 @@ def render(
     if backdrop is not None:
         behind = np.flatnonzero(empty)
         pixels = _centers(behind, camera, width)
-        lit = None if shadow is None else shadow.lit
-        color[behind], depth[behind] = backdrop.seen(camera, pixels, light, lit)
+        lit = None if shadow is None else shadow.lit_share
+        color[behind], depth[behind] = backdrop.sample(camera, pixels, light, lit)
         ids[behind] = np.where(np.isfinite(depth[behind]), backdrop.id, BACKGROUND)
     if glass:
         layer = _trace(glass, camera, width, height)

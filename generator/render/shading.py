@@ -8,7 +8,7 @@ import numpy as np
 from jaxtyping import Float, Int, UInt8
 
 from ..scene import frozen_array
-from ..scene.triangles import scaled_normals, welded
+from ..scene.triangles import scaled_normals, weld_index
 
 _CREASE = np.cos(np.deg2rad(40.0))
 _MOST_PAIRS = 64  # of corners in the same place, for each corner on average; solids have about 6
@@ -52,7 +52,7 @@ def corner_normals(
     """
     scaled = scaled_normals(vertices[faces])
     flat = _unit(scaled)
-    corner = welded(vertices)[faces.reshape(-1)]
+    corner = weld_index(vertices)[faces.reshape(-1)]
     order = np.argsort(corner, kind="stable")
     counts = np.bincount(corner)
     starts = np.cumsum(counts) - counts

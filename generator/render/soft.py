@@ -32,7 +32,7 @@ _FILTER = (1 / 16, 4 / 16, 6 / 16, 4 / 16, 1 / 16)  # binomial, sigma of one pix
 
 
 @dataclass(frozen=True, eq=False)
-class Surface:
+class SampledSurface:
     """Sample points of ``s`` objects' textured surfaces, each in its object frame in metres.
 
     ``area`` (m^2) is what one point stands for; ``covered`` marks points just under another
@@ -47,7 +47,7 @@ class Surface:
     covered: Bool[Tensor, "s n"]
     corners: Float[Tensor, "s k 3"]
 
-    def thinned(self, step: int, first: int = 0) -> Surface:
+    def thin(self, step: int, first: int = 0) -> SampledSurface:
         """Return every ``step``-th point, standing for as much more area; they stay even."""
         count = self.position.shape[1]
         return replace(
@@ -59,12 +59,12 @@ class Surface:
             covered=self.covered[:, first::step],
         )
 
-    def to(self, device: torch.device | str) -> Surface:
+    def to(self, device: torch.device | str) -> SampledSurface:
         """Return the surfaces on another device."""
-        return Surface(*(getattr(self, field.name).to(device) for field in fields(self)))
+        return SampledSurface(*(getattr(self, field.name).to(device) for field in fields(self)))
 
 
-def stack(surfaces: Sequence[Surface]) -> Surface:
+def stack(surfaces: Sequence[SampledSurface]) -> SampledSurface:
     """Return several surfaces of equally many points as one."""
     most = max(s.corners.shape[1] for s in surfaces)
     corners = [
@@ -72,21 +72,21 @@ def stack(surfaces: Sequence[Surface]) -> Surface:
         for s in surfaces
     ]
 
-    def joined(name: str) -> Tensor:
+    def join(name: str) -> Tensor:
         return torch.cat([getattr(s, name) for s in surfaces])
 
-    return Surface(
-        joined("position"),
-        joined("normal"),
-        joined("color"),
-        joined("area"),
-        joined("covered"),
+    return SampledSurface(
+        join("position"),
+        join("normal"),
+        join("color"),
+        join("area"),
+        join("covered"),
         torch.cat(corners),
     )
 
 
 @dataclass(frozen=True, eq=False)
-class Fit:
+class CropFit:
     """Where in its crop an object is drawn, if not tightly: for masks that are not quite right.
 
     ``shift`` (x right, y down) is a share of the crop's side, ``zoom`` the logarithm of a factor.
@@ -97,7 +97,7 @@ class Fit:
 
 
 @dataclass(frozen=True, eq=False)
-class Window:
+class CropWindow:
     """What part of the image a crop shows, if it is not to be tight around the object.
 
     ``middle`` is its centre in x/z, y/z; ``scale`` is in pixels per unit of those.
@@ -120,7 +120,7 @@ class SoftImages:
     normal: Float[Tensor, "b 3 h w"] | None = None
 
 
-def _covered(
+def _find_covered(
     position: Float[np.ndarray, "n 3"], normal: Float[np.ndarray, "n 3"], spacing: float
 ) -> Bool[np.ndarray, "n"]:
     """Mark points that lie under another, parallel surface no farther off than ``spacing``.
@@ -144,7 +144,7 @@ def sample_surface(
     count: int,
     seed: int,
     dtype: torch.dtype = torch.float32,
-) -> Surface:
+) -> SampledSurface:
     """Spread ``count`` points evenly over one canonical mesh scaled to ``size`` metres.
 
     Points are stratified over the faces by area, and low-discrepancy within a face.
@@ -172,12 +172,12 @@ def sample_surface(
     normal = cross[face] / np.maximum(2 * areas[face, None], 1e-30)
     color = sample_texture(mesh.texture, (mesh.uv[mesh.faces[face]] * weights).sum(1))
     color = color * (0.75 + 0.25 * normal[:, 2:])
-    covered = _covered(position, normal, float(np.sqrt(total / count)))
+    covered = _find_covered(position, normal, float(np.sqrt(total / count)))
 
     def tensor(array: np.ndarray) -> Tensor:
         return torch.as_tensor(np.ascontiguousarray(array), dtype=dtype)
 
-    return Surface(
+    return SampledSurface(
         tensor(position[None]),
         tensor(normal[None]),
         tensor(color[None]),
@@ -200,7 +200,7 @@ def object_to_camera(
     return torch.stack([right, ct * down - st * ahead, st * down + ct * ahead], 1)
 
 
-def turned(
+def rotate(
     points: Float[Tensor, "b n 3"], rotation: Float[Tensor, "b 3 3"]
 ) -> Float[Tensor, "b n 3"]:
     """Return the points rotated, added up in one order: a matrix product's depends on memory."""
@@ -213,7 +213,7 @@ def bounds(
     corners: Float[Tensor, "b k 3"], rotation: Float[Tensor, "b 3 3"], center: Float[Tensor, "b 3"]
 ) -> tuple[Float[Tensor, "b 2"], Float[Tensor, "b 2"]]:
     """Return the lowest and highest x/z, y/z of objects whose centres are at ``center``."""
-    p = turned(corners, rotation) + center[:, None]
+    p = rotate(corners, rotation) + center[:, None]
     xy = p[..., :2] / p[..., 2:]
     return xy.amin(1), xy.amax(1)
 
@@ -253,14 +253,14 @@ def pixel_scale(
 
 
 def render(
-    surface: Surface,
+    surface: SampledSurface,
     rotation: Float[Tensor, "b 3 3"],
     center: Float[Tensor, "b 3"],
     resolution: int,
     keep_aspect: bool = True,
     owner: Int[Tensor, "b"] | None = None,
-    fit: Fit | None = None,
-    window: Window | None = None,
+    fit: CropFit | None = None,
+    window: CropWindow | None = None,
     normals: bool = False,
 ) -> SoftImages:
     """Draw objects in ``b`` poses, each in its own square crop of side ``resolution``.
@@ -278,8 +278,8 @@ def render(
         middle, scale = (low + high) / 2, pixel_scale(high - low, resolution, keep_aspect)
     else:
         middle, scale = window.middle, window.scale.expand(-1, 2)
-    p = turned(surface.position[index], rotation) + center[:, None]
-    normal = turned(surface.normal[index], rotation)
+    p = rotate(surface.position[index], rotation) + center[:, None]
+    normal = rotate(surface.normal[index], rotation)
     depth = p[..., 2]
     if fit is not None:
         scale = scale * fit.zoom.exp()[:, None]

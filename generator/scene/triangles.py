@@ -8,7 +8,7 @@ from jaxtyping import Float, Int
 _AT_ONCE = 100_000  # faces worked on together
 
 
-def welded(vertices: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "n"]:
+def weld_index(vertices: Float[np.ndarray, "n 3"]) -> Int[np.ndarray, "n"]:
     """Return one common index for vertices that share a position."""
     span = max(float(np.ptp(vertices, axis=0).max()), 1e-9)
     keys = np.round(vertices / span * 1e5).astype(np.int64)

@@ -1,4 +1,4 @@
-"""What all action modes share: checked actions, the rate, the gripper, commands to the servos."""
+"""Shared by all action modes: checking of actions, rate, gripper and servo commands."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ class Controller(Protocol):
         ...
 
 
-def checked(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:
+def check_action(action: ArrayLike, space: spaces.Box) -> Float[np.ndarray, "a"]:
     """Return ``action`` as float64, clipped to ``space``.
 
     Raises:

@@ -1,4 +1,4 @@
-"""Where things stand, and which of them are there at all.
+"""Where things stand, and which of them are present.
 
 Things that carry or touch one another, a bowl and its fruit, a book and what leans on it, are one
 *bundle*: they are moved and taken away together, so that nothing loses its support.
@@ -80,8 +80,8 @@ def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
     before, root = world.scene, bundles(world)
     moves = dict(drawn)
     while moves:
-        world.rearrange(moved(before, root, moves))
-        bad = _misplaced(world, before, root, set(moves))
+        world.rearrange(move(before, root, moves))
+        bad = _find_misplaced(world, before, root, set(moves))
         if not bad:
             break
         moves = {name: move for name, move in moves.items() if name not in bad}
@@ -91,7 +91,7 @@ def apply_poses(world: World, drawn: Mapping[str, list[float]]) -> list[str]:
     return [name for name in drawn if name not in moves]
 
 
-def moved(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]]) -> Scene:
+def move(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]]) -> Scene:
     """Return the scene with bundles moved (x, y) and turned about their first object."""
     objects = []
     for thing in scene.objects:
@@ -99,12 +99,12 @@ def moved(scene: Scene, root: Mapping[str, str], moves: Mapping[str, list[float]
         if first in moves:
             x, y, turn = moves[first]
             centre = scene.object(first).pose.position
-            thing = _moved(thing, centre, np.array([x, y, 0.0]), turn)
+            thing = _move_object(thing, centre, np.array([x, y, 0.0]), turn)
         objects.append(thing)
     return scene.replace(objects=tuple(objects))
 
 
-def _moved(
+def _move_object(
     thing: Object, centre: Float[np.ndarray, "3"], move: Float[np.ndarray, "3"], turn: float
 ) -> Object:
     """Return a thing moved, and turned about the vertical through ``centre``."""
@@ -112,7 +112,9 @@ def _moved(
     return replace(thing, pose=Pose(position, turned_quaternion(thing.pose.quaternion, turn)))
 
 
-def _misplaced(world: World, before: Scene, root: Mapping[str, str], movers: set[str]) -> set[str]:
+def _find_misplaced(
+    world: World, before: Scene, root: Mapping[str, str], movers: set[str]
+) -> set[str]:
     """Return which of the ``movers`` have to stay: over the edge, overlapping, not at rest."""
     import mujoco
 

@@ -18,7 +18,7 @@ from generator.errors import InputError
 from generator.scene.provenance import versions
 
 from .config import Format, RecordConfig
-from .playing import Played
+from .playing import RecordedEpisode
 
 if TYPE_CHECKING:
     import h5py
@@ -32,7 +32,7 @@ _VERSIONS = ("tabletopgen", "mujoco", "gymnasium", "numpy")
 class Writer(Protocol):
     """Writes episodes; the dataset is whole once it is closed."""
 
-    def add(self, episode: Played) -> None:
+    def add(self, episode: RecordedEpisode) -> None:
         """Write one more."""
         ...
 
@@ -48,13 +48,13 @@ class MinariWriter:
         self._place, self._config, self._env = place, config, env
         self._dataset: MinariDataset | None = None
 
-    def add(self, episode: Played) -> None:
+    def add(self, episode: RecordedEpisode) -> None:
         """Write one more episode."""
         from minari.data_collector import EpisodeBuffer
 
         buffer = EpisodeBuffer(seed=int(episode.facts["seed"]), **episode.arrays)
         if self._dataset is None:
-            self._dataset = self._begun(buffer)
+            self._dataset = self._begin(buffer)
         else:
             self._dataset.update_dataset_from_buffer([buffer])
         number = self._dataset.total_episodes - 1
@@ -63,7 +63,7 @@ class MinariWriter:
     def close(self) -> None:
         """Nothing is left to do: every episode is written when it is added."""
 
-    def _begun(self, first: Any) -> MinariDataset:
+    def _begin(self, first: Any) -> MinariDataset:
         """Return the dataset of the first episode."""
         import minari
 
@@ -109,7 +109,7 @@ class Hdf5Writer:
         self._file.attrs.update({n: json.dumps(v) for n, v in _about(config, env).items()})
         self._count = 0
 
-    def add(self, episode: Played) -> None:
+    def add(self, episode: RecordedEpisode) -> None:
         """Write one more episode."""
         group = self._file.create_group(f"episode_{self._count}")
         group.attrs.update(episode.facts)
@@ -144,7 +144,7 @@ class NpzWriter:
         self._place, self._about = place, _about(config, env)
         self._facts: list[dict[str, Any]] = []
 
-    def add(self, episode: Played) -> None:
+    def add(self, episode: RecordedEpisode) -> None:
         """Write one more episode."""
         path = self._place / f"episode_{len(self._facts)}.npz"
         np.savez_compressed(path, **dict(_flat(episode.arrays)))

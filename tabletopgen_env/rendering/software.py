@@ -32,7 +32,7 @@ _VISIBLE_GROUPS = 3  # geom groups 0, 1 and 2 are drawn, as MuJoCo does
 
 
 @dataclass(frozen=True, eq=False)
-class Shape:
+class VisibleGeom:
     """One visible geom: a triangle mesh in its own frame, uv, and its texture times ``tint``."""
 
     geom: int
@@ -48,7 +48,7 @@ class SoftwareDrawer(Drawer):
 
     def __init__(self, height: int, width: int, profile: Profile) -> None:
         self._size, self._full = (height, width), profile == "full"
-        self._shapes: WeakKeyDictionary[World, list[Shape]] = WeakKeyDictionary()
+        self._shapes: WeakKeyDictionary[World, list[VisibleGeom]] = WeakKeyDictionary()
 
     def draw(
         self, world: World, camera: str, kinds: Collection[Kind]
@@ -76,7 +76,7 @@ class SoftwareDrawer(Drawer):
 
         if world not in self._shapes:
             self._shapes[world] = visible_shapes(world.model)
-        shapes = self._shapes[world] = [_painted(world.model, s) for s in self._shapes[world]]
+        shapes = self._shapes[world] = [_paint(world.model, s) for s in self._shapes[world]]
         items = [item for shape in shapes if (item := _item(world, shape))]
         view = model_camera(world, camera, *self._size)
         return render(
@@ -89,7 +89,7 @@ class SoftwareDrawer(Drawer):
         )
 
 
-def _painted(model: mujoco.MjModel, shape: Shape) -> Shape:
+def _paint(model: mujoco.MjModel, shape: VisibleGeom) -> VisibleGeom:
     """Return the shape in its geom's present colour."""
     tint = _color(model, shape.geom)[:3]
     if np.array_equal(tint, shape.tint):
@@ -109,7 +109,7 @@ def _light(model: mujoco.MjModel) -> Light:
     )
 
 
-def _item(world: World, shape: Shape) -> Item | None:
+def _item(world: World, shape: VisibleGeom) -> Item | None:
     """Return the shape at its present world pose, or None if it is fully transparent."""
     from generator.render.raster import Item
 
@@ -136,7 +136,7 @@ def model_camera(world: World, name: str, height: int, width: int) -> Camera:
 # ---------------------------------------------------------------------------------- tessellation
 
 
-def visible_shapes(model: mujoco.MjModel) -> list[Shape]:
+def visible_shapes(model: mujoco.MjModel) -> list[VisibleGeom]:
     """Return every geom of the visible groups but the floor as triangles."""
     shapes = []
     for k in range(model.ngeom):
@@ -145,7 +145,7 @@ def visible_shapes(model: mujoco.MjModel) -> list[Shape]:
             if mesh is not None:
                 vertices, faces, uv = mesh
                 tint = _color(model, k)[:3].copy()
-                shapes.append(Shape(k, vertices, faces, uv, _texture(model, k), tint))
+                shapes.append(VisibleGeom(k, vertices, faces, uv, _texture(model, k), tint))
     return shapes
 
 

@@ -13,8 +13,8 @@ import numpy as np
 from generator.errors import InputError
 from generator.scene import Object
 
-from .goals.goal import Raised
-from .goals.sampling import drawn, liftable
+from ..goals.goal import Raised
+from .sampling import draw_episode, liftable
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -37,4 +37,4 @@ class Lift(Task):
             goals = (Raised(obj.name, world.position(obj.name)),)
             return episode(world, goals)
 
-        return drawn(world, rng, target, liftable(world), make, "")
+        return draw_episode(world, rng, target, liftable(world), make, "")

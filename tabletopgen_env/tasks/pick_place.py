@@ -13,15 +13,15 @@ import numpy as np
 
 from generator.scene import Object
 
-from .goals.sampling import (
+from .sampling import (
+    check_known,
     containers,
-    drawn,
+    draw_episode,
     into,
-    known,
     liftable,
-    named,
     on_spot,
     spot_of,
+    target_of,
 )
 from .task import Choice, Episode, Task, episode
 
@@ -41,7 +41,9 @@ class PickPlace(Task):
     ) -> Episode:
         """Draw a target and a goal, or take those given; see ``Task.sample``."""
         reasons = liftable(world)
-        wanted = None if named(goal) is None else known(world, str(goal), "to put things into")
+        wanted = (
+            None if target_of(goal) is None else check_known(world, str(goal), "to put things into")
+        )
         for name, reason in reasons.items():
             fits = containers(world, world.scene.object(name)) if wanted and not reason else ()
             if wanted and not reason and wanted not in {o.name for o in fits}:
@@ -59,4 +61,4 @@ class PickPlace(Task):
             return episode(world, (into(world, obj, fitting[0]),)) if fitting else None
 
         lacks = "no container that it fits and no free spot in reach"
-        return drawn(world, rng, target, reasons, make, lacks)
+        return draw_episode(world, rng, target, reasons, make, lacks)

@@ -14,8 +14,8 @@ from jaxtyping import Float
 from generator.errors import InputError, SceneError
 
 from ..expert.path import clear_height
-from .goals.goal import Reached
-from .goals.sampling import coordinates
+from ..goals.goal import Reached
+from .sampling import coordinates
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:

@@ -28,11 +28,12 @@ from generator.language.distribution import Needs
 from generator.scene import Object
 
 from ..expert.planning.plans import has_grasp
-from .goals.goal import SPOT, Goal
-from .goals.needs import FLAT, SMALL, TRAYS
-from .goals.sampling import (
+from ..goals.goal import SPOT, Goal
+from ..goals.needs import FLAT, SMALL, TRAYS
+from .names import TaskName
+from .sampling import (
     NO_GRASP,
-    blocked,
+    blocking_reason,
     containers,
     into,
     liftable,
@@ -40,7 +41,6 @@ from .goals.sampling import (
     on_spot,
     spot_of,
 )
-from .names import TaskName
 from .stack import on_top, supports
 from .swap import Swap
 from .task import Choice, Episode, Task, episode
@@ -142,7 +142,7 @@ class Sequence(Task):
                 "A sequence is drawn or named by a preset; it takes no target or goal."
             )
         if self.preset is None:
-            return _drawn(world, rng, int(rng.integers(2, self.most + 1)))
+            return _draw(world, rng, int(rng.integers(2, self.most + 1)))
         if self.preset.swap:
             first, second = (_movable(world, label, broad=True) for label in self.preset.swap)
             return Swap().sample(world, rng, first.name, second.name)
@@ -158,7 +158,7 @@ class Sequence(Task):
         return Swap().instruction(world, goals) if self.preset.swap else self.preset.instruction
 
 
-def _labelled(world: World, label: str) -> Object:
+def _resolve_label(world: World, label: str) -> Object:
     """Return the object that a preset means."""
     category = label.replace(" ", "_")
     for obj in world.scene.objects:
@@ -175,8 +175,8 @@ def _movable(world: World, label: str, broad: bool = False) -> Object:
 
     ``broad`` allows for what nearly fills the gripper, as mugs and apples do.
     """
-    obj = _labelled(world, label)
-    reason = blocked(world, obj) if broad else liftable(world)[obj.name]
+    obj = _resolve_label(world, label)
+    reason = blocking_reason(world, obj) if broad else liftable(world)[obj.name]
     if reason is None and not has_grasp(world, obj.name):
         reason = NO_GRASP
     if reason is not None:
@@ -185,11 +185,11 @@ def _movable(world: World, label: str, broad: bool = False) -> Object:
 
 
 def _goal(world: World, step: Step) -> Goal:
-    obj, place = _labelled(world, step.target), _labelled(world, step.place)
+    obj, place = _resolve_label(world, step.target), _resolve_label(world, step.place)
     return into(world, obj, place) if step.relation == "into" else on_top(world, obj, place)
 
 
-def _drawn(world: World, rng: np.random.Generator, count: int) -> Episode:
+def _draw(world: World, rng: np.random.Generator, count: int) -> Episode:
     """Draw ``count`` steps with things of their own that stay clear of one another."""
     reasons = liftable(world)
     names = [name for name, why in reasons.items() if why is None]

@@ -19,16 +19,10 @@ from ..affordance import grasp_width, resting_height
 from ..expert.arm import stretch
 from ..expert.planning.choosing import HOVER, choose
 from ..expert.planning.plans import first_plan
+from ..goals.goal import OnTop
+from ..goals.needs import FLAT, STANDING
 from ..robot.mount import reachable
-from .goals.goal import OnTop
-from .goals.needs import FLAT, STANDING
-from .goals.sampling import (
-    drawn,
-    given_object,
-    liftable,
-    on_table,
-    rest_height,
-)
+from .sampling import draw_episode, given_object, liftable, on_table, rest_height
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -38,7 +32,7 @@ LEAST_TOP = 0.022
 """Least radius of a flat top to put things on, metres."""
 
 _YAWS = np.arange(8) * np.pi / 4
-"""Of the hand, base frame, radians."""
+"""Yaws of the hand, base frame, radians."""
 
 TALLEST = 0.25
 """Tallest support, metres: the arm has to come over it."""
@@ -67,7 +61,7 @@ class Stack(Task):
             return episode(world, (on_top(world, obj, base),))
 
         lacks = "no flat top in reach that carries it"
-        return drawn(world, rng, target, liftable(world), make, lacks)
+        return draw_episode(world, rng, target, liftable(world), make, lacks)
 
 
 def supports(world: World, obj: Object, wanted: str | None = None) -> Iterator[Object]:

@@ -17,18 +17,10 @@ from generator.geometry import inside_margin
 from generator.scene import Object
 
 from ..expert.planning.plans import has_grasp
+from ..goals.goal import Goal, OnSpot, the
+from ..goals.needs import SMALL
 from ..world.workspace import FREE_MARGIN
-from .goals.goal import Goal, OnSpot, the
-from .goals.needs import SMALL
-from .goals.sampling import (
-    drawn,
-    given_object,
-    in_stead,
-    liftable,
-    on_spot,
-    on_table,
-    spot_of,
-)
+from .sampling import draw_episode, given_object, in_stead, liftable, on_spot, on_table, spot_of
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:
@@ -69,7 +61,7 @@ class Swap(Task):
             return None
 
         lacks = "nothing else that could change places with it"
-        return drawn(world, rng, target, reasons, make, lacks)
+        return draw_episode(world, rng, target, reasons, make, lacks)
 
     def instruction(self, world: World, goals: tuple[Goal, ...]) -> str:
         """Return what ``goals`` ask for in the end."""

@@ -43,7 +43,7 @@ from jaxtyping import Bool, Float
 
 from generator.language.distribution import Needs
 
-from .goals.goal import SPOT_RADIUS, Goal
+from ..goals.goal import SPOT_RADIUS, Goal
 from .names import TaskName
 
 if TYPE_CHECKING:
@@ -149,7 +149,7 @@ class Task(ABC):
 
     # -------------------------------------------------------------------------------- goal vectors
 
-    def desired(self, world: World, episode: Episode) -> Float[np.ndarray, "g"]:
+    def desired_goal(self, world: World, episode: Episode) -> Float[np.ndarray, "g"]:
         """Return the desired goal vector, ``float32``, 8 entries for each of ``most`` goals."""
         vector = np.zeros((self.most, ENTRIES))
         for row, goal in zip(vector, episode.goals, strict=False):
@@ -159,7 +159,7 @@ class Task(ABC):
             row[5:] = region.yaw - world.mount.yaw, region.semi[2], 1.0
         return vector.ravel().astype(np.float32)
 
-    def achieved(
+    def achieved_goal(
         self, world: World, episode: Episode, desired: Float[np.ndarray, "g"]
     ) -> Float[np.ndarray, "g"]:
         """Return what is achieved in the same form."""
@@ -219,7 +219,7 @@ class Task(ABC):
         if goal.target is None or (goal.released and across <= 0 and up <= 0):
             return dict.fromkeys(_HAND, 1.0)
         at = world.position(goal.target)
-        left, right, _ = world.touched(goal.target)
+        left, right, _ = world.touches(goal.target)
         offset = world.data.site_xpos[world.tcp] - at
         away = math.sqrt(offset @ offset)
         asked = LIFT * min(float(across) / LIFT, 1.0) if goal.released else LIFT

@@ -17,20 +17,9 @@ from generator.scene import Object
 
 from ..affordance import Opening, grasp_width, resting_height
 from ..expert.planning.plans import has_grasp
-from .goals.goal import (
-    INSIDE,
-    Goal,
-    Into,
-    the,
-)
-from .goals.needs import TINY, TRAYS
-from .goals.sampling import (
-    containers,
-    given_object,
-    into,
-    liftable,
-    nothing,
-)
+from ..goals.goal import INSIDE, Goal, Into, the
+from ..goals.needs import TINY, TRAYS
+from .sampling import containers, given_object, into, liftable, nothing
 from .task import Choice, Episode, Task, episode
 
 if TYPE_CHECKING:

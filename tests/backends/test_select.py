@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import pytest
 
 from generator.backends import Backends, Mix, select
+from generator.backends.embedded.imager import EmbeddedImager as EmbeddedImager
 from generator.backends.protocols import in_turn
 from generator.calls import Session
 from generator.errors import BackendError
@@ -23,6 +24,14 @@ class MyModeler:
 def test_embedded_answers_every_question() -> None:
     backends = Backends.select("embedded")
     assert set(backends.identity()) == {"reasoner", "imager", "segmenter", "modeler", "encoder"}
+
+
+@pytest.mark.parametrize("name", ["embedded"])
+def test_a_backend_is_recorded_by_its_name_and_role_whatever_module_it_is_in(name: str) -> None:
+    told = Backends.select(name).identity()
+    assert {role: entry["class"] for role, entry in told.items()} == {
+        role: f"{name}.{role}" for role in told
+    }
 
 
 def test_your_own_class_takes_one_role() -> None:
@@ -115,3 +124,12 @@ def test_what_asks_servers_shares_the_session(monkeypatch: pytest.MonkeyPatch) -
 def test_what_computes_here_is_asked_in_turn() -> None:
     backends = Backends.select("embedded", session=Session())
     assert [backends.each(role) for role in backends.identity()] == [in_turn] * 5
+
+
+def test_the_cloud_imager_gets_the_embedded_one_to_fall_back_on(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setenv("TABLETOPGEN_CLOUD_KEY", "a-key")
+    by_name = Backends.select("embedded", imager="cloud").imager
+    given = Backends.select("embedded", imager=type(by_name)()).imager
+    assert all(type(imager.fallback) is EmbeddedImager for imager in (by_name, given))

@@ -14,24 +14,19 @@ import pytest
 from toy import toy_object, toy_scene
 
 from generator.bundle import load, save, verify
+from generator.cli import run
 from generator.errors import BundleError, InputError
 from generator.physics.gate import judge
 from generator.scene import Scene
-from tabletopgen_env.__main__ import run
 from tabletopgen_env.certificates import certify as certify_module
 from tabletopgen_env.certificates.certificate import (
     FILE,
     STARTS,
-    Instance,
+    TaskInstance,
     Terms,
     read_certificate,
 )
-from tabletopgen_env.certificates.certify import (
-    DEFAULT,
-    certify,
-    is_certified,
-    played_again,
-)
+from tabletopgen_env.certificates.certify import DEFAULT, certify, is_certified, played_again
 from tabletopgen_env.env import TabletopEnv, make_env
 
 
@@ -44,7 +39,7 @@ def scene() -> Scene:
     return made.replace(report=judge(made))
 
 
-def certified_at(path: Path) -> tuple[Instance, ...]:
+def certified_at(path: Path) -> tuple[TaskInstance, ...]:
     found = read_certificate(path)
     return () if found is None else found.certified
 
@@ -108,7 +103,7 @@ def test_the_first_start_is_the_scene_s_own_and_the_others_differ(
 ) -> None:
     starts: list[bytes] = []
 
-    def solved(env: TabletopEnv, instance: Instance, rng: np.random.Generator) -> bool:
+    def solved(env: TabletopEnv, instance: TaskInstance, rng: np.random.Generator) -> bool:
         env.reset(seed=int(rng.integers(2**31)), options=instance.options)
         starts.append(env.world.data.qpos.tobytes())
         return True
@@ -126,7 +121,7 @@ def test_instances_are_played_again_from_starts_of_another_seed(
 ) -> None:
     starts: list[int] = []
 
-    def solved(env: Any, instance: Instance, rng: np.random.Generator) -> bool:
+    def solved(env: Any, instance: TaskInstance, rng: np.random.Generator) -> bool:
         starts.append(int(rng.integers(2**31)))
         return len(starts) != 3
 
@@ -289,7 +284,7 @@ def test_bad_bundles_are_named_also_when_the_rest_is_interrupted(
         raise KeyboardInterrupt
 
     path = save(scene(), tmp_path)
-    monkeypatch.setattr("tabletopgen_env.__main__.certify_all", interrupted)
+    monkeypatch.setattr("tabletopgen_env.certificates.certify.certify_all", interrupted)
     assert run(["certify", str(path)]) == 130
     assert "error: bad is not certified: it is damaged" in capsys.readouterr().err
 
@@ -324,7 +319,7 @@ def test_terms_are_alike_however_they_are_given() -> None:
 
 
 def test_shares_are_of_the_episodes() -> None:
-    assert Instance("Lift", "a", None, 3, 4).share == 0.75
-    assert Instance("Lift", "a", None).share == 0.0
-    assert Instance("Push", "a", "spot").options == {"target": "a", "goal": "spot"}
-    assert Instance("Reach", None, None).options == {}
+    assert TaskInstance("Lift", "a", None, 3, 4).share == 0.75
+    assert TaskInstance("Lift", "a", None).share == 0.0
+    assert TaskInstance("Push", "a", "spot").options == {"target": "a", "goal": "spot"}
+    assert TaskInstance("Reach", None, None).options == {}

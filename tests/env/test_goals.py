@@ -12,12 +12,7 @@ from worlds import STILL, wait
 from generator.errors import InputError, SceneError
 from generator.geometry import yaw_quaternion
 from tabletopgen_env.env import TabletopEnv, make_env
-from tabletopgen_env.tasks.goals.goal import (
-    RAISED,
-    Into,
-    OnTop,
-    Raised,
-)
+from tabletopgen_env.goals.goal import RAISED, Into, OnTop, Raised
 from tabletopgen_env.tasks.names import NAMES
 from tabletopgen_env.tasks.push import WAY
 from tabletopgen_env.tasks.registry import task_named

@@ -16,9 +16,9 @@ from toy import toy_objects, toy_scene
 
 from generator.errors import InputError
 from tabletopgen_env.env import TabletopEnv, make_env
+from tabletopgen_env.goals.goal import Raised
 from tabletopgen_env.randomization import PRESETS, SWITCHES, Randomization, Randomizer
 from tabletopgen_env.robot.panda import Panda
-from tabletopgen_env.tasks.goals.goal import Raised
 from tabletopgen_env.tasks.task import episode as begun
 from tabletopgen_env.world.world import World
 

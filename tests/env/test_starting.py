@@ -20,10 +20,10 @@ from generator.scene import Scene
 from tabletopgen_env.affordance import footprint
 from tabletopgen_env.env import TabletopEnv, make_env
 from tabletopgen_env.expert.planning.strokes import plan_stroke
+from tabletopgen_env.goals.goal import OnSpot
 from tabletopgen_env.randomization import PRESETS
 from tabletopgen_env.randomization.arranging import DRIFT, OVERLAP
 from tabletopgen_env.randomization.starting import PALM_ROOM
-from tabletopgen_env.tasks.goals.goal import OnSpot
 from tabletopgen_env.vector import TabletopVectorEnv
 from tabletopgen_env.world.workspace import FREE_MARGIN
 

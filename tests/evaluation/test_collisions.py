@@ -21,7 +21,7 @@ from generator.evaluation.surfaces.collisions import (
     overlap_depth,
     rates,
 )
-from generator.evaluation.surfaces.shells import Shell, shells
+from generator.evaluation.surfaces.shells import SurfaceShell, shells
 from generator.evaluation.surfaces.triangles import nearest_on_triangles, solid_angles
 from generator.geometry import yaw_quaternion
 from generator.scene import Mesh, Object, Placement, Pose
@@ -29,11 +29,11 @@ from generator.scene import Mesh, Object, Placement, Pose
 UPRIGHT = np.array([1.0, 0.0, 0.0, 0.0])
 
 
-def body(mesh: Mesh, size, position=(0, 0, 0), yaw: float = 0.0) -> tuple[Shell, ...]:
+def body(mesh: Mesh, size, position=(0, 0, 0), yaw: float = 0.0) -> tuple[SurfaceShell, ...]:
     return shells(mesh, np.array(size, float), np.array(position, float), yaw_quaternion(yaw))
 
 
-def box(size, position=(0, 0, 0), yaw: float = 0.0) -> tuple[Shell, ...]:
+def box(size, position=(0, 0, 0), yaw: float = 0.0) -> tuple[SurfaceShell, ...]:
     return body(cube_mesh(), size, position, yaw)
 
 

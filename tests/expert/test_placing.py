@@ -16,7 +16,7 @@ from tabletopgen_env.expert.pick import Picker
 from tabletopgen_env.expert.planning.heights import solid
 from tabletopgen_env.expert.planning.placing import Place, plan_place
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.tasks.goals.goal import Into, OnTop
+from tabletopgen_env.goals.goal import Into, OnTop
 
 TOP = 0.74
 CUBE = toy_object("cube", (0.04, 0.04, 0.04), (-0.15, 0.0))

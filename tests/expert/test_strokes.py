@@ -14,7 +14,7 @@ from tabletopgen_env.env import make_env
 from tabletopgen_env.expert.planning.strokes import plan_stroke
 from tabletopgen_env.expert.push import Pusher
 from tabletopgen_env.expert.run import TaskExpert
-from tabletopgen_env.tasks.goals.goal import Pushed
+from tabletopgen_env.goals.goal import Pushed
 from tabletopgen_env.world.world import World
 
 TOP = 0.74

@@ -31,7 +31,7 @@ sys.modules.update(dict.fromkeys(ABSENT))  # importing any of them fails, as wit
 import gymnasium as gym
 import assets_cache, generator, tabletopgen_env
 from generator.bundle import load, save, verify
-from generator.compose import compose
+from generator.composition import compose
 
 for package in (assets_cache, generator, tabletopgen_env):
     assert pathlib.Path(package.__file__).is_relative_to(sys.argv[1]), package.__file__
@@ -86,7 +86,8 @@ def attempt(folder: Path) -> None:
     """Try what is installed in a folder: the packages, the command, the module."""
     _run("-P", "-c", TRIAL, folder, cwd=folder, path=folder)
     for words in ([folder / "bin" / "tabletopgen"], ["-m", "tabletopgen_env"]):
-        assert "usage" in _run("-P", *words, "--help", cwd=folder, path=folder).lower()
+        shown = _run("-P", *words, "--help", cwd=folder, path=folder)
+        assert all(name in shown for name in ("usage", "generate", "doctor", "train", "certify"))
 
 
 def _run(*words: object, cwd: Path | None = None, path: Path | None = None) -> str:

@@ -8,13 +8,8 @@ import numpy as np
 from posing.truth import photograph
 
 from generator.catalogue import CATEGORIES
-from generator.compose import compose
-from research.eye.sample import (
-    BACKGROUND,
-    OBJECT,
-    TOP,
-    Sample,
-)
+from generator.composition import compose
+from research.eye.sample import BACKGROUND, OBJECT, TOP, Sample
 from research.eye.shards import ShardWriter
 
 

@@ -22,14 +22,10 @@ from ...scene import (
     TopView,
     View,
 )
+from .. import protocols
 from .drawing import cutting
-from .drawing.asking import (
-    RATIOS,
-    Form,
-    Painter,
-    Tolerated,
-)
-from .drawing.pictures import on_white, padded, shrunk
+from .drawing.asking import RATIOS, Form, Painter, Tolerated
+from .drawing.pictures import on_white, pad, shrink
 from .prompts import prompt
 from .questions import planning
 from .questions.checking import faults
@@ -48,7 +44,7 @@ _EARLIER = "\n\nAn earlier drawing was wrong: "
 
 
 @dataclass(frozen=True)
-class Imager:
+class CloudImager:
     """Answers the three picture questions by an image model, and a chat model that checks it.
 
     Attributes:
@@ -59,6 +55,8 @@ class Imager:
         chat_model: the chat model, which checks top views.
         seed: another seed draws otherwise.
         session: what the calls of one generation share; no identity.
+        fallback: the imager that makes the top view where the model gives none of use;
+            ``Backends.select`` passes the embedded one. None leaves the error.
     """
 
     base_url: str = field(default_factory=configuration.image_base_url)
@@ -68,6 +66,7 @@ class Imager:
     chat_model: str = field(default_factory=configuration.chat_model)
     seed: int = 0
     session: Session = field(default_factory=Session, repr=False, compare=False)
+    fallback: protocols.Imager | None = field(default=None, repr=False, compare=False)
     manners: Manners = field(default_factory=Manners, repr=False, compare=False)
     tolerated: Tolerated = field(default_factory=Tolerated, repr=False, compare=False)
 
@@ -108,7 +107,7 @@ class Imager:
             "draw", style=plan.style, table=table, things=things, count=str(len(plan.objects)),
             take=self._take(seed, 0),
         )  # fmt: skip
-        return shrunk(on_white(self.painter.paint("draw", text, _WIDE)), _WORK)
+        return shrink(on_white(self.painter.paint("draw", text, _WIDE)), _WORK)
 
     def complete(
         self, reference: Reference, detection: Detection, others: tuple[Detection, ...]
@@ -122,7 +121,7 @@ class Imager:
         place = Labelled.of(
             reference.image, [_as_instance(detection)], table=detection.label == TABLE
         ).picture()
-        where = padded(place, *RATIOS[self.painter.form])
+        where = pad(place, *RATIOS[self.painter.form])
         bare = " Nothing stands on it: draw its top bare." if detection.label == TABLE else ""
         used, complaint = Used(self.session.store), ""
         for take in range(1 + REDRAWS):
@@ -156,18 +155,18 @@ class Imager:
         """Draw the table from above; its boxes are left to the segmenter.
 
         The chat model checks that each thing is there once and nothing else is. After ``REDRAWS``
-        more drawings that fail, or where a model refuses or gives nothing of use, the view is made
-        by geometry, as the embedded backend does, and ``warnings`` of the top view says why.
+        more drawings that fail, or where a model refuses or gives nothing of use, ``fallback``
+        makes the view by geometry, and ``warnings`` of the top view says why.
 
         Raises:
-            BackendError: a server gave no answer at all.
+            BackendError: a server gave no answer at all, or none of use and there is no fallback.
         """
-        from ..embedded.drawing.topview import top_view
-
         try:
             return self._drawn_top_view(reference, instances, models)
         except UnusableError as error:
-            made = top_view(reference, instances, models, rotations, view)
+            if self.fallback is None:
+                raise
+            made = self.fallback.top_view(reference, instances, models, rotations, view)
             warning = f"The top view was made by geometry, for none drawn could be used. {error}"
         return replace(made, repaired=tuple(made.boxes), warnings=(*made.warnings, warning))
 
@@ -184,9 +183,7 @@ class Imager:
             BackendError: a server gave no answer at all.
         """
         things = Labelled.of(reference.image, instances)
-        pictures = [
-            padded(p, *RATIOS[self.painter.form]) for p in (reference.image, things.picture())
-        ]
+        pictures = [pad(p, *RATIOS[self.painter.form]) for p in (reference.image, things.picture())]
         extent = _table_size(reference, models)
         ratio = extent[0] / extent[1] if extent else _WIDE
         size = (
@@ -201,7 +198,7 @@ class Imager:
                 complaint=complaint, take=self._take(0, take),
             )  # fmt: skip
             drawn = self.painter.paint("top_view", text, ratio, pictures)
-            image = shrunk(on_white(drawn), _WORK)
+            image = shrink(on_white(drawn), _WORK)
             found = faults(self.chat, things, image)
             if not found:
                 height, across = image.shape[:2]

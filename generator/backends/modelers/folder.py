@@ -9,12 +9,12 @@ from pathlib import Path
 
 from ...errors import BackendError, choices
 from ...io.reading import read_regular
+from ...language.naming import known_category
 from ...meshes.normalising import Normal, foreign_model, normal_mesh
 from ...meshes.reading.bounds import MOST_BYTES
 from ...meshes.reading.companions import companions
 from ...meshes.reading.surface import Axis
 from ...scene import Instance, Mesh, Model, SizePrior, View
-from ..embedded.modeler import known_category
 from ..protocols import Modeler
 
 ASSETS = "TABLETOPGEN_ASSETS"
@@ -35,7 +35,7 @@ class Folder:
         path: the folder; empty: the one that the environment's ``TABLETOPGEN_ASSETS`` names.
         up: which axis of the files is up.
         faces: most triangles of a mesh, see ``Normal``.
-        texture: side of a texture made anew, texels.
+        texture: side of a texture made again, texels.
         rest: who models what the folder has no file for; None: that is an error.
     """
 

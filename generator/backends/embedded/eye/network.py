@@ -172,10 +172,10 @@ class Eye(nn.Module):
         area = inside.sum((1, 2)).clamp(min=1)
         sure = (drawn * inside).sum((1, 2)) / area
         heat = maps.heat[image, 0, cells[:, 1], cells[:, 0]]
-        told = torch.stack([area.log() / 3 - 1, 4 * sure - 3, heat / 3], 1).detach()
+        inputs = torch.stack([area.log() / 3 - 1, 4 * sure - 3, heat / 3], 1).detach()
         point = maps.thing[image, :, cells[:, 1], cells[:, 0]]
-        pooled = [_shared(maps.thing, image, part) for part in (inside, around)]
-        return self.judge(torch.cat([point, *pooled, told], 1))[:, 0]
+        pooled = [_pool_by_picture(maps.thing, image, part) for part in (inside, around)]
+        return self.judge(torch.cat([point, *pooled, inputs], 1))[:, 0]
 
     def names(self, closeups: Tensor, visible: Tensor, hints: Tensor) -> Tensor:
         """Return (n, categories) logits of what close-ups show.
@@ -186,8 +186,8 @@ class Eye(nn.Module):
             hints: (n, HINTS), of :func:`hints`.
         """
         features = self.encoder(closeups)
-        summary = _pooled(self.encoder.summary(features[3]), visible)
-        return self.namer(torch.cat([summary, _pooled(features[2], visible), hints], 1))
+        summary = _pool(self.encoder.summary(features[3]), visible)
+        return self.namer(torch.cat([summary, _pool(features[2], visible), hints], 1))
 
 
 def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[float, ...]:
@@ -202,7 +202,7 @@ def hints(size: tuple[float, float], tabletop: float, picture: float) -> tuple[f
     return (math.log(tall / wide), min(max(large, -4.0), 2.0) + 1.0, share / picture)
 
 
-def _pooled(features: Tensor, visible: Tensor) -> Tensor:
+def _pool(features: Tensor, visible: Tensor) -> Tensor:
     """Return the mean (n, c) of the features (n, c, h, w) under masks (n, h', w') in [0, 1]."""
     size = features.shape[2:]
     weight = functional.interpolate(visible[:, None].to(features.dtype), size=size, mode="area")
@@ -210,7 +210,7 @@ def _pooled(features: Tensor, visible: Tensor) -> Tensor:
     return (features * weight).sum((2, 3)) / weight.sum((2, 3))
 
 
-def _shared(features: Tensor, image: Tensor, masks: Tensor) -> Tensor:
+def _pool_by_picture(features: Tensor, image: Tensor, masks: Tensor) -> Tensor:
     """Return the mean (n, c) of (b, c, h, w) under masks (n, h, w), each of one of the pictures."""
     weight = masks.flatten(1).to(features.dtype)
     weight = weight / weight.sum(1, keepdim=True).clamp(min=1.0)

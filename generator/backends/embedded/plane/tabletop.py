@@ -31,10 +31,10 @@ def find_tabletop(
         BackendError: the eye's weights are missing or damaged.
         SceneError: the picture shows no tabletop.
     """
-    found = _found(image.tobytes(), image.shape[:2], plan, length, None)
+    found = _find(image.tobytes(), image.shape[:2], plan, length, None)
     if view is None or np.allclose(_numbers(found.view), _numbers(view), atol=1e-4):
         return found
-    return _found(image.tobytes(), image.shape[:2], plan, length, view)
+    return _find(image.tobytes(), image.shape[:2], plan, length, view)
 
 
 def _numbers(view: View) -> tuple[float, float, float]:
@@ -42,7 +42,7 @@ def _numbers(view: View) -> tuple[float, float, float]:
 
 
 @lru_cache(maxsize=8)
-def _found(
+def _find(
     pixels: bytes,
     size: tuple[int, int],
     plan: PlannedTable | None,

@@ -8,13 +8,13 @@ import numpy as np
 from jaxtyping import Bool
 
 from ....meshes.pixels import hull_of
-from .detections import Find
+from .detections import BoxDetection
 
 _FOOT = 1 / 6  # of a mask's height: what it stands on
 _BELOW = 1 / 60  # of the picture's longer side: how far below a foot is looked
 
 
-def on_table(things: Sequence[Find], table: Bool[np.ndarray, "h w"]) -> list[Find]:
+def on_table(things: Sequence[BoxDetection], table: Bool[np.ndarray, "h w"]) -> list[BoxDetection]:
     """Return the finds without those beside or below the table, in their order.
 
     Most of a thing's lowest part is over the table's outline, or has things that stand there right

@@ -35,7 +35,7 @@ def missing(pin: Pin, folder: Path) -> tuple[str, ...]:
     return tuple(name for name in pin.files if not (home / name).is_file())
 
 
-def found(pin: Pin, folder: Path, what: str) -> Path:
+def find_model(pin: Pin, folder: Path, what: str) -> Path:
     """Return the folder of a model all of whose files are there, within ``models_folder``'s.
 
     ``what`` names backend and question, for the message of an error.

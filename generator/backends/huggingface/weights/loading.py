@@ -10,7 +10,7 @@ from typing import Any, Generic, TypeVar
 
 from ....errors import BackendError
 from ...installing import module
-from .folder import found, snapshot
+from .folder import find_model, snapshot
 from .pins import WEIGHTS, Pin
 
 T = TypeVar("T")
@@ -57,7 +57,7 @@ def load_model(pin: Pin, folder: Path, what: str, *, device: str = "cpu") -> Any
             f"{what} the installed transformers {transformers.__version__} has no {pin.kind}. "
             f"{_HOW} --upgrade"
         )
-    home = found(pin, folder, what)
+    home = find_model(pin, folder, what)
     try:
         with _quiet(transformers):
             network, report = kind.from_pretrained(
@@ -87,7 +87,7 @@ def load_tokenizer(pin: Pin, folder: Path, what: str) -> Any:
         BackendError: it is not there, or damaged.
     """
     transformers = module("transformers", "huggingface", _HOW)
-    file = found(pin, folder, what) / "tokenizer.json"
+    file = find_model(pin, folder, what) / "tokenizer.json"
     try:
         return transformers.PreTrainedTokenizerFast(tokenizer_file=str(file))
     except Exception as error:  # tokenizers raises Exception itself

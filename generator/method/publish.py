@@ -1,0 +1,261 @@
+"""From placements to the scene that is published: one loop of attempts, each judged by the gate.
+
+A scene that fails its gate gives up what spoils it: what was added beyond the picture first, then
+the thing that the failures name most. One thing found wrong (two things taken for one, a shadow
+made solid) would otherwise cost the whole table. What is left out is named by the provenance and
+the report.
+
+The joint refinement goes by outlines before the scene is assembled. Freeing overlaps and settling
+move things again, so the finished scene is measured again, in the same measure: a refinement that
+assembly undoes does not stay.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from jaxtyping import Float
+
+from ..scene import (
+    TABLE,
+    Instance,
+    Model,
+    Placement,
+    Provenance,
+    Reference,
+    Scene,
+    SizePrior,
+    View,
+    names_in,
+)
+from .assembly import AssemblyConfig, assemble
+from .refinement import Refinement, RefinementConfig, outline_misfit
+from .supplement import NOTHING, Supplement, supplement
+
+WORSE = 0.005
+"""By how much the finished scene's outlines may agree worse than those before the refinement."""
+
+UNREFINED = "The joint refinement is left out: finished, the scene agrees better without it."
+
+Placements = tuple[Placement, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Reconstruction:
+    """What the stages before assembly found, and the settings of those after it.
+
+    Attributes:
+        reference: the picture, and the plan where a text asked for it.
+        instances: what was found in the picture, the table among it.
+        sizes: commonsense sizes by name.
+        models: canonical models by name, the table's among them.
+        view: the camera's direction.
+        table_scale: extent of the table, metres.
+        provenance: where the scene comes from; warnings of its attempt are added.
+        name: name of the scene.
+        seed: of the looks and places of what is added.
+        assembly: settings of the assembly.
+        refinement: settings of the measure of outlines.
+        supplements: whether what a text asks for and no drawing shows is added.
+        leave_out: share of what was found that may be left out, in [0, 1].
+    """
+
+    reference: Reference
+    instances: tuple[Instance, ...]
+    sizes: Mapping[str, SizePrior]
+    models: Mapping[str, Model]
+    view: View
+    table_scale: Float[np.ndarray, "3"]
+    provenance: Provenance
+    name: str
+    seed: int = 0
+    assembly: AssemblyConfig = field(default_factory=AssemblyConfig)
+    refinement: RefinementConfig = field(default_factory=RefinementConfig)
+    supplements: bool = True
+    leave_out: float = 0.2
+
+    def supplement(self, attempt: Attempt) -> Supplement:
+        """Return what the text asks for beyond what an attempt places."""
+        if not self.supplements:
+            return NOTHING
+        return supplement(
+            self.reference.plan, self.instances, self.models, attempt.placements,
+            self.table_scale, self.seed, attempt.left_out,
+        )  # fmt: skip
+
+    def assemble(self, attempt: Attempt) -> Scene:
+        """Return the settled and judged scene of an attempt (Sec. 3.4)."""
+        models = {**self.models, **attempt.added.models}
+        warnings = self.provenance.warnings + attempt.added.warnings + attempt.warnings
+        return assemble(
+            {name: model for name, model in models.items() if name != TABLE},
+            (*attempt.placements, *attempt.added.placements),
+            self.models[TABLE],
+            self.table_scale,
+            provenance=replace(self.provenance, warnings=warnings),
+            name=self.name,
+            config=self.assembly,
+            view=self.view,
+            plan=self.reference.plan,
+        )
+
+    def misfit(self, scene: Scene) -> float:
+        """Return one minus the overlap of a finished scene's outlines with the picture's."""
+        height, width = self.reference.image.shape[:2]
+        return outline_misfit(
+            self.instances, scene.objects, self.view, (width, height), self.refinement, self.seed
+        )
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """One scene to try.
+
+    Attributes:
+        placements: what was found, where it stands.
+        warnings: why the attempt is as it is, for the provenance.
+        added: what is placed beyond that.
+        left_out: names of what was found and is left out.
+        removals: how often a thing was left out because the gate failed.
+    """
+
+    placements: Placements
+    warnings: tuple[str, ...] = ()
+    added: Supplement = NOTHING
+    left_out: tuple[str, ...] = ()
+    removals: int = 0
+
+    def without_added(self, failures: Sequence[str]) -> Attempt:
+        """Return the attempt without the added things that failures name; without all if none."""
+        return replace(self, added=self.added.without(failures))
+
+    def without(self, name: str, failures: Sequence[str]) -> Attempt:
+        """Return the attempt without a thing and its contents, and with a warning for each."""
+        contents = contents_of(self.placements, name)
+        reason = "; ".join(f for f in failures if name in names_in(f))
+        return replace(
+            self,
+            placements=without(self.placements, name),
+            warnings=(
+                *self.warnings,
+                f"{name} was left out: {reason}.",
+                *(f"{other} was left out with {name}." for other in contents),
+            ),
+            left_out=(*self.left_out, name, *contents),
+            removals=self.removals + 1,
+        )
+
+
+def publish(found: Reconstruction, refined: Refinement, unrefined: Placements) -> Scene:
+    """Return the scene to publish, judged, with its misfit in the report.
+
+    It is assembled of the refined placements. If its outlines agree worse than the unrefined
+    placements did, these are tried as well; of the two a sound scene comes first, then the one
+    that agrees better.
+
+    Args:
+        found: what the stages found.
+        refined: result of the joint refinement; ``before`` is 0 where there was none.
+        unrefined: the placements that it was given.
+    """
+    scene = assemble_sound(found, Attempt(refined.placements))
+    if not refined.before:
+        return scene
+    misfit = found.misfit(scene)
+    if misfit > refined.before + WORSE and refined.after < refined.before:
+        other = assemble_sound(found, Attempt(unrefined, (UNREFINED,)))
+        other_misfit = found.misfit(other)
+        if (_is_sound(other), -other_misfit) > (_is_sound(scene), -misfit):
+            scene, misfit = other, other_misfit
+    return _with_report(scene, misfit=(round(refined.before, 6), round(misfit, 6)))
+
+
+def assemble_sound(found: Reconstruction, attempt: Attempt) -> Scene:
+    """Return the first scene to pass its gate, or else the first that held all that was found."""
+    most = allowance(found.leave_out, len(attempt.placements))
+    attempt = replace(attempt, added=found.supplement(attempt))
+    everything: Scene | None = None
+    while True:
+        scene = found.assemble(attempt)
+        if scene.report is None or scene.report.passed:
+            dropped = tuple(sorted({*_dropped_names(scene), *attempt.left_out}))
+            return _with_report(scene, dropped=dropped) if attempt.left_out else scene
+        failures = scene.report.failures
+        if attempt.added.placements:
+            attempt = attempt.without_added(failures)
+            continue
+        everything = everything or scene
+        culprit = most_named(failures, attempt.placements, found.sizes)
+        if culprit is None or attempt.removals == most:
+            return everything
+        attempt = attempt.without(culprit, failures)
+        attempt = replace(attempt, added=found.supplement(attempt))
+
+
+def allowance(share: float, count: int) -> int:
+    """Return how many of ``count`` things may be left out: a share of them, never all.
+
+    Of two or more it is one at least, unless the share is 0.
+    """
+    return min(max(1, int(share * count + 1e-9)), count - 1) if share and count else 0
+
+
+def most_named(
+    failures: Sequence[str], placements: Sequence[Placement], sizes: Mapping[str, SizePrior]
+) -> str | None:
+    """Return which placed thing the gate's failures name most; None if they name none.
+
+    Of those named equally often it is the one whose size is farthest from its kind's.
+    """
+    words = [word for failure in failures for word in names_in(failure)]
+    named = [(words.count(p.name), _oddness(p, sizes), p.name) for p in placements]
+    count, _, name = max(named, default=(0, 0.0, ""))
+    return name if count else None
+
+
+def without(placements: Sequence[Placement], name: str) -> Placements:
+    """Return the placements without ``name`` and what is in it.
+
+    What stood on one of these stands on what ``name`` stood on.
+    """
+    (first,) = (p for p in placements if p.name == name)
+    gone = {name, *contents_of(placements, name)}
+    return tuple(
+        replace(p, on=first.on, inside=first.inside) if p.on in gone else p
+        for p in placements
+        if p.name not in gone
+    )
+
+
+def contents_of(placements: Sequence[Placement], name: str) -> tuple[str, ...]:
+    """Return what is in ``name``, and what is in that, in the order of the placements."""
+    gone = {name}
+    while more := {p.name for p in placements if p.inside and p.on in gone} - gone:
+        gone |= more
+    return tuple(p.name for p in placements if p.name in gone - {name})
+
+
+def _oddness(placement: Placement, sizes: Mapping[str, SizePrior]) -> float:
+    """Return by what factor the longest side differs from the prior's, as a logarithm."""
+    prior = sizes.get(placement.name)
+    if prior is None:
+        return 0.0
+    return abs(float(np.log(placement.scale.max() / prior.extent.max())))
+
+
+def _is_sound(scene: Scene) -> bool:
+    return scene.report is None or scene.report.passed
+
+
+def _dropped_names(scene: Scene) -> tuple[str, ...]:
+    return scene.report.dropped if scene.report else ()
+
+
+def _with_report(scene: Scene, **entries: Any) -> Scene:
+    """Return the scene with these entries of its report, if it has one."""
+    if scene.report is None:
+        return scene
+    return scene.replace(report=replace(scene.report, **entries))

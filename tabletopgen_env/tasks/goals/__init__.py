@@ -1,1 +1,0 @@
-"""Goals: when they are met, how they are drawn and said."""

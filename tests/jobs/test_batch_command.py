@@ -1,0 +1,93 @@
+"""``tabletopgen batch``: scenes composed in processes are those composed here."""
+
+from __future__ import annotations
+
+import json
+import pickle
+from pathlib import Path
+
+import pytest
+from command import command
+
+from generator import jobs as batch
+from generator.backends import Mix
+from generator.bundle import save
+from generator.composition import compose
+from generator.method.figures import preview
+
+TEXT = "a desk with a mug"
+
+
+@pytest.mark.slow
+def test_a_batch_makes_what_compose_makes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    prompts, out = tmp_path / "prompts.txt", tmp_path / "out"
+    prompts.write_text(f"{TEXT}\n???\n")
+    args = ("batch", str(prompts), "--out", str(out), "--route", "compose", "--seed", "2")
+    assert command(*args, "--json") == 1
+    told = json.loads(capsys.readouterr().out)
+    assert (told["made"], told["failed"]) == (1, 1)
+    scene = compose(TEXT, 2)
+    path = save(scene, tmp_path / "here", images={"preview": preview(scene)})
+    (made,) = (s["bundle"] for s in told["scenes"] if s["bundle"])
+    assert made == path.name
+    assert sorted(p.name for p in (out / made).iterdir()) == sorted(p.name for p in path.iterdir())
+
+    prompts.write_text(TEXT)
+    assert command(*args) == 0
+    shown = capsys.readouterr()
+    assert "0 made, 1 there already, 0 failed" in shown.out
+    assert "penetration_mm" in shown.out
+
+
+def test_the_processes_get_the_mix_of_the_command(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    makers = []
+
+    def run(jobs: object, out: Path, make: batch.Generating, **_: object) -> batch.Summary:
+        makers.append(pickle.loads(pickle.dumps(make)))
+        return batch.Summary(())
+
+    monkeypatch.setattr(batch, "run", run)
+    prompts = tmp_path / "prompts.txt"
+    prompts.write_text(TEXT)
+    roles = ("--modeler", "hunyuan3d", "--imager", "embedded")
+    assert command("batch", str(prompts), "--out", str(tmp_path / "out"), *roles) == 0
+    (made,) = makers
+    assert made.mix == Mix(imager="embedded", modeler="hunyuan3d")
+
+
+def test_an_interrupted_batch_says_that_what_is_made_is_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(*jobs: object, **settings: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(batch, "run", interrupted)
+    prompts = tmp_path / "prompts.txt"
+    prompts.write_text(TEXT)
+    args = ("batch", str(prompts), "--out", str(tmp_path / "out"), "--route", "compose")
+    assert command(*args) == 130
+    assert "what is made is kept" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("args", "code", "words"),
+    [
+        (("no-such.txt",), 2, "No such file"),
+        (("prompts.txt", "--backend", "embeded"), 3, "Did you mean 'embedded'"),
+        (("prompts.txt", "--encoder", "cloud"), 3, "nobody answers features"),
+        (("prompts.txt", "--route", "compose", "--imager", "cloud"), 2, "asks nobody"),
+        (("prompts.txt", "--workers", "0", "--route", "compose"), 2, "workers"),
+    ],
+)
+def test_a_wrong_batch_is_one_clear_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
+    args: tuple[str, ...], code: int, words: str,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    Path("prompts.txt").write_text(TEXT)
+    assert command("batch", *args, "--out", "out") == code
+    assert words in capsys.readouterr().err
