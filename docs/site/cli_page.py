@@ -26,7 +26,7 @@ def page() -> str:
 
 def section(command: CommandHelp) -> str:
     """Return a command's section: usage, description, tables of arguments."""
-    parts = [f"## {command.name}", f"```text\n{command.usage}\n```", command.text]
+    parts = [f"## {command.name}", f"```text\n{usage(command)}\n```", command.text]
     plain = [g for g in command.groups if g.title in ("positional arguments", "options")]
     if rows := [row for group in plain for row in _rows(group)]:
         parts.append(_table(rows))
@@ -34,6 +34,13 @@ def section(command: CommandHelp) -> str:
         if group not in plain:
             parts += [f"{group.remark}", _table(list(_rows(group)))]
     return "\n\n".join(parts)
+
+
+def usage(command: CommandHelp) -> str:
+    """Return a command's usage in short."""
+    plain = [g for g in command.groups if g.title == "positional arguments"]
+    words = [_head(option) for group in plain for option in group.options]
+    return " ".join([command.name, *words, "[OPTIONS]"])
 
 
 def anchor(command: CommandHelp) -> str:
@@ -70,4 +77,5 @@ def _cell(text: str) -> str:
     if text.endswith("(default: True)"):
         text = "Do not: " + text[0].lower() + text[1:]
     text = re.sub(r" *\((required|default: (None|False|True)?)\)$", "", text)
+    text = re.sub(r"(?<![`\w])(--[a-z][\w-]*)", r"`\1`", text)
     return text.replace("|", "\\|").replace("<", "&lt;").replace("*", "\\*")

@@ -12,9 +12,13 @@ from collections.abc import Iterable, Set
 from typing import Any
 
 import tasks_page
+from sphinx import addnodes
 
 SHOWN_ELSEWHERE = frozenset(module for _, module in tasks_page.SECTIONS)
 """Modules whose docstrings are sections of the page of tasks."""
+
+_COLON = "\ua789"
+"""Stands for a colon while Napoleon reads: of a constant it takes what comes before for a type."""
 
 _LITERAL = re.compile(r"(``[^`]*``)")
 _FIELD = re.compile(r"(\w+(?:, \w+)*): (.*)")
@@ -29,7 +33,32 @@ def process_docstring(
         lines[end:] = ["", "The tables are in :doc:`/reference/tasks`.", ""]
     elif what == "class" and dataclasses.is_dataclass(obj):
         lines[:] = list_fields(lines, {field.name for field in dataclasses.fields(obj)})
+    elif what in ("attribute", "data"):
+        lines[:] = [line.replace(": ", f"{_COLON} ") for line in lines]
     lines[:] = [escape(line) for line in lines]
+
+
+def restore_colons(
+    app: Any, what: str, name: str, obj: object, options: Any, lines: list[str]
+) -> None:
+    """Put back the colons of a constant's docstring, after Napoleon has read it."""
+    lines[:] = [line.replace(_COLON, ":") for line in lines]
+
+
+def drop_paths(app: Any, doctree: Any) -> None:
+    """Drop the values of constants that are paths: they are of the machine that builds."""
+    for node in list(doctree.findall(addnodes.desc_annotation)):
+        if "PosixPath(" in node.astext():
+            node.parent.remove(node)
+
+
+def process_signature(
+    app: Any, what: str, name: str, obj: object, options: Any, signature: str, returned: str
+) -> tuple[str, str] | None:
+    """Return the signature of a dataclass with defaults that Sphinx can read."""
+    if what == "class" and dataclasses.is_dataclass(obj) and signature:
+        return re.sub(r"~(\w+\.)+", "", signature).replace("<factory>", "..."), returned
+    return None
 
 
 def escape(line: str) -> str:

@@ -38,4 +38,7 @@ def setup(app: Any) -> Mapping[str, bool]:
     """Connect to Sphinx."""
     app.connect("source-read", replace_stub)
     app.connect("autodoc-process-docstring", docstrings.process_docstring, priority=400)
+    app.connect("autodoc-process-docstring", docstrings.restore_colons, priority=600)
+    app.connect("doctree-read", docstrings.drop_paths)
+    app.connect("autodoc-process-signature", docstrings.process_signature)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

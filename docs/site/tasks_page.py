@@ -45,7 +45,7 @@ time limit truncates it. "Left" and "right" in instructions are the robot's, whe
 stands: its left is the side of +y in the base frame. The camera "top" shows them so; "front", what
 `render` shows and the pictures here look from across the table, where they are swapped. Episodes of
 the same scene, target and goal start alike unless `randomization` is set ([below](#randomisation)):
-with `"starts"` arm and things are a little off, each time anew."""
+with `"starts"` the arm and the objects are a little off, differently each time."""
 
 SECTIONS = (
     ("Goals and success", "tabletopgen_env.goals.goal"),
