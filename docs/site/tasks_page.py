@@ -116,7 +116,7 @@ def table(ruler: str, lines: list[str]) -> list[str]:
 
 
 def add_row(rows: list[list[str]], line: str, spans: list[Span]) -> None:
-    """Add a line to the rows of a table; one that begins with blanks goes on with the last row."""
+    """Add a line to the rows of a table; one that begins with blanks continues the last row."""
     found = cells(line, spans)
     if found[0] or not rows:
         rows.append(found)

@@ -16,7 +16,7 @@ from . import stacking
 from .facing import natural_yaw
 from .footprint import Footprint, footprint, gaps, margins
 from .furnishing import outline_of
-from .scoring import Neighbour, Request, broken, proposals, score
+from .scoring import Neighbour, Request, proposals, score, violation
 
 MARGIN = 0.02
 """Least distance from a footprint to the table's edge, metres."""
@@ -107,7 +107,7 @@ BROKEN = 1.5
 """From this cost on (see ``scoring.broken``) a relation does not hold."""
 
 
-def unmet(
+def unmet_relations(
     planned: PlannedObject,
     placement: Placement,
     placed: Mapping[str, Placement],
@@ -125,7 +125,7 @@ def unmet(
     return tuple(
         r
         for r in planned.relations
-        if r.kind not in ("on", "in") and broken(request, r, own.center[None])[0] >= BROKEN
+        if r.kind not in ("on", "in") and violation(request, r, own.center[None])[0] >= BROKEN
     )
 
 
@@ -158,7 +158,7 @@ def _place_all(
     """Place everything not yet placed; return the name of the first that finds no place."""
     supports = {o.name: support_of(o) for o in plan.objects}
     missing = [o for o in plan.objects if o.name not in state.places]
-    standing = _ordered([o for o in missing if supports[o.name] is None], models, rng)
+    standing = _order([o for o in missing if supports[o.name] is None], models, rng)
     above = [o for o in missing if supports[o.name] is not None]
     shapes = {name: there.shape for name, there in state.neighbours.items()}
     facing = {o.name: natural_yaw(o, models[o.name], plan, rng) for o in missing} | {**yaws}
@@ -218,7 +218,7 @@ def _beside(planned: PlannedObject, support: str) -> PlannedObject:
     return replace(planned, relations=relations)
 
 
-def _ordered(
+def _order(
     objects: list[PlannedObject], models: Mapping[str, Model], rng: np.random.Generator
 ) -> list[PlannedObject]:
     """Order objects so that those others refer to come first, larger ones before smaller."""
@@ -310,7 +310,7 @@ def _put(
     for offset in _offsets(models[support], model, base.yaw, share, rng):
         center = base.translation[:2] + offset
         start = np.array([*center, top + model.size[2]])
-        placement = stacking.lowered(
+        placement = stacking.lower(
             model, Placement(planned.name, shape.yaw, start, model.size, support, inside), below
         )
         bottom = placement.translation[2] - model.size[2] / 2

@@ -77,7 +77,9 @@ def faults(block: Block) -> list[str]:
     if block.language == "python":
         ast.parse(block.code, str(block))
         return []
-    done = subprocess.run(["bash", "-n", "-c", block.code], capture_output=True, text=True)
+    done = subprocess.run(
+        ["bash", "-n", "-c", block.code], capture_output=True, text=True, timeout=60
+    )
     found = [done.stderr] if done.returncode else []
     return found + [fault for words in simple_commands(block.code) for fault in _faults(words)]
 

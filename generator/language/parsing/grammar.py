@@ -155,7 +155,7 @@ def noun_phrase(run: tuple[str, ...]) -> NounPhrase:
     lengths, run = _lengths(run)
     phrase = next((run[k:] for k in range(len(run)) if lexicon.is_phrase_start(run[k:])), ())
     content = tuple(w for w in run[: len(run) - len(phrase)] if _is_content(w))
-    content = (*content, *phrase) if phrase else _trimmed(content)
+    content = (*content, *phrase) if phrase else _trim(content)
     kind, head, category = _head(content)
     modifiers = content[: len(content) - len(head)] if head else content
     count, vague = _count([w for w in run if w not in head])
@@ -177,7 +177,7 @@ def noun_phrase(run: tuple[str, ...]) -> NounPhrase:
     )  # fmt: skip
 
 
-def _trimmed(content: tuple[str, ...]) -> tuple[str, ...]:
+def _trim(content: tuple[str, ...]) -> tuple[str, ...]:
     """Drop trailing words that only describe: "mug steaming gently", "table set"."""
     while len(content) > 1 and not any(
         lexicon.category_of(content[start:]) for start in range(len(content))

@@ -97,7 +97,7 @@ def packed(of: NounPhrase, noun: NounPhrase, drafts: Group) -> bool:
     return True
 
 
-def headed(objects: Sequence[Draft], noun: NounPhrase) -> Group:
+def find_by_head(objects: Sequence[Draft], noun: NounPhrase) -> Group:
     """Return the objects that "the tin" may mean by their last word: the tea tin."""
     head = noun.noun.split()[-1:]
     lasts = [d.noun.split()[-1:] for d in objects]

@@ -9,24 +9,10 @@ import numpy as np
 
 from ...errors import InputError
 from ...scene import TABLE
-from ..drafts import (
-    Draft,
-    Group,
-    Reading,
-    assumed_relation,
-    said,
-    same,
-    shares,
-)
+from ..drafts import Draft, Group, Reading, assumed_relation, phrase_text, same, shares
 from .clauses import closes, is_fronted, returns
 from .grammar import Chunk, NounPhrase
-from .linking import (
-    amount,
-    headed,
-    link,
-    packed,
-    stack,
-)
+from .linking import amount, find_by_head, link, packed, stack
 from .vocabulary import SEVERAL, SUBSTANCES
 
 _SIDES = ("left_of", "right_of", "in_front_of", "behind")
@@ -135,7 +121,7 @@ class Reader:
         self._joined = self._comma = self._commas = False
 
     def _conjunction(self, kind: str, returns: bool) -> None:
-        """Go on with a list; ``returns``: its last words come back to the owner ("on it")."""
+        """Continue a list; ``returns``: its last words come back to the owner ("on it")."""
         if self._pending == "between" and self._between:
             return
         self._end_relation()
@@ -164,13 +150,13 @@ class Reader:
     def _noun(self, noun: NounPhrase, following: Chunk | None) -> None:
         of, self._of = self._of, None
         if of is not None:
-            noun = self._merged(of, noun)
+            noun = self._merge(of, noun)
         joining = following is not None and following.kind == "of"
         if joining and noun.kind in ("group", "amount", "place", "part", "vague", "unknown"):
             self._last = noun
             return
         if self._carried == "without":
-            self._exclude(noun)
+            self.reading.excluded |= {str(n) for n in {noun.category, *noun.members} - {None}}
             return
         if self._special(noun, following):
             return
@@ -203,7 +189,7 @@ class Reader:
         self._group, self._owner, self._carried = [owner], None, None
         return True
 
-    def _merged(self, of: NounPhrase, noun: NounPhrase) -> NounPhrase:
+    def _merge(self, of: NounPhrase, noun: NounPhrase) -> NounPhrase:
         """Read "a stack of three books", "a dozen of eggs", "a bowl of apples", "a cup of tea"."""
         if of.kind == "object":
             if noun.noun in SUBSTANCES or " ".join(noun.words) in SUBSTANCES:
@@ -219,10 +205,6 @@ class Reader:
         if of.kind in ("group", "amount", "vague"):
             return amount(of, noun)
         return noun
-
-    def _exclude(self, noun: NounPhrase) -> None:
-        names = {noun.category, *noun.members} - {None}
-        self.reading.excluded |= {str(name) for name in names}
 
     def _special(self, noun: NounPhrase, following: Chunk | None) -> bool:
         """Deal with nouns that are no objects; tell whether this was one."""
@@ -264,8 +246,8 @@ class Reader:
     def _table(self, noun: NounPhrase) -> None:
         if (noun.count or 1) > 1 or noun.vague or noun.plural:
             raise InputError(
-                f"A scene has exactly one table, the text asks for several ({said(noun)!r}). "
-                "Describe one table."
+                f"A scene has exactly one table, the text asks for several "
+                f"({phrase_text(noun)!r}). Describe one table."
             )
         pending = self._pending
         self.reading.table.append(noun)
@@ -381,14 +363,14 @@ class Reader:
 
         ``kind`` is the relation to it: nothing is beside the table that it is on.
         """
-        self._it = self._meant(kind in (None, "on", "in", "center", "edge"))
+        self._it = self._guess_it(kind in (None, "on", "in", "center", "edge"))
         subjects = self._group[-1:]
         if isinstance(self._it, list) and (len(self._it) > 1) != several:
             before = [g for g in self._named if g not in subjects and (len(g) > 1) == several]
             self._it = before[-1] if before else self._it
         return self._it
 
-    def _meant(self, table: bool) -> Group | str | None:
+    def _guess_it(self, table: bool) -> Group | str | None:
         """Guess "it": the owner of the current group, what "it" meant, else the thing before."""
         if self._owner is not None and self._group and (table or self._owner != TABLE):
             return self._owner
@@ -421,7 +403,7 @@ class Reader:
             return alike
         if not (noun.definite or noun.other):
             return None
-        alike = alike or headed(self.reading.objects, noun)
+        alike = alike or find_by_head(self.reading.objects, noun)
         if noun.other and len(alike) > 1:
             return [alike[1]]
         if noun.plural and (noun.count or 2) > 1:
