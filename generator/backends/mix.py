@@ -11,7 +11,7 @@ from .select import PROTOCOLS, Backends
 
 @dataclass(frozen=True)
 class Mix:
-    """Who answers the stages' questions. README.md's table of backends says what each needs.
+    """Who answers the stages' questions. docs/guides/backends.md says what each needs.
 
     Attributes:
         backend: Who answers whatever the roles below leave open.

@@ -42,7 +42,7 @@ def evaluate(
 
     Args:
         bundles: Names, digests, globs or paths of bundles; or folders of another method's result
-            with a transforms.json (see the README).
+            with a transforms.json (see the guide "Measure a scene").
         picture: The picture to compare with; the one each bundle keeps if left out.
         truth: A bundle taken as the true scene, objects matched by name.
         sweep: Also look from 160 views for the one nearest to the picture (about 20 s a scene).

@@ -204,7 +204,7 @@ def load_policy(path: str | Path) -> TrainedPolicy:
             raise
         raise InputError(
             f"{path} is no sound policy file ({type(error).__name__}: {error}). Policy files are "
-            "made by training; see docs/training.md."
+            "made by training; see docs/guides/training.md."
         ) from error
     if any(card.versions.get(k, v) != v for k, v in _detector(card.env).items()):
         warnings.warn(
