@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from jaxtyping import Bool, Float
+from jaxtyping import Bool, Float, Real
+from numpy.typing import ArrayLike
 
 from .errors import InputError
 from .scene import ConvexPart, Mesh, View, frozen_array
@@ -163,7 +164,7 @@ class Camera:
 
     @classmethod
     def looking_at(
-        cls, target: Float[np.ndarray, "3"], view: View, distance: float, width: int, height: int
+        cls, target: ArrayLike, view: View, distance: float, width: int, height: int
     ) -> Camera:
         """Return the camera ``distance`` metres from ``target`` in the direction of ``view``."""
         back = view_direction(view)
@@ -184,14 +185,14 @@ class Camera:
         p = self.to_camera(points)
         return p[:, :2] / p[:, 2:] * self.focal + self.center
 
-    def rays(self, pixels: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 3"]:
+    def rays(self, pixels: Real[np.ndarray, "n 2"]) -> Float[np.ndarray, "n 3"]:
         """Return unit world directions of the rays through ``pixels``."""
         uv = np.atleast_2d(np.asarray(pixels, float))
         p = np.column_stack([(uv - self.center) / self.focal, np.ones(len(uv))])
         d = p @ self.rotation
         return d / np.linalg.norm(d, axis=1, keepdims=True)
 
-    def on_plane(self, pixels: Float[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "n 3"]:
+    def on_plane(self, pixels: Real[np.ndarray, "n 2"], z: float) -> Float[np.ndarray, "n 3"]:
         """Return where the rays through ``pixels`` meet the horizontal plane at height ``z``.
 
         Rays at or above the horizon give NaN.
@@ -216,7 +217,7 @@ def view_rotation(view: View) -> Float[np.ndarray, "3 3"]:
     return np.stack([c * level + s * below, c * below - s * level, forward])
 
 
-def ray_view(view: View, pixel: Float[np.ndarray, "2"], width: int, height: int) -> View:
+def ray_view(view: View, pixel: Real[np.ndarray, "2"], width: int, height: int) -> View:
     """Return the view under which the camera sees what lies at ``pixel``.
 
     An object away from the image centre is seen along its own ray, so its azimuth and elevation
@@ -251,7 +252,7 @@ def framing_camera(
 # ------------------------------------------------------------------------------------ outlines
 
 
-def hull_points(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
+def hull_points(points: Float[np.ndarray, "n d"]) -> Float[np.ndarray, "k d"]:
     """Return the corners of a convex hull; of a flat set, which has none, every point once."""
     from scipy.spatial import ConvexHull, QhullError
 
@@ -261,7 +262,7 @@ def hull_points(points: Float[np.ndarray, "n 3"]) -> Float[np.ndarray, "k 3"]:
         return np.unique(points, axis=0)
 
 
-def convex_outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
+def convex_outline(points: Real[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]:
     """Return the convex hull of 2D points, counter-clockwise (Andrew's monotone chain)."""
     unique = np.unique(np.round(np.asarray(points, float), 9), axis=0)
     if len(unique) < 3:
@@ -282,8 +283,8 @@ def convex_outline(points: Float[np.ndarray, "n 2"]) -> Float[np.ndarray, "k 2"]
 
 
 def inside_margin(
-    points: Float[np.ndarray, "n 2"], outline: Float[np.ndarray, "k 2"]
-) -> Float[np.ndarray, "n"]:
+    points: Float[np.ndarray, "*n 2"], outline: Float[np.ndarray, "k 2"]
+) -> Float[np.ndarray, "m"]:
     """Return each point's distance inside a convex counter-clockwise outline (negative outside)."""
     ends = np.roll(outline, -1, axis=0)
     edges = ends - outline

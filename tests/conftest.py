@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import os
 import signal
 from pathlib import Path
 
 import pytest
+
+if os.environ.get("TABLETOPGEN_CHECK_ARRAYS"):
+    import typechecking
+
+    typechecking.install()
 
 
 def pytest_configure() -> None:

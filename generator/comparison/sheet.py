@@ -26,7 +26,7 @@ _INK, _PALE, _GAP, _LINE = (40, 44, 52), (120, 126, 136), 12, 26
 _TALLEST = 1.0  # height of a panel over its width, at most
 
 Color = tuple[int, int, int]
-Picture = UInt8[np.ndarray, "h w 3"]
+Picture = UInt8[np.ndarray, "_ _ 3"]
 
 
 def comparison_sheet(comparison: Comparison) -> UInt8[np.ndarray, "h w 3"]:

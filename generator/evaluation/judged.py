@@ -19,7 +19,7 @@ from jaxtyping import UInt8
 from ..backends.protocols import Judge
 from ..errors import BackendError, InputError
 
-Picture = UInt8[np.ndarray, "h w 3"]
+Picture = UInt8[np.ndarray, "_ _ 3"]
 
 CRITERIA: Mapping[str, str] = MappingProxyType(
     {

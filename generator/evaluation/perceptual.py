@@ -28,7 +28,7 @@ from .surfaces.sweep import Metric
 if TYPE_CHECKING:
     from torch import Tensor
 
-Picture = UInt8[np.ndarray, "h w 3"]
+Picture = UInt8[np.ndarray, "_ _ 3"]
 
 _PIP = "Run: pip install 'tabletopgen[lpips]'"
 _BATCH = 16

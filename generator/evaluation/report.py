@@ -28,7 +28,7 @@ from .surfaces.silhouettes import SilhouetteFit, fits
 from .surfaces.sweep import Best, SweepConfig, best_views
 from .truth import TruthErrors, truth_errors
 
-Picture = UInt8[np.ndarray, "h w 3"]
+Picture = UInt8[np.ndarray, "_ _ 3"]
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import io
 
 import numpy as np
-from jaxtyping import UInt8
+from jaxtyping import Shaped
 
 
-def encode_png(image: UInt8[np.ndarray, "h w c"]) -> bytes:
+def encode_png(image: Shaped[np.ndarray, "h w *c"]) -> bytes:
     """Return an image as PNG, the same bytes for the same pixels."""
     from PIL import Image
 

@@ -108,7 +108,7 @@ class CropView:
 
 
 def sample(
-    image: UInt8[np.ndarray, "h w c"], pixels: Float[np.ndarray, "n 2"]
+    image: UInt8[np.ndarray, "h w c"] | Float[np.ndarray, "h w c"], pixels: Float[np.ndarray, "n 2"]
 ) -> Float[np.ndarray, "n c"]:
     """Sample an image bilinearly at ``pixels`` (centres at halves), clamped to its border."""
     height, width = image.shape[:2]

@@ -21,8 +21,8 @@ _CARE = 3  # of 0 to 10; from 5 on, the rims of cups become jagged
 
 _SIGHTS = np.array([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]], float)
 
-Vertices = Float[np.ndarray, "n 3"]
-Faces = Int[np.ndarray, "m 3"]
+Vertices = Float[np.ndarray, "_ 3"]
+Faces = Int[np.ndarray, "_ 3"]
 
 
 def reduce(vertices: Vertices, faces: Faces, maximum: int, what: str) -> tuple[Vertices, Faces]:

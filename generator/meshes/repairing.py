@@ -24,7 +24,7 @@ _FIN = 0.05  # share of the whole area that may go of pieces that hang on edges 
 _FLAWED = 0.01  # share of edges above which a mesh is no surface
 _FLAT = 1e-3  # of the longest side: thinner things are flat
 
-Faces = Int[np.ndarray, "m 3"]
+Faces = Int[np.ndarray, "_ 3"]
 
 
 def clean(surface: ColoredSurface, what: str) -> ColoredSurface:
@@ -57,7 +57,7 @@ def welded_shape(
     return np.asarray(vertices, np.float64)[first[used]], joined.reshape(-1, 3)
 
 
-def tidy(vertices: Float[np.ndarray, "n 3"], faces: Faces) -> Faces:
+def tidy(vertices: Float[np.ndarray, "n 3"], faces: Faces) -> Int[np.ndarray, "k 3"]:
     """Return a welded shape's faces put right as ``clean`` does a surface's."""
     return faces[_sound(vertices, faces, np.arange(len(vertices)))]
 
@@ -73,7 +73,7 @@ def inside_out(vertices: Float[np.ndarray, "n 3"], faces: Faces) -> Bool[np.ndar
 
 def fill_holes(
     vertices: Float[np.ndarray, "n 3"], faces: Faces
-) -> tuple[Float[np.ndarray, "n 3"], Faces]:
+) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "j 3"]]:
     """Close holes with a rim of at most a fifth of the diagonal; a bowl's mouth stays open.
 
     Each gets a fan around its middle, also those that meet in a corner; single triangles get none.

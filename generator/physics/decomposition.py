@@ -141,7 +141,7 @@ def _pieces_meet(
 
 def _reduce(
     vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]
-) -> tuple[Float[np.ndarray, "n 3"], Int[np.ndarray, "m 3"]]:
+) -> tuple[Float[np.ndarray, "k 3"], Int[np.ndarray, "j 3"]]:
     """Reduce to ``MOST_FACES`` by quadric error."""
     if len(faces) <= MOST_FACES:
         return vertices, faces

@@ -9,7 +9,7 @@ from jaxtyping import Bool, Float
 
 from generator.geometry import convex_outline
 
-Outline = Float[np.ndarray, "k 2"]
+Outline = Float[np.ndarray, "_ 2"]
 """A convex outline, counter-clockwise, metres."""
 
 

@@ -104,7 +104,7 @@ def tips(obj: Object) -> bool:
     down = [along * np.sin(lean) - points[:, 2:] * np.cos(lean) for lean in leans]
     heights = np.max(down, axis=1)  # of the centre of mass, by lean and bearing
     rise = float((heights.max(0) / heights[0]).min())
-    return rise < np.hypot(1.0, max(LEAST_GRIP, obj.friction))
+    return rise < float(np.hypot(1.0, max(LEAST_GRIP, obj.friction)))
 
 
 def _end(world: World, obj: Object, rng: np.random.Generator) -> Float[np.ndarray, "2"] | None:

@@ -13,7 +13,7 @@ from ...scene import Instance
 _SHARE = 0.85  # of the square's side that the thing fills
 _LEAST, _MOST = 256, 1024  # pixels of the square's side
 
-Cutout = UInt8[np.ndarray, "s s 4"]
+Cutout = UInt8[np.ndarray, "_ _ 4"]
 
 
 def cutout(instance: Instance, backend: str) -> Cutout:

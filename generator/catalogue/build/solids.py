@@ -146,7 +146,7 @@ _OUTLINE = "The outline crosses itself or turns clockwise; give a simple counter
 def _triangles(outline: Float[np.ndarray, "k 2"]) -> Int[np.ndarray, "m 3"]:
     """Triangulate a simple counter-clockwise polygon by clipping ears."""
 
-    def cross(o: np.ndarray, a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    def cross(o: np.ndarray, a: np.ndarray, b: np.ndarray) -> Any:
         return (a[..., 0] - o[..., 0]) * (b[..., 1] - o[..., 1]) - (a[..., 1] - o[..., 1]) * (
             b[..., 0] - o[..., 0]
         )

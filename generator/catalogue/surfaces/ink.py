@@ -9,7 +9,7 @@ from jaxtyping import UInt8
 
 from .colors import RGB
 
-Canvas = UInt8[np.ndarray, "h w 3"]
+Canvas = UInt8[np.ndarray, "_ _ 3"]
 
 
 def canvas(width: int, height: int, color: RGB) -> Canvas:

@@ -13,7 +13,7 @@ from jaxtyping import Float, UInt8
 
 from .colors import RGB, tint_color
 
-Tile = UInt8[np.ndarray, "h w 3"]
+Tile = UInt8[np.ndarray, "_ _ 3"]
 
 
 def _tile(image: Float[np.ndarray, "h w 3"]) -> Tile:

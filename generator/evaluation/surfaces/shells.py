@@ -41,7 +41,7 @@ class SurfaceShell:
     corners: Float[np.ndarray, "m 3 3"]
     normals: Float[np.ndarray, "m 7 3"]
     closed: bool
-    boxes: tuple[Float[np.ndarray, "k 2 3"], ...]
+    boxes: tuple[Float[np.ndarray, "_ 2 3"], ...]
     points: KDTree
 
     @property
@@ -172,7 +172,7 @@ def _shell(vertices: Float[np.ndarray, "n 3"], faces: Int[np.ndarray, "m 3"]) ->
     )  # fmt: skip
 
 
-def _outer(faces: Int[np.ndarray, "m 3"]) -> Int[np.ndarray, "m 3"]:
+def _outer(faces: Int[np.ndarray, "m 3"]) -> Int[np.ndarray, "k 3"]:
     """Return the faces without those that lie back to back on another."""
     key = np.sort(faces, axis=1)
     _, group = np.unique(key, axis=0, return_inverse=True)

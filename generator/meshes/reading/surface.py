@@ -222,7 +222,7 @@ def _bytes(values: np.ndarray) -> UInt8[np.ndarray, "*k"]:
     return np.round(255 * np.clip(np.nan_to_num(values), 0, 1)).astype(np.uint8)
 
 
-def _to_srgb(colors: UInt8[np.ndarray, "*k"], linear: bool) -> UInt8[np.ndarray, "*k"]:
+def _to_srgb(colors: UInt8[np.ndarray, "*k c"], linear: bool) -> UInt8[np.ndarray, "*k 3"]:
     """Return plain colours as they look (sRGB), without alpha."""
     table = to_srgb(_LINEAR) if linear else _LINEAR
     return np.round(255 * table).astype(np.uint8)[colors[..., :3]]

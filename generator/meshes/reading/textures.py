@@ -16,7 +16,7 @@ from .bounds import MOST_TEXELS_TOGETHER
 MOST_TEXTURE = 2048
 """Longest side of a texture kept, texels."""
 
-Texels = UInt8[np.ndarray, "h w 3"]
+Texels = UInt8[np.ndarray, "_ _ 3"]
 
 _LINEAR = np.arange(256) / 255.0
 

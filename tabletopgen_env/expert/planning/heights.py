@@ -118,7 +118,7 @@ class VoxelSolid:
 
 def _nearest(
     points: Float[np.ndarray, "*n 2"], origin: Float[np.ndarray, "2"], cell: float
-) -> tuple[Int[np.ndarray, "*n"], Int[np.ndarray, "*n"]]:
+) -> tuple[Int[np.ndarray, "*n"] | np.int64, Int[np.ndarray, "*n"] | np.int64]:
     """Return the indices of the grid's cell nearest to each point, also of those outside it."""
     x, y = points[..., 0], points[..., 1]
     i, j = (x - origin[0]) / cell, (y - origin[1]) / cell

@@ -31,7 +31,7 @@ _HIDDEN = 0.02  # share of what was seen from which a thing counts as hidden in 
 _GROUNDS = {"white": (255, 255, 255), "grey": (128, 128, 128), "pure green": (0, 220, 60),
             "magenta": (225, 0, 200)}  # fmt: skip
 
-Mask = Bool[np.ndarray, "s s"]
+Mask = Bool[np.ndarray, "_ _"]
 
 
 @dataclass(frozen=True, eq=False)

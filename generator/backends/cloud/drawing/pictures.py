@@ -24,7 +24,7 @@ _NEAR = 30  # grey levels by which a flat background may differ
 _FLAT = 0.7  # share of the picture's border that a flat background fills
 _LEAST, _MOST = 0.004, 0.97  # share of the picture that a thing drawn alone may fill
 
-RGBA = UInt8[np.ndarray, "h w 4"]
+RGBA = UInt8[np.ndarray, "_ _ 4"]
 
 
 class NotAPicture(ValueError):

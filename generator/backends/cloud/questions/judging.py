@@ -14,7 +14,7 @@ from ..server.answers import MarksAnswer, OrderAnswer
 from ..server.asking import Chat
 from ..server.reading import Wrong
 
-Picture = UInt8[np.ndarray, "h w 3"]
+Picture = UInt8[np.ndarray, "_ _ 3"]
 
 
 def rate(

@@ -47,7 +47,7 @@ _FORMS = ("json_schema", "json_object", "words")
 
 A = TypeVar("A", bound=ModelAnswer)
 T = TypeVar("T")
-Picture = UInt8[np.ndarray, "h w 3"]
+Picture = UInt8[np.ndarray, "_ _ 3"]
 
 
 @dataclass

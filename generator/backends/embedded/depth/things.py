@@ -20,7 +20,7 @@ from ..plane.plane import TablePlane, outline_distance
 from .measure import ObservedSolid, holds, measure_solid, steady, table_points
 from .plane import TALLEST, noise
 
-Mask = Bool[np.ndarray, "h w"]
+Mask = Bool[np.ndarray, "_ _"]
 
 _BESIDE = 0.03  # metres: something may stick out over the table's edge so far
 _LEAST = 3e-4  # of the picture: the least that counts as a thing

@@ -18,7 +18,7 @@ _MIRRORED = 0.15  # least share of a symmetric outline that must be seen on both
 _SYMMETRIC = 0.93  # share of a symmetric outline that its mirror image covers
 _ALIKE = 20.0  # grey levels by which mirrored places of a symmetric object usually differ
 
-Mask = Bool[np.ndarray, "h w"]
+Mask = Bool[np.ndarray, "_ _"]
 
 
 def complete(reference: Reference, detection: Detection, others: tuple[Detection, ...]) -> Instance:

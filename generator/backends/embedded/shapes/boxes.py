@@ -13,7 +13,7 @@ from ....scene import ConvexPart
 from .framing import frame_to_mask, proportion_gap, simplex
 from .solids import ConvexSolid, PosedSolid, box, heightfield
 
-Mask = Bool[np.ndarray, "h w"]
+Mask = Bool[np.ndarray, "_ _"]
 
 _UNIT_BOX = np.array([[x, y, z] for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (0.0, 1.0)])
 

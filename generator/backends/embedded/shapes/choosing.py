@@ -19,7 +19,7 @@ from .rounds import fit_revolution
 from .slices import fit_slices
 from .solids import PosedSolid
 
-Mask = Bool[np.ndarray, "h w"]
+Mask = Bool[np.ndarray, "_ _"]
 
 _STRICT = 0.94  # a real box is met at least that well
 _PRIOR = 0.03  # weight of the size prior's proportions

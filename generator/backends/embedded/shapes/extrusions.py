@@ -11,7 +11,7 @@ from jaxtyping import Bool, Float
 from ....meshes.projection import Projection
 from .solids import PosedSolid, largest_polygon, prism, upright
 
-Mask = Bool[np.ndarray, "h w"]
+Mask = Bool[np.ndarray, "_ _"]
 
 
 def plane_outline(

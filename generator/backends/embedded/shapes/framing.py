@@ -8,7 +8,7 @@ from jaxtyping import Bool, Float
 from ....geometry import mask_box
 from ....meshes.projection import Projection
 
-Mask = Bool[np.ndarray, "h w"]
+Mask = Bool[np.ndarray, "_ _"]
 
 
 def _image_box(pixels: Float[np.ndarray, "n 2"]) -> tuple[np.ndarray, np.ndarray]:

@@ -11,7 +11,7 @@ from .extrusions import plane_outline
 from .slices import best_stack, largest_slices, longest_run, reach_of
 from .solids import ConvexSolid, PosedSolid, join, upright
 
-Mask = Bool[np.ndarray, "h w"]
+Mask = Bool[np.ndarray, "_ _"]
 
 _LIMB = 0.015  # least share of the silhouette that a handle or a spout takes
 _LIMBS = 3

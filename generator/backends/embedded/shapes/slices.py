@@ -16,7 +16,7 @@ from ....meshes.pixels import mask_iou
 from ....meshes.projection import Projection, fill_hull
 from .solids import PosedSolid, simplify_profile, stack_of_ellipses
 
-Mask = Bool[np.ndarray, "h w"]
+Mask = Bool[np.ndarray, "_ _"]
 
 _ANGLES = np.arange(32) * np.pi / 16
 _FEW = slice(None, None, 3)  # of the angles, while slices are searched for

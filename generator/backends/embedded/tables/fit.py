@@ -27,7 +27,7 @@ _REACHING = 0.2  # overlap worth feet that end a whole silhouette's height too h
 _DEPTHS = (0.03, 0.06, 0.1, 0.15, 0.2)  # of the legs behind the rim, in widths of the top
 _STARTS, _TRIES = 3, 400  # searches for the measures of a table, and steps of each
 
-Mask = Bool[np.ndarray, "h w"]
+Mask = Bool[np.ndarray, "_ _"]
 
 
 @dataclass(frozen=True, eq=False)

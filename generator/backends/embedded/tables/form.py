@@ -23,7 +23,7 @@ from ....geometry import parts_to_unit_box, to_unit_box
 from ....scene import TABLE, Model, Physics
 
 LegStyle = Literal["posts", "sled", "trestle", "pedestal"]
-Ring = Float[np.ndarray, "2 k 3"]
+Ring = Float[np.ndarray, "2 _ 3"]
 
 _THREE = 0.56  # of the top's area within a triangle: it stands on three legs
 _SQUARE = rectangle(1, 1)
