@@ -12,10 +12,10 @@ from .method.alignment import Alignment, AlignmentConfig
 from .method.assembly import AssemblyConfig
 from .method.extraction import ExtractionConfig
 from .method.figures import bundle_images, save_figures
-from .method.ledger import Seconds
 from .method.reference import ReferenceConfig
 from .method.refinement import Refinement, RefinementConfig
 from .method.rotation import RotationConfig
+from .method.stopwatch import Seconds
 from .scene import Instance, Model, Reference, Rotation, Scene, SizePrior, View
 
 STAGES = ("reference", "extraction", "view and sizes", "modeling", "rotation", "alignment",

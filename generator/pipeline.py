@@ -11,7 +11,6 @@ from .generation import STAGES, Config, Generation
 from .method.ablation import ask_rotations, pose_guesser
 from .method.alignment import align, ask_layout
 from .method.extraction import extract
-from .method.ledger import Stopwatch
 from .method.modeling import make_models
 from .method.publish import Reconstruction, publish
 from .method.reference import (
@@ -25,6 +24,7 @@ from .method.reference import (
 )
 from .method.refinement import refine_scene
 from .method.rotation import estimate_rotations
+from .method.stopwatch import Stopwatch
 from .scene import TABLE, Instance, Intrinsics, Provenance, Reference
 from .scene.provenance import plain, scene_name, versions
 

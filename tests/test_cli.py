@@ -14,7 +14,7 @@ from toy import toy_scene
 
 from generator import bundle
 from generator.errors import SceneError
-from generator.method.ledger import Seconds
+from generator.method.stopwatch import Seconds
 from generator.physics.gate import judge
 from generator.render.picture import render_scene
 

@@ -16,9 +16,9 @@ import torch
 from generator.errors import InputError, SceneError, TabletopError
 from generator.generation import STAGES, Generation
 from generator.method.figures import bundle_images
-from generator.method.ledger import Seconds
 from generator.method.publish import WORSE
 from generator.method.refinement import outline_misfit
+from generator.method.stopwatch import Seconds
 from generator.pipeline import generate
 from generator.scene import TABLE
 from generator.scene.provenance import scene_name

@@ -15,9 +15,9 @@ from ..errors import BackendError, DryRunError, StorageError, TabletopError, Unu
 from .http.exchange import Reply, Trouble
 from .http.pending import PendingCall
 from .http.redaction import redact
-from .http.waiting import Breaker, Breakers, RetryPolicy, retry_after
-from .money.account import Account
+from .http.retries import Breaker, Breakers, RetryPolicy, retry_after
 from .money.entries import Entry, Outcome
+from .money.ledger import Account
 from .money.prices import Prices
 from .question import NOTHING, Question, Usage, failed, usage
 from .store import CallStore

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, TypeVar
 from ..errors import BackendError, DryRunError, StoppedError, require
 from .http.address import checked_address
 from .http.pending import Deadline, PendingCall
-from .http.waiting import Breakers, RetryPolicy
-from .money.account import Account
+from .http.retries import Breakers, RetryPolicy
 from .money.database import LOCAL, Keeper
+from .money.ledger import Account
 from .money.prices import Prices
 from .money.spending import Spending
 from .store import CallStore

@@ -161,7 +161,7 @@ def answering(session: Session, scene: str) -> Iterator[None]:
 
 def paid(session: Session, made: Path) -> bool:
     """Return whether the bundle ``made`` is to get a ledger: one that has none, or has to grow."""
-    from ..calls.money.account import LEDGER
+    from ..calls.money.ledger import LEDGER
 
     entries = session.account.entries
     now = any(entry.outcome != "cached" and not entry.earlier for entry in entries)

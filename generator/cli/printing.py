@@ -13,7 +13,7 @@ from ..errors import escape
 
 if TYPE_CHECKING:
     from ..calls import Session
-    from ..method.ledger import Seconds
+    from ..method.stopwatch import Seconds
     from ..scene import Scene
 
 

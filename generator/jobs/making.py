@@ -139,7 +139,7 @@ class Generating:
     def _session(self, job: Job) -> Iterator[Session]:
         """Return what the calls of one scene share; it knows what earlier runs spent on it."""
         from ..calls import Session
-        from ..calls.money.account import Account
+        from ..calls.money.ledger import Account
         from ..calls.store import CallStore
 
         with contextlib.ExitStack() as open_:

@@ -64,18 +64,21 @@ def train(
     changes: Annotated[tuple[str, ...], arg(name="set")] = (),
     keep_replay: bool = True,
 ) -> int:
-    """Train a policy by a recipe; after Ctrl-C, --resume continues from the last state.
+    """Train a policy by a recipe.
+
+    After Ctrl-C, --resume continues a run of reinforcement learning; clone recipes start over.
 
     Args:
         recipe: Name of a recipe, or the path of a TOML file of your own.
-        scenes: Where it trains, if not where the recipe says: bundles' names, globs or paths, or
-            "starter:train", "fresh", "refreshing", the latter two also with ":PROMPT".
+        scenes: Where it trains, by default where the recipe says: names, globs or paths of
+            bundles; "starter:train" (shipped training tables), "fresh[:TEXT]" (new tables made on
+            demand) or "refreshing[:TEXT]" (a pool renewed in the background).
         held_out: Where it is evaluated; the same forms.
         seed: The same seed trains the same policy (not with "refreshing", which goes by the clock).
-        steps: Steps of the environments, if not as many as the recipe says; of clone recipes their
-            rounds decide (--set cloning.rounds=4).
+        steps: Total environment steps, by default the recipe's. Clone recipes have rounds instead:
+            --set cloning.rounds=4.
         out: The run's folder; runs/RECIPE-SEED if left out.
-        resume: Resume the run in that folder.
+        resume: Resume the run in that folder; not for clone recipes.
         checks: How often the policy is evaluated.
         changes: Settings in place of the recipe's, as KEY=VALUE: options.gamma=0.9.
         keep_replay: Keep the replay buffer in checkpoints.

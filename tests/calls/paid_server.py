@@ -14,7 +14,7 @@ from typing import Any
 from local_server import local_server
 
 from generator.calls import Session
-from generator.calls.http.waiting import RetryPolicy
+from generator.calls.http.retries import RetryPolicy
 from generator.calls.money.prices import Price, Prices
 
 KEY = "marker-key-5d1f0c"

@@ -10,8 +10,8 @@ from pathlib import Path
 import pytest
 from bounded import LONG, at_once
 
-from generator.calls.money.account import Account
 from generator.calls.money.entries import Entry
+from generator.calls.money.ledger import Account
 from generator.calls.money.prices import Price, Prices
 from generator.errors import BudgetError, InputError, StoppedError, StorageError
 

@@ -13,10 +13,10 @@ from pathlib import Path
 
 import pytest
 
-from generator.calls.money.account import Account
 from generator.calls.money.budget import SharedBudget
 from generator.calls.money.database import FILE, LOCAL
 from generator.calls.money.entries import Entry
+from generator.calls.money.ledger import Account
 from generator.calls.money.prices import Prices
 from generator.calls.money.spending import Spending
 from generator.calls.store import CallStore, StoredAnswer

@@ -10,7 +10,7 @@ import pytest
 from bounded import join, until
 from paid_server import Asked, Says, ask, serving, session
 
-from generator.calls.http.waiting import RetryPolicy
+from generator.calls.http.retries import RetryPolicy
 from generator.calls.store import CallStore
 from generator.errors import BackendError, DryRunError, InputError, StoppedError
 

@@ -18,10 +18,10 @@ import pytest
 from bounded import LONG, at_once, line_of, running
 from paid_server import PRICES, Says, ask, serving, session
 
-from generator.calls.money.account import Account
 from generator.calls.money.budget import SharedBudget
 from generator.calls.money.database import FILE
 from generator.calls.money.entries import Entry
+from generator.calls.money.ledger import Account
 from generator.errors import BudgetError, InputError, StorageError
 
 HOLDS = """

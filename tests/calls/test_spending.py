@@ -15,10 +15,10 @@ from bounded import at_once, running, until
 from paid_server import KEY, PRICES, Asked, Says, ask, serving, session
 
 from generator.calls import Session
-from generator.calls.money.account import Account
 from generator.calls.money.budget import SharedBudget
 from generator.calls.money.database import FILE, LOCAL
 from generator.calls.money.entries import Entry
+from generator.calls.money.ledger import Account
 from generator.calls.money.prices import Price, Prices
 from generator.calls.money.spending import Spending
 from generator.calls.store import CallStore

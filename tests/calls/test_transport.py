@@ -17,9 +17,9 @@ from bounded import running, until
 from paid_server import CHAT, KEY, Asked, Says, ask, serving, session
 
 from generator.calls import Session
-from generator.calls.http.waiting import RetryPolicy
-from generator.calls.money.account import Account
+from generator.calls.http.retries import RetryPolicy
 from generator.calls.money.budget import SharedBudget
+from generator.calls.money.ledger import Account
 from generator.calls.money.prices import Price, Prices
 from generator.calls.store import CallStore
 from generator.calls.used import Used

@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 
 import pytest
 
-from generator.calls.http.waiting import Breaker, RetryPolicy, retry_after
+from generator.calls.http.retries import Breaker, RetryPolicy, retry_after
 from generator.errors import BackendError, InputError
 
 

@@ -14,9 +14,9 @@ from toy import toy_object, toy_scene
 
 from generator import bundle
 from generator import jobs as batch
-from generator.calls.money.account import Account
 from generator.calls.money.budget import SharedBudget
 from generator.calls.money.database import Keeper
+from generator.calls.money.ledger import Account
 from generator.errors import InputError
 from generator.scene import Provenance, Report
 from generator.threads import threads

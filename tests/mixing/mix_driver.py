@@ -18,7 +18,7 @@ from generator.backends import Backends
 from generator.backends.huggingface.encoder import HuggingFaceEncoder
 from generator.backends.huggingface.segmenter import HuggingFaceSegmenter
 from generator.calls import Session
-from generator.calls.http.waiting import RetryPolicy
+from generator.calls.http.retries import RetryPolicy
 from generator.calls.money.prices import Price, Prices
 from generator.calls.store import CallStore
 from generator.generation import Config, Generation

@@ -37,7 +37,7 @@ from laid_table import THINGS
 from mix_servers import KEY, Asked, Servers, Watch
 
 from generator import bundle
-from generator.calls.money.account import LEDGER
+from generator.calls.money.ledger import LEDGER
 from generator.calls.store import CallStore
 
 SEED = 7

@@ -7,9 +7,9 @@ them in one tensor.
 
 from .certainty import margin, widths
 from .config import RotationConfig
+from .equations import appearance_loss, contour_distance, edge_loss, rotation_loss, silhouette_loss
 from .estimate import estimate_rotations, optimise_rotation
 from .found import RotationAnswer, RotationCandidate
-from .losses import appearance_loss, contour_distance, edge_loss, rotation_loss, silhouette_loss
 from .objective import (
     Candidates,
     Levels,

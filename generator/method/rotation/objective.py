@@ -15,7 +15,7 @@ from ...errors import InputError
 from ...geometry import view_rotation
 from ...scene import Instance, Model, View
 from .config import RotationConfig
-from .losses import appearance_loss, contour_distance, edge_loss, rotation_loss, silhouette_loss
+from .equations import appearance_loss, contour_distance, edge_loss, rotation_loss, silhouette_loss
 
 if TYPE_CHECKING:
     from torch import Tensor

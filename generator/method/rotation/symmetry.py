@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from jaxtyping import Bool, Float
 
-from .losses import contour_distance
+from .equations import contour_distance
 from .objective import Candidates, Objective, Target
 
 _TURNS = 24  # yaws compared with the first

@@ -12,7 +12,7 @@ from openai_server import CHAT, IMAGES, KEY, Running, start
 from generator.backends.cloud.imager import CloudImager
 from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.embedded.imager import EmbeddedImager as EmbeddedImager
-from generator.calls.http.waiting import RetryPolicy
+from generator.calls.http.retries import RetryPolicy
 from generator.calls.session import Session
 
 QUICK = RetryPolicy(first=0.01, longest=0.02, rest=0.05)

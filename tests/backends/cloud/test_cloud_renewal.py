@@ -16,7 +16,7 @@ from openai_server import IMAGES, Request, Running
 from generator.backends.cloud.imager import REDRAWS, CloudImager
 from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.embedded.imager import EmbeddedImager as EmbeddedImager
-from generator.calls.http.waiting import RetryPolicy
+from generator.calls.http.retries import RetryPolicy
 from generator.calls.money.prices import Price, Prices
 from generator.calls.session import Session
 from generator.calls.store import CallStore

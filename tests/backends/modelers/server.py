@@ -11,7 +11,7 @@ from http.server import BaseHTTPRequestHandler
 
 from local_server import local_server, sent_to
 
-from generator.calls.http.waiting import RetryPolicy
+from generator.calls.http.retries import RetryPolicy
 from generator.calls.session import Session
 from generator.calls.store import CallStore
 

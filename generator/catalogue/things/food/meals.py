@@ -9,18 +9,7 @@ from ...build.collision import box_part, cylinder_part, flat_foot, hull_of
 from ...build.forms import lobe, speck
 from ...build.outlines import rectangle
 from ...build.shape import Shape, shape
-from ...build.solids import (
-    Solid,
-    block,
-    box,
-    cylinder,
-    ellipsoid,
-    join,
-    lathe,
-    prism,
-    torus,
-    tube,
-)
+from ...build.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, torus, tube
 from ...surfaces import prints, textures
 from ...surfaces.colors import RGB, tint_color
 from ...surfaces.look import Look

@@ -19,10 +19,10 @@ from toy import toy_object, toy_scene
 
 from generator import bundle
 from generator import jobs as batch
-from generator.calls.money.account import Account
 from generator.calls.money.budget import SharedBudget
 from generator.calls.money.database import FILE, TABLES
 from generator.calls.money.entries import Entry
+from generator.calls.money.ledger import Account
 from generator.calls.money.prices import Prices
 from generator.calls.money.spending import Spending
 from generator.calls.store import CallStore, StoredAnswer

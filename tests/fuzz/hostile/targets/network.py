@@ -18,7 +18,7 @@ from generator.backends.cloud.imager import CloudImager
 from generator.backends.cloud.reasoner import CloudReasoner
 from generator.backends.modelers.hunyuan3d import Hunyuan3D
 from generator.backends.modelers.tencent import Tencent
-from generator.calls.http.waiting import RetryPolicy
+from generator.calls.http.retries import RetryPolicy
 from generator.calls.session import Session
 from generator.calls.store import CallStore
 from generator.errors import BackendError
