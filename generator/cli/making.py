@@ -140,7 +140,7 @@ def compose(
     seed: int = 0,
     json: bool = False,
 ) -> int:
-    """Turn a text into a table directly, without drawing a picture first: about a second and start-up.
+    """Turn a text into a table directly, without drawing a picture first: about a second.
 
     Args:
         text: A description ("a round dining table for two").

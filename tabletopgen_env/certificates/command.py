@@ -20,7 +20,7 @@ def certify(
     *,
     tasks: tuple[str, ...] = _USUAL.tasks,
     episodes: int = _USUAL.episodes,
-    maximum: int = _USUAL.most,
+    most: int = _USUAL.most,
     seed: int = _USUAL.seed,
     workers: int = 1,
     again: bool = False,
@@ -36,7 +36,7 @@ def certify(
         tasks: The tasks; Sequence includes its presets.
         episodes: Episodes of each instance at most: the first from the scene's own start, the
             others from perturbed starts, none after a failure. Fewer than 30 certify nothing.
-        maximum: Instances of each task at most.
+        most: Instances of each task at most.
         seed: The same seed gives the same certificate.
         workers: Processes; the result does not depend on them.
         again: Skip none.
@@ -47,7 +47,7 @@ def certify(
 
     if not bundles:
         raise InputError("Name at least one bundle to certify.")
-    terms = Terms(tasks, episodes, maximum, seed)
+    terms = Terms(tasks, episodes, most, seed)
     if episodes < STARTS:
         print(f"Fewer than {STARTS} episodes of an instance certify nothing.", file=sys.stderr)
     found = dict.fromkeys(path for wanted in bundles for path in assets_cache.find(wanted))
