@@ -13,11 +13,23 @@ from ..errors import InputError, choices
 from ..scene import Model
 from .build.category import Category, model_of
 from .surfaces.look import Look
-from .things.electronics import devices, electronics, gadgets, handhelds, portables
-from .things.food import bakery, food, fruit, groceries, meals, pantry, produce, sweets
+from .things.bar import barista, glassware, openers
+from .things.electronics import (
+    circuits,
+    counter,
+    devices,
+    electronics,
+    gadgets,
+    handhelds,
+    peripherals,
+    portables,
+)
+from .things.food import bakery, food, fruit, groceries, meals, orchard, pantry, produce, sweets
 from .things.home import (
     decor,
+    dressing,
     figurines,
+    garden,
     household,
     keepsakes,
     lights,
@@ -26,11 +38,34 @@ from .things.home import (
     plants,
     vanity,
 )
-from .things.kitchen import bottles, brewing, cups, cutlery, dining, kitchen
-from .things.lab import clinic, lab
-from .things.leisure import games, leisure, maps, toys
-from .things.office import deskware, office, paper, writing
-from .things.tools import craft, hardware, tools, workbench
+from .things.kitchen import (
+    appliances,
+    bakeware,
+    bottles,
+    brewing,
+    cups,
+    cutlery,
+    dining,
+    kitchen,
+    racks,
+    utensils,
+)
+from .things.lab import checkup, clinic, lab
+from .things.larder import boxes, condiments, packs, preserves
+from .things.leisure import games, instruments, leisure, maps, optics, sports, toys
+from .things.office import (
+    clips,
+    desk,
+    deskware,
+    office,
+    organizers,
+    paper,
+    printed,
+    supplies,
+    writing,
+)
+from .things.tools import benchwork, craft, fasteners, hardware, tools, workbench
+from .things.wardrobe import bathroom, clothes, gifts, jewelry
 
 _SHELVES = (
     *(cups, dining, cutlery, brewing, kitchen, bottles, pantry, food, bakery),
@@ -40,9 +75,46 @@ _SHELVES = (
     *(tools, workbench, toys, games, craft, vanity, lab),
     *(paper, maps, mats, clinic, figurines),
 )
+_LATER = (
+    appliances,
+    barista,
+    glassware,
+    utensils,
+    openers,
+    bakeware,
+    racks,
+    preserves,
+    condiments,
+    packs,
+    boxes,
+    orchard,
+    supplies,
+    clips,
+    organizers,
+    desk,
+    circuits,
+    peripherals,
+    counter,
+    sports,
+    instruments,
+    optics,
+    gifts,
+    clothes,
+    jewelry,
+    garden,
+    dressing,
+    bathroom,
+    checkup,
+    fasteners,
+    benchwork,
+    printed,
+)
+
+FURNISHING = frozenset(c.key for shelf in _SHELVES for c in shelf.CATEGORIES)
+"""What a table drawn by theme alone may hold; another one here changes what every seed draws."""
 
 CATEGORIES: Mapping[str, Category] = MappingProxyType(
-    {c.key: c for shelf in _SHELVES for c in shelf.CATEGORIES}
+    {c.key: c for shelf in (*_SHELVES, *_LATER) for c in shelf.CATEGORIES}
 )
 """Every category by key."""
 

@@ -9,7 +9,10 @@ import pytest
 from generator.catalogue import CATEGORIES, build
 from generator.scene import Model
 
-HOLLOW = ("mug", "bowl", "teacup", "glass", "basket", "pan", "tray", "desk_tray")
+HOLLOW = (
+    *("mug", "bowl", "teacup", "glass", "basket", "pan", "tray", "desk_tray", "pitcher", "ramekin"),
+    *("mixing_bowl", "colander", "baking_tray", "plant_pot", "shot_glass"),
+)
 
 
 def moments(model: Model) -> tuple[np.ndarray, np.ndarray]:

@@ -1,4 +1,4 @@
-"""Materials: friction, and how weight grows with size.
+"""What things are made of: how slippery that is, and how weight grows with size.
 
 Friction is the sliding coefficient of a dry thing on a plain wooden top, after the usual handbook
 ranges (wood on wood 0.25-0.5, metal on wood 0.2-0.6, leather on wood 0.3-0.6), towards their upper
@@ -37,37 +37,57 @@ FRICTION: Mapping[str, float] = MappingProxyType(
 
 _MADE_OF: Mapping[str, str] = {
     "ceramic": "mug teacup bowl plate saucer teapot sugar_bowl vase cake_stand pet_bowl mortar "
-    "sushi_plate potted_plant figurine toothbrush_cup",
+    "sushi_plate potted_plant figurine toothbrush_cup pitcher ramekin soup butter plant_pot "
+    "cactus succulent ice_cream",
     "glass": "glass wine_glass bottle wine_bottle sauce_bottle jar french_press beaker flask "
     "petri_dish reagent_bottle perfume_bottle nail_polish hourglass magnifying_glass salt_shaker "
-    "pepper_shaker cream_jar",
+    "pepper_shaker cream_jar carafe cocktail_glass champagne_flute beer_mug shot_glass "
+    "beer_bottle milk_bottle honey_jar jam_jar salad_dressing maple_syrup soy_sauce straw_holder "
+    "measuring_cup light_bulb marbles standing_mirror camera_lens ashtray",
     "metal": "fork spoon knife kettle pot pan whisk can meat_can tea_tin paint_can spray_can "
     "thermos hand_saw clamp wrench pliers screwdriver hammer scissors keys trophy dumbbell "
-    "button_tin wristwatch toolbox spirit_level",
+    "button_tin wristwatch toolbox spirit_level moka_pot ice_bucket soda_can tongs grater "
+    "corkscrew bottle_opener pizza_cutter mixing_bowl colander baking_tray muffin_tin pie "
+    "dish_rack soup_can tomato_can tuna_can coffee_can paper_clips binder_clip thumbtacks bookend "
+    "pencil_set desk_bell candlestick watering_can garden_trowel ring necklace bracelet "
+    "compass battery screw nail bolt nut hex_key metal_file chisel padlock coins razor ink_pad "
+    "hole_punch usb_stick",
     "wood": "tray cutting_board rolling_pin coaster chess_board toy_block pencil paint_brush "
     "picture_frame paint_palette thread_spool matryoshka test_tube_rack pencil_holder clipboard "
-    "chess_piece hairbrush hand_mirror basket",
+    "chess_piece hairbrush hand_mirror basket coffee_grinder wine_rack napkin_holder chopsticks "
+    "cabinet drawer_box desk_caddy stamp violin ukulele metronome jewelry_box toothpicks",
     "stone": "sculpture",
     "plastic": "paint_bottle spray_bottle wipes_canister screw_box pipette_box pill_bottle "
     "soap_dispenser glue_stick marker pen ruler desk_tray tape_roll tape_dispenser tape_measure "
     "utility_knife stapler building_brick toy_car toy_robot toy_train stacking_rings puzzle_cube "
-    "die lipstick makeup_compact syringe thermometer eyeglasses first_aid_kit tool_kit paint_tube",
+    "die lipstick makeup_compact syringe thermometer eyeglasses first_aid_kit tool_kit paint_tube "
+    "spatula ladle peeler food_container dish_soap peanut_butter ketchup mustard_bottle yogurt "
+    "pencil_sharpener waste_bin poker_chips dominoes stacking_cups toy_airplane toothbrush "
+    "toothpaste comb nail_file paint_roller cable charger breadboard circuit_board crayon "
+    "telescope binoculars tripod golf_ball",
     "paper": "napkins milk_carton cereal_box coffee_bag chips_bag tissue_box paper_cup egg_carton "
     "envelope binder folded_map book notebook box sticky_notes paper_stack playing_cards "
-    "open_book photo_print map fries",
-    "wax": "candle",
+    "open_book photo_print map fries chips_can cream_cheese flour_bag sugar_bag rice_bag "
+    "pasta_box tea_box juice_carton cookie_box pudding_box popcorn crayon_box folder calendar "
+    "gift_box gift_bag paper_bag bouquet seed_packet magazine newspaper letter banknotes "
+    "price_tag",
+    "wax": "candle soap_bar",
     "food": "apple orange lemon pear banana tomato egg cucumber carrot bread_loaf croissant donut "
     "cupcake cheese cake sandwich pineapple watermelon_slice grapes strawberry mushroom avocado "
     "onion garlic corn bell_pepper broccoli potato pizza burger hot_dog pancakes cookie "
-    "chocolate_bar gourd",
-    "leather": "wallet ring_box",
+    "chocolate_bar gourd peach plum mango kiwi eggplant cherries steak sushi_rolls",
+    "leather": "wallet ring_box american_football baseball",
     "device": "toaster power_drill multimeter soldering_iron printer router vr_headset microphone "
     "desk_fan power_strip hard_drive action_camera handheld_console hair_dryer calculator laptop "
     "monitor keyboard computer_mouse smartphone tablet headphones speaker remote_control "
     "walkie_talkie camera game_controller earbuds_case alarm_clock globe desk_lamp night_light "
-    "flashlight microscope",
-    "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat",
-    "rubber": "mousepad ball cutting_mat rubber_duck",
+    "flashlight microscope microwave stove blender rice_cooker stand_mixer kitchen_scale "
+    "espresso_machine oscilloscope webcam trackpad mini_pc telephone barcode_scanner "
+    "cash_register card_reader phone_stand joystick headset blood_pressure_monitor sewing_machine",
+    "fabric": "cap folded_towel sponge teddy_bear yarn_ball bandage_roll pencil_case placemat hat "
+    "blanket scarf tennis_ball",
+    "rubber": "mousepad ball cutting_mat rubber_duck eraser basketball soccer_ball shoe "
+    "stethoscope",
 }
 
 MATERIALS: Mapping[str, str] = MappingProxyType(
@@ -76,18 +96,32 @@ MATERIALS: Mapping[str, str] = MappingProxyType(
 """The material that a category's underside, or most of it, is made of."""
 
 HOLLOW = frozenset(
-    {"mug", "teacup", "glass", "wine_glass", "bowl", "plate", "saucer", "tray", "teapot", "kettle",
-     "french_press", "pot", "pan", "sugar_bowl", "basket", "vase", "cake_stand", "pet_bowl",
-     "desk_tray", "pencil_holder", "box", "beaker", "flask", "petri_dish", "toothbrush_cup",
-     "thermos", "toolbox", "globe", "ball", "rubber_duck", "cap", "trophy", "figurine",
-     "pencil_case", "test_tube_rack", "matryoshka"}
+    {"mug", "teacup", "glass", "wine_glass", "bowl", "plate", "saucer", "tray", "teapot",
+     "kettle", "french_press", "pot", "pan", "sugar_bowl", "basket", "vase", "cake_stand",
+     "pet_bowl", "desk_tray", "pencil_holder", "box", "beaker", "flask", "petri_dish",
+     "toothbrush_cup", "thermos", "toolbox", "globe", "ball", "rubber_duck", "cap", "trophy",
+     "figurine", "pencil_case", "test_tube_rack", "matryoshka", "pitcher", "ramekin", "soup",
+     "beer_mug", "shot_glass", "cocktail_glass", "champagne_flute", "mixing_bowl", "colander",
+     "measuring_cup", "baking_tray", "muffin_tin", "ice_bucket", "watering_can", "plant_pot",
+     "waste_bin", "basketball", "soccer_ball", "tennis_ball", "american_football",
+     "stacking_cups", "desk_caddy", "food_container", "paper_bag", "gift_bag", "cabinet",
+     "drawer_box", "candlestick", "violin", "ukulele"}
 )  # fmt: skip
 """Things that are walls around air."""
 
 ASSEMBLED = frozenset(
-    {"potted_plant", "picture_frame", "eyeglasses", "keys", "wristwatch", "candle", "bandage_roll",
-     "pencil_holder", "vase", "chess_board", "basket", "pill_bottle", "map", "folded_map",
-     "photo_print", "cap", "figurine"}
+    {"potted_plant", "picture_frame", "eyeglasses", "keys", "wristwatch", "candle",
+     "bandage_roll", "pencil_holder", "vase", "chess_board", "basket", "pill_bottle", "map",
+     "folded_map", "photo_print", "cap", "figurine", "dish_rack", "wine_rack", "napkin_holder",
+     "straw_holder", "popcorn", "toothpicks", "crayon_box", "pencil_set", "paper_clips",
+     "thumbtacks", "bookend", "calendar", "ink_pad", "cable", "poker_chips", "dominoes",
+     "marbles", "cactus", "succulent", "bouquet", "jewelry_box", "necklace", "bracelet", "ring",
+     "tripod", "telescope", "compass", "candlestick", "standing_mirror", "coins", "nail", "screw",
+     "nut", "bolt", "banknotes", "letter", "price_tag", "breadboard", "circuit_board", "charger",
+     "light_bulb", "battery", "soap_bar", "kiwi", "tea_box", "coffee_grinder", "ladle", "tongs",
+     "paint_roller", "stethoscope", "padlock", "toy_airplane", "hex_key", "basketball",
+     "soccer_ball", "american_football", "cherries", "sushi_rolls", "pencil_sharpener",
+     "tomato_can"}
 )  # fmt: skip
 """Things whose box says little of their weight: handles, stems, lids and folds make it up."""
 

@@ -1,4 +1,4 @@
-"""Small portable devices."""
+"""Small devices people carry about."""
 
 from __future__ import annotations
 
@@ -158,7 +158,7 @@ def handheld_console(look: Look) -> Shape:
 CATEGORIES = (
     Category("hard_drive", hard_drive, (0.11, 0.16, 0.017), 0.2,
              ("external hard drive", "hard disk", "external drive", "ssd", "portable drive",
-              "usb drive", "hdd"), ("office", "gaming"), ("flat",), ("black", "silver"),
+              "hdd"), ("office", "gaming"), ("flat",), ("black", "silver"),
              state="lying flat"),
     Category("action_camera", action_camera, (0.067, 0.043, 0.055), 0.15,
              ("gopro", "action cam", "sports camera"), ("office", "gaming"), (), ("black",)),

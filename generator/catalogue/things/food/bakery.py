@@ -238,7 +238,7 @@ CATEGORIES = (
         cereal_box,
         (0.18, 0.055, 0.26),
         0.4,
-        ("cereal", "cereal carton", "box of cereal", "cracker box", "pasta box"),
+        ("cereal", "cereal carton", "box of cereal", "cracker box"),
         ("kitchen", "dining"),
         ("tall",),
         ("red", "yellow"),

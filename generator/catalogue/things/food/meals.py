@@ -190,7 +190,7 @@ CATEGORIES = (
     Category("hot_dog", hot_dog, (0.165, 0.065, 0.05), 0.13, ("hotdog", "sausage", "frankfurter"),
              ("dining", "food"), ("edible",), state="lying flat"),
     Category("sushi_plate", sushi_plate, (0.22, 0.11, 0.046), 0.6,
-             ("sushi", "sushi board", "sushi roll", "sushi set", "maki", "nigiri"),
+             ("sushi", "sushi board", "sushi set", "nigiri"),
              ("dining", "food"), ("edible",), state="lying flat"),
     Category("fries", fries, (0.072, 0.042, 0.125), 0.14,
              ("french fries", "chip cup", "box of fries", "french fry"), ("dining", "food"),

@@ -20,7 +20,7 @@ KINDS = ("leafy", "leafy", "broad", "succulent", "cactus", "blades", "bonsai", "
 Pieces = list[tuple[Solid, textures.Tile]]
 
 
-def _leaf(length: float, width: float, angle: float, lift: float) -> Solid:
+def leaf_blade(length: float, width: float, angle: float, lift: float) -> Solid:
     """Return a thin curved leaf that starts at the origin and points along ``angle``."""
     t = np.linspace(0, 1, 7)
     half = width / 2 * np.sin(np.pi * np.clip(t * 0.94 + 0.03, 0, 1)) ** 0.75
@@ -37,7 +37,7 @@ def _leaf(length: float, width: float, angle: float, lift: float) -> Solid:
     return loft(rings, section, profile=np.column_stack([along, rise])).turn(2, angle)
 
 
-def _pot(look: Look, r: float, h: float) -> Pieces:
+def planter(look: Look, r: float, h: float) -> Pieces:
     """Return a pot of clay, glaze or basketwork, tapered, straight or bellied, and its soil."""
     color = look.color(
         *("terracotta", "terracotta", "white", "gray", "teal", "cream", "black", "mustard"),
@@ -64,12 +64,12 @@ def _pot(look: Look, r: float, h: float) -> Pieces:
 def potted_plant(look: Look) -> Shape:
     """A pot with a plant: leafy, broad-leaved, bladed, flowering, a succulent, cactus or bonsai."""
     r, h = look.between(0.042, 0.062), look.between(0.065, 0.095)
-    pieces = _pot(look, r, h)
+    pieces = planter(look, r, h)
     green = look.own_color("green", "green", "green", "olive", "sage", spread=16)
     if look.chance(0.12):
         green = look.own_color("maroon", "crimson", "lime")
     kind = look.pick(KINDS)
-    grow = {"cactus": _cactus, "blades": _blades, "bonsai": _bonsai}.get(kind)
+    grow = {"cactus": cactus_plant, "blades": _blades, "bonsai": _bonsai}.get(kind)
     plant, hulls = grow(look, green, h, r) if grow else _leaves(look, green, h, r, kind)
     return shape([*pieces, *plant], [hull_of(pieces[0][0]), *hulls])
 
@@ -88,7 +88,7 @@ def _leaves(
         wide = {"succulent": 0.55, "broad": 0.8}.get(kind, look.between(0.35, 0.5)) * long
         base = h * 0.9 + (0.012 * share if rosette else look.between(0.0, 0.06))
         steep = 0.75 + 0.9 * share if rosette else 0.5 + look.between(-0.3, 0.75)
-        solids.append(_leaf(long, wide, 2.4 * k, steep).move(z=base))
+        solids.append(leaf_blade(long, wide, 2.4 * k, steep).move(z=base))
     crown = join(solids)
     pieces: Pieces = [(crown, tile)]
     if not rosette:
@@ -117,7 +117,7 @@ def _blossoms(look: Look, green: RGB, h: float) -> Pieces:
     return pieces
 
 
-def _cactus(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[ConvexPart]]:
+def cactus_plant(look: Look, green: RGB, h: float, r: float) -> tuple[Pieces, list[ConvexPart]]:
     """Return a column, a ball, or paddles, with ribs, spines and a bloom."""
     ribs = textures.stripes([green, tint_color(green, 0.7)], 9, upright=True, side=128).copy()
     for row in range(4, 128, 12):
@@ -205,7 +205,7 @@ CATEGORIES = (
         potted_plant,
         (0.17, 0.17, 0.185),
         0.6,
-        ("plant", "succulent", "cactus", "houseplant", "flower pot", "pot plant", "bonsai"),
+        ("plant", "houseplant", "flower pot", "pot plant", "bonsai"),
         ("office", "living", "coffee"),
         ("tall",),
         ("terracotta", "white"),

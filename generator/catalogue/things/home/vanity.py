@@ -1,4 +1,4 @@
-"""Things of a vanity table or a wash basin."""
+"""What stands on a vanity table or by a wash basin."""
 
 from __future__ import annotations
 
@@ -242,7 +242,7 @@ CATEGORIES = (
         hairbrush,
         (0.23, 0.07, 0.03),
         0.1,
-        ("brush", "paddle brush", "comb"),
+        ("brush", "paddle brush"),
         ("vanity",),
         ("flat",),
         ("black", "pink"),
@@ -274,7 +274,7 @@ CATEGORIES = (
         soap_dispenser,
         (0.068, 0.08, 0.155),
         0.35,
-        ("lotion", "lotion bottle", "hand soap", "soap", "shampoo"),
+        ("lotion", "lotion bottle", "hand soap", "shampoo"),
         ("vanity", "kitchen"),
         ("tall",),
         ("white", "teal"),
@@ -305,7 +305,7 @@ CATEGORIES = (
         toothbrush_cup,
         (0.08, 0.072, 0.18),
         0.28,
-        ("toothbrush", "toothbrush holder"),
+        ("toothbrush holder",),
         ("vanity",),
         ("tall",),
         ("white",),
@@ -315,7 +315,7 @@ CATEGORIES = (
         ring_box,
         (0.056, 0.07, 0.075),
         0.08,
-        ("jewelry box", "jewellery box", "ring", "jewelry"),
+        (),
         ("vanity",),
         (),
         ("navy",),

@@ -16,12 +16,12 @@ from ...surfaces.look import Look
 PRINTS = ("red", "navy", "teal", "green", "mustard", "crimson", "orange", "purple", "blue")
 
 
-def _ribs(color: RGB) -> textures.Tile:
+def cap_ribs(color: RGB) -> textures.Tile:
     """A screw cap's side."""
     return textures.stripes([color, tint_color(color, 0.75)], 16, upright=True, side=64)
 
 
-def _label(
+def label_skin(
     look: Look, base: RGB, word: str, low: float, high: float, ground: RGB = (244, 242, 234)
 ) -> textures.Tile:
     """A bottle's skin: plain, a label between the heights v ``low`` and ``high``, plain."""
@@ -30,7 +30,7 @@ def _label(
     return textures.stack((skin, low), (print_, high - low), (skin, 1 - high), side=192)
 
 
-def _vessel(
+def vessel(
     r: float,
     h: float,
     neck: float,
@@ -57,7 +57,7 @@ def _vessel(
     return lathe(profile, sides, v=[0, *(z / h for _, z in profile[1:-1]), 1])
 
 
-def _vessel_parts(
+def vessel_parts(
     body: Solid, r: float, shoulder: float, neck: float, h: float, rise: float
 ) -> list[ConvexPart]:
     """Return a vessel's body, shoulder and neck."""
@@ -95,7 +95,7 @@ def bottle(look: Look) -> Shape:
         "milk": ["MILK", "DAIRY", "OAT"], "flask": ["TREK", "HYDRO", "GYM"],
     }[kind])  # fmt: skip
     waist = kind in ("water", "juice") and look.chance(0.6)
-    body = _vessel(r, h, neck, shoulder * h, rise * h, waist=waist)
+    body = vessel(r, h, neck, shoulder * h, rise * h, waist=waist)
     low, high = look.between(0.14, 0.26), look.between(0.46, 0.56)
     if kind == "flask":
         tile = look.surface(color, look.pick(["metal", "plastic"]))
@@ -106,12 +106,12 @@ def bottle(look: Look) -> Shape:
             tile = sign
     else:
         ground = look.pick([(244, 242, 234), (250, 226, 120), (34, 40, 52), (206, 226, 236)])
-        tile = _label(look, color, word, low, high, ground)
+        tile = label_skin(look, color, word, low, high, ground)
     cap = cylinder(neck + 0.0017, 0.016, 20, bevel=0.001).move(z=h - 0.004)
-    lid = _ribs(look.own_color("white", "red", "blue", "green", "black", "gold", "silver"))
+    lid = cap_ribs(look.own_color("white", "red", "blue", "green", "black", "gold", "silver"))
     return shape(
         [(body, tile), (cap, lid)],
-        [*_vessel_parts(body, 0.86 * r if waist else r, shoulder * h, neck, h, rise * h),
+        [*vessel_parts(body, 0.86 * r if waist else r, shoulder * h, neck, h, rise * h),
          cylinder_part(neck + 0.0017, 0.016, (0, 0, h - 0.004))],
     )  # fmt: skip
 
@@ -129,16 +129,16 @@ def wine_bottle(look: Look) -> Shape:
     r = {"champagne": 1.08 * r, "oil": 0.86 * r}.get(kind, r)
     color = look.color("green", "olive", "maroon", "black", "amber", "teal", "brown", "mustard")
     word = look.pick(["ROSSO", "1998", "VALLEY", "BRUT", "OLIVE", "RESERVA", "BLANC"])
-    body = _vessel(r, h, neck, shoulder * h, rise * h)
+    body = vessel(r, h, neck, shoulder * h, rise * h)
     top = look.between(0.8, 0.88)
     foil = cylinder(neck + 0.0013, (1.01 - top) * h, 20, bevel=0.001).move(z=top * h)
     paper = look.pick([(244, 242, 234), (236, 224, 196), (40, 38, 40), (122, 30, 40)])
-    skin = _label(look, tint_color(color, 0.55), word, look.between(0.1, 0.18),
+    skin = label_skin(look, tint_color(color, 0.55), word, look.between(0.1, 0.18),
                      min(shoulder - 0.03, look.between(0.36, 0.5)), paper)  # fmt: skip
     seal = look.own_color("crimson", "gold", "black", "green", "silver", "white")
     return shape(
         [(body, skin), (foil, textures.speckles(look.rng, seal, 3, 32))],
-        [*_vessel_parts(body, r, shoulder * h, neck, h, rise * h),
+        [*vessel_parts(body, r, shoulder * h, neck, h, rise * h),
          cylinder_part(neck + 0.0013, (1.01 - top) * h, (0, 0, top * h))],
     )  # fmt: skip
 
@@ -161,19 +161,19 @@ def sauce_bottle(look: Look) -> Shape:
         )  # fmt: skip
         body = flipped.move(z=0.028)
         return shape(
-            [(body, _label(look, color, word, 0.3, 0.75, ground)), (base, cap)],
+            [(body, label_skin(look, color, word, 0.3, 0.75, ground)), (base, cap)],
             [cylinder_part(0.86 * r, 0.03), hull_of(body)],
         )
     neck, shoulder, rise = (0.016, 0.72, 0.94) if kind == "squeeze" else (0.011, 0.5, 0.82)
-    body = _vessel(r, h, neck, shoulder * h, rise * h)
+    body = vessel(r, h, neck, shoulder * h, rise * h)
     tip = 0.0032 if kind == "squeeze" else neck + 0.0015
     nozzle = cylinder(neck - 0.001 if kind == "squeeze" else tip, 0.034, 18, top=tip)
     nozzle = nozzle.move(z=h + 0.006 if kind == "squeeze" else h - 0.006)
     collar = cylinder(neck + 0.0015, 0.009, 20, bevel=0.001).move(z=h - 0.002)
     return shape(
-        [(body, _label(look, color, word, look.between(0.16, 0.28), shoulder - 0.1, ground)),
+        [(body, label_skin(look, color, word, look.between(0.16, 0.28), shoulder - 0.1, ground)),
          (nozzle, cap), (collar, cap)],
-        [*_vessel_parts(body, r, shoulder * h, neck, h, rise * h), hull_of(nozzle, collar)],
+        [*vessel_parts(body, r, shoulder * h, neck, h, rise * h), hull_of(nozzle, collar)],
     )  # fmt: skip
 
 
@@ -185,12 +185,12 @@ def paint_bottle(look: Look) -> Shape:
     )
     kind = look.pick(["pump", "pump", "nozzle", "cap"])
     word = look.pick(["PAINT", "ACRYL", "TEMPERA", "GOUACHE"])
-    body = _vessel(r, h, 0.014, look.between(0.72, 0.84) * h, 0.95 * h)
+    body = vessel(r, h, 0.014, look.between(0.72, 0.84) * h, 0.95 * h)
     ground = look.pick([(244, 242, 234), (250, 250, 250), (38, 38, 42), tint_color(color, 1.6)])
-    skin = _label(look, color, word, look.between(0.14, 0.26), look.between(0.54, 0.68), ground)
+    skin = label_skin(look, color, word, look.between(0.14, 0.26), look.between(0.54, 0.68), ground)
     top = textures.plain(look.pick([(238, 238, 236), (238, 238, 236), (40, 40, 44), color]))
     pieces = [(body, skin)]
-    parts = _vessel_parts(body, r, 0.72 * h, 0.014, h, 0.95 * h)
+    parts = vessel_parts(body, r, 0.72 * h, 0.014, h, 0.95 * h)
     if kind == "pump":
         collar = cylinder(0.0165, 0.014, 20, bevel=0.001).move(z=h - 0.002)
         stem = cylinder(0.005, 0.026, 12).move(z=h + 0.01)
@@ -217,17 +217,17 @@ def jar(look: Look) -> Shape:
     word = look.pick(["JAM", "HONEY", "PICKLES", "BERRY", "CURRY", "PESTO", "OLIVES", "SPICE"])
     shoulder, sides = look.between(0.74, 0.88), look.pick([32, 32, 32, 8])
     neck = look.between(0.7, 0.86) * r
-    body = _vessel(r, h, neck, shoulder * h, 0.94 * h, sides=sides)
+    body = vessel(r, h, neck, shoulder * h, 0.94 * h, sides=sides)
     lid = cylinder(neck + 0.002, look.between(0.012, 0.02), 28, bevel=0.002).move(z=h - 0.003)
     other = look.own_color("white", "red", "gold", "navy", "black", "silver", "green")
     cloth = textures.fabric(look.rng, other, (246, 244, 238), 16)
     top = look.pick([cloth, textures.plain(other), textures.brushed_metal(look.rng, other)])
     ground = look.pick([(244, 242, 234), (250, 240, 200), (46, 52, 48), tint_color(color, 1.7)])
-    skin = _label(look, color, word, look.between(0.18, 0.3), look.between(0.6, 0.72), ground)
+    skin = label_skin(look, color, word, look.between(0.18, 0.3), look.between(0.6, 0.72), ground)
     flat = np.cos(np.pi / sides)
     return shape(
         [(body, skin), (lid, top)],
-        [*_vessel_parts(body, r * flat, shoulder * h, neck * flat, h, 0.94 * h), hull_of(lid)],
+        [*vessel_parts(body, r * flat, shoulder * h, neck * flat, h, 0.94 * h), hull_of(lid)],
     )
 
 
@@ -245,9 +245,6 @@ CATEGORIES = (
             "drink",
             "juice",
             "water",
-            "beer",
-            "beer bottle",
-            "milk bottle",
         ),
         ("dining", "kitchen", "office"),
         ("tall", "round"),
@@ -277,9 +274,6 @@ CATEGORIES = (
         (0.062, 0.062, 0.195),
         0.4,
         (
-            "ketchup bottle",
-            "ketchup",
-            "mustard bottle",
             "squeeze bottle",
             "sauce",
             "mayonnaise",
@@ -305,13 +299,7 @@ CATEGORIES = (
         (0.076, 0.076, 0.115),
         0.4,
         (
-            "jam jar",
-            "honey jar",
-            "jar of jam",
-            "jar of honey",
             "pickle jar",
-            "jam",
-            "honey",
             "spice jar",
             "cookie jar",
         ),

@@ -1,4 +1,4 @@
-"""Things for making tea and coffee."""
+"""What tea and coffee are made with."""
 
 from __future__ import annotations
 
@@ -201,7 +201,7 @@ CATEGORIES = (
         french_press,
         (0.14, 0.105, 0.225),
         0.6,
-        ("coffee press", "coffee pot", "coffee maker", "cafetiere", "moka pot"),
+        ("coffee press", "coffee pot", "coffee maker", "cafetiere"),
         ("coffee", "kitchen"),
         ("tall",),
         ("silver", "black"),

@@ -1,4 +1,4 @@
-"""Tableware for food and drink."""
+"""What one eats and drinks from."""
 
 from __future__ import annotations
 
@@ -222,7 +222,7 @@ CATEGORIES = (
         glass,
         (0.074, 0.074, 0.12),
         0.24,
-        ("tumbler", "drinking glass", "water glass", "glass of water", "cocktail glass"),
+        ("tumbler", "drinking glass", "water glass", "glass of water"),
         ("dining", "kitchen"),
         ("container", "round", "tall"),
         ("clear",),
@@ -232,7 +232,7 @@ CATEGORIES = (
         wine_glass,
         (0.078, 0.078, 0.2),
         0.15,
-        ("goblet", "champagne glass", "wineglass"),
+        ("goblet", "wineglass"),
         ("dining",),
         ("round", "tall"),
         ("clear",),

@@ -10,14 +10,14 @@ from ...build.outlines import ellipse
 from ...build.shape import Shape, shape
 from ...build.solids import Solid, block, box, cylinder, ellipsoid, join, lathe, prism, tube
 from ...surfaces import prints, textures
-from ...surfaces.colors import readable_on, tint_color
+from ...surfaces.colors import RGB, readable_on, tint_color
 from ...surfaces.look import Look
 from ...surfaces.textures import Tile
 from ..food.food import press_flat
 from ..tools.tools import lying
 
 
-def _seam(radius: float, wave: float) -> Solid:
+def seam(radius: float, wave: float) -> Solid:
     """Return the seam of a tennis ball or baseball as a thin tube on a sphere."""
     t = np.linspace(0, 2 * np.pi, 49)[:-1]
     lift = wave * np.sin(2 * t)
@@ -35,20 +35,20 @@ def ball(look: Look) -> Shape:
     if kind == 0:
         d, color = look.between(0.064, 0.068), look.color("lime", "lime", "yellow")
         cover = textures.scratches(look.rng, color, tint_color(color, 1.3), 220)
-        seams = [_seam(0.495 * d, 0.75)]
+        seams = [seam(0.495 * d, 0.75)]
     elif kind == 1:
         d, color = look.between(0.072, 0.076), look.color("white", "cream", "ivory")
         cover, ink = textures.speckles(look.rng, color, 6), (190, 40, 44)
-        seams = [_seam(0.495 * d, 0.75)]
+        seams = [seam(0.495 * d, 0.75)]
     elif kind == 2:
         d, color = look.between(0.09, 0.14), look.color("orange", "copper", "terracotta")
         cover, ink = textures.spots(look.rng, color, tint_color(color, 0.7), 0.2), (40, 34, 32)
         circle = np.column_stack([0.496 * d * ellipse(2, 2, 40), np.zeros(40)])
         ring = tube(circle, 0.014 * d, 5, loop=True)
-        seams = [ring, ring.turn(0, np.pi / 2), ring.turn(1, np.pi / 2), _seam(0.496 * d, 0.6)]
+        seams = [ring, ring.turn(0, np.pi / 2), ring.turn(1, np.pi / 2), seam(0.496 * d, 0.6)]
     elif kind == 3:
         d, color = look.between(0.08, 0.14), look.color("white", "white", "yellow", "sky")
-        cover = _football(color)
+        cover = football_skin(color)
     else:
         d, color = look.between(0.06, 0.12), look.color("red", "blue", "green", "purple", "pink")
         other = look.own_color("white", "yellow", "cyan", "orange")
@@ -60,8 +60,8 @@ def ball(look: Look) -> Shape:
     return shape(pieces, [resting_ball(d, d, 0.985 * d)])
 
 
-def _football(color: tuple[float, float, float]) -> Tile:
-    """A ball's skin of dark pentagons among pale faces, thin seams between."""
+def football_skin(color: RGB, ink: RGB = (30, 32, 36)) -> Tile:
+    """A ball's skin of pentagons of ``ink`` among pale faces, thin seams between."""
     golden = (1 + 5**0.5) / 2
     corners = np.array([p for a in (-1, 1) for b in (-golden, golden)
                         for p in ((0, a, b), (a, b, 0), (b, 0, a))], float)  # fmt: skip
@@ -72,7 +72,7 @@ def _football(color: tuple[float, float, float]) -> Tile:
     near = np.sort(ways @ corners.T, axis=-1)
     image = np.broadcast_to(np.array(color), (96, 192, 3)).copy()
     image[(near[..., -1] - near[..., -2]) < 0.025] = tint_color(color, 0.6)
-    image[near[..., -1] > np.cos(0.36)] = (30, 32, 36)
+    image[near[..., -1] > np.cos(0.36)] = ink
     return image.round().astype(np.uint8)
 
 
@@ -204,11 +204,10 @@ def cap(look: Look) -> Shape:
 
 CATEGORIES = (
     Category("cap", cap, (0.18, 0.275, 0.12), 0.09,
-             ("baseball cap", "hat", "ball cap", "baseball hat"), ("living",), ("big",),
+             ("baseball cap", "ball cap", "baseball hat"), ("living",), ("big",),
              ("navy", "red")),
     Category("ball", ball, (0.09, 0.09, 0.088), 0.09,
-             ("tennis ball", "baseball", "toy ball", "rubber ball", "basketball", "football",
-              "soccer ball", "bouncy ball", "softball"), ("toys", "sports", "pets"), ("round",),
+             ("toy ball", "rubber ball", "bouncy ball"), ("toys", "sports", "pets"), ("round",),
              ("red", "blue"), 0.8),
     Category("dumbbell", dumbbell, (0.22, 0.085, 0.087), 3.0,
              ("hand weight", "weight", "barbell", "free weight"), ("sports",), (),

@@ -1,4 +1,4 @@
-"""Other things of desks and of the hallway: mouse pad, keys, wallet, envelope, folder, map."""
+"""What else lies on desks and by the door: mouse pad, keys, wallet, envelope, folder, map."""
 
 from __future__ import annotations
 
@@ -263,7 +263,7 @@ CATEGORIES = (
     Category("clipboard", clipboard, (0.225, 0.32, 0.0165), 0.28, ("clip board", "checklist"),
              ("office", "medical"), ("flat", "big"), ("brown",), state="lying flat"),
     Category("binder", binder, (0.065, 0.275, 0.31), 0.7,
-             ("ring binder", "folder", "file folder", "lever arch file", "file"), ("office",),
+             ("ring binder", "lever arch file"), ("office",),
              ("tall",), ("blue", "black")),
     Category("folded_map", folded_map, (0.36, 0.26, 0.011), 0.05,
              ("folded road map", "folded paper map", "folded city map", "pocket map"),

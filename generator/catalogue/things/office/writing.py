@@ -1,4 +1,4 @@
-"""Pens, pencils and their holders."""
+"""Pens, pencils and what they stand in."""
 
 from __future__ import annotations
 
@@ -177,7 +177,7 @@ CATEGORIES = (
         pencil,
         (0.173, 0.0078, 0.0068),
         0.006,
-        ("colored pencil", "crayon"),
+        ("colored pencil",),
         ("office", "craft"),
         ("flat",),
         ("yellow", "red"),

@@ -1,4 +1,4 @@
-"""Things of a workbench besides hand tools."""
+"""What lies about on a workbench, besides hand tools."""
 
 from __future__ import annotations
 
@@ -226,7 +226,7 @@ CATEGORIES = (
         screw_box,
         (0.16, 0.115, 0.03),
         0.4,
-        ("box of screws", "screw organizer", "nails", "screws", "screw", "nail"),
+        ("box of screws", "box of nails", "screw organizer"),
         ("workbench",),
         ("flat",),
         ("blue",),

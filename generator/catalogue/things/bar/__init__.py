@@ -1,0 +1,1 @@
+"""What drinks are made and served with."""

@@ -1,0 +1,1 @@
+"""Packed food: tins, jars, bags, boxes and sauces."""

@@ -1,0 +1,1 @@
+"""Clothes, jewellery, gifts and things of the bathroom."""
