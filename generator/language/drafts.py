@@ -9,7 +9,7 @@ import numpy as np
 
 from ..catalogue import CATEGORIES
 from ..errors import InputError
-from .parsing.grammar import NounPhrase
+from .syntax.tree import Arrangement, Noun
 from .relations import fits
 
 MAX_OBJECTS = 24
@@ -28,6 +28,9 @@ class Draft:
     provisional: bool = False
     implied: bool = False
     stacked_under: Draft | None = None
+    position: str | None = None
+    contents: str = ""
+    told: bool = False
 
     def relate(self, kind: str, target: Draft | str) -> None:
         """Add a relation; it replaces one that was only assumed."""
@@ -41,18 +44,39 @@ class Draft:
 Group = list[Draft]
 
 
+@dataclass(frozen=True, eq=False)
+class Grouping:
+    """Things arranged as one: in a row, a circle (around something), a heap, ..."""
+
+    kind: Arrangement
+    members: tuple[Draft, ...]
+    around: Draft | None = None
+    order: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Setting:
+    """What is laid for each of so many people; nothing said lays what the theme has."""
+
+    people: int
+    things: tuple[Noun, ...]
+
+
 @dataclass(eq=False)
 class Reading:
     """What the text said, read so far."""
 
     objects: list[Draft] = field(default_factory=list)
-    table: list[NounPhrase] = field(default_factory=list)
-    table_parts: list[NounPhrase] = field(default_factory=list)
+    table: list[Noun] = field(default_factory=list)
+    table_parts: list[Noun] = field(default_factory=list)
     excluded: set[str] = field(default_factory=set)
+    banned: set[str] = field(default_factory=set)
+    groupings: list[Grouping] = field(default_factory=list)
+    settings: list[Setting] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
     vague: bool = False
 
-    def number(self, noun: NounPhrase, rng: np.random.Generator) -> int:
+    def number(self, noun: Noun, rng: np.random.Generator) -> int:
         """Return how many objects a noun phrase asks for; vague amounts are drawn.
 
         Raises:
@@ -67,11 +91,11 @@ class Reading:
                     "all. Ask for fewer."
                 )
             return int(noun.count)
-        if noun.vague is None and not noun.plural:
+        if noun.amount is None and not noun.plural:
             return 1
         self.vague = True
-        low, high = noun.vague or (2, 3)
-        if noun.vague == (2, 3) and not noun.plural:  # "some bread"
+        low, high = noun.amount or (2, 3)
+        if noun.amount == (2, 3) and not noun.plural:  # "some bread"
             return 1
         return int(rng.integers(low, high + 1))
 
@@ -83,6 +107,7 @@ class Reading:
         *,
         lengths: tuple[float, ...] = (),
         implied: bool = False,
+        position: str | None = None,
     ) -> Draft:
         """Add one object.
 
@@ -95,19 +120,13 @@ class Reading:
                 "Ask for fewer."
             )
         kept = {k: v for k, v in attributes.items() if k != "stack"}
-        self.objects.append(Draft(noun, category, kept, lengths, implied=implied))
+        self.objects.append(
+            Draft(noun, category, kept, lengths, implied=implied, position=position)
+        )
         return self.objects[-1]
 
 
-def same(draft: Draft, noun: NounPhrase) -> bool:
-    """Tell whether a noun phrase may mean this object: same kind, no clashing attribute."""
-    alike = draft.category == noun.category and (noun.category or draft.noun == noun.noun)
-    return bool(alike) and all(
-        draft.attributes.get(k, v) == v for k, v in noun.attributes.items() if k != "state"
-    )
-
-
-def said(noun: NounPhrase) -> str:
+def said(noun: Noun) -> str:
     """Return a noun phrase about as the text had it."""
     amount = f"{noun.count:g} " if noun.count is not None else ""
     return amount + " ".join(noun.words)

@@ -17,8 +17,10 @@ from .filling import fill
 from .furniture import plan_table
 from .laying import place_settings, setting_of
 from .parsing import lexicon
-from .parsing.grammar import chunks
-from .parsing.statements import Reader
+from .semantics.interpreter import Interpreter
+from .syntax.clauses import Parser
+from .syntax.tokens import tokens_of
+from .syntax.words import words_of
 from .parsing.vocabulary import (
     COLORS,
     DEFINITE,
@@ -71,7 +73,8 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     text, drawn = _drawn(text)
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
-    reading = Reader(rng).read(chunks(words))
+    tokens = tokens_of(words_of(prompt), lexicon.is_phrase_start)
+    reading = Interpreter(rng).read(Parser(tokens).sentences())
     theme = _theme(words)
     _check_content(prompt, reading, theme)
     objects = _plan_objects(reading)
@@ -186,7 +189,7 @@ def _default_theme(reading: Reading, *, empty: bool) -> str | None:
 
 def _plan_objects(reading: Reading) -> list[PlannedObject]:
     """Name the drafted objects and turn references into names."""
-    drafts = [d for d in reading.objects if not d.category or d.category not in reading.excluded]
+    drafts = [d for d in reading.objects if not d.category or d.category not in reading.banned]
     taken: Counter[str] = Counter()
     names: dict[int, str] = {}
     for draft in drafts:
