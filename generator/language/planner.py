@@ -73,7 +73,7 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     text, drawn = _drawn(text)
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
-    tokens = tokens_of(words_of(prompt), lexicon.is_phrase_start)
+    tokens = tokens_of(words_of(_undrawn(prompt)), lexicon.is_phrase_start)
     reading = Interpreter(rng).read(Parser(tokens).sentences())
     theme = _theme(words)
     _check_content(prompt, reading, theme)
@@ -162,6 +162,16 @@ def _drawn(text: str) -> tuple[str, str | None]:
         if found:
             return f"{text[: found.start()]} {text[found.end() :]}", drawn
     return text, None
+
+
+def _undrawn(prompt: str) -> str:
+    """Return a prompt with blanks for "cartoon style" and the like."""
+    for phrase in DRAWN:
+        pattern = rf"(?i)\b{phrase.replace(' ', '[ -]')}\b(?:[ -]styled?\b)?"
+        found = re.search(pattern, prompt)
+        if found:
+            return prompt[: found.start()] + " " * len(found.group()) + prompt[found.end() :]
+    return prompt
 
 
 def _theme(words: Sequence[str]) -> str | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ...catalogue import CATEGORIES
 from ..drafts import Draft, Group
 from ..parsing.vocabulary import PACKAGES, SUBSTANCES
@@ -35,6 +37,15 @@ def labels(owner: Noun, inner: Noun) -> bool:
     if vessel is not None and fits("in", size, vessel.size, vessel.container):
         return False
     return package
+
+
+def fills(owner: Noun, items: Sequence[Noun]) -> bool:
+    """Tell whether "with tea" only says what a vessel holds."""
+    if len(items) != 1 or owner.category is None:
+        return False
+    (item,) = items
+    plain = not item.determined and not item.plural and item.category is None
+    return plain and (item.head in SUBSTANCES or " ".join(item.words) in SUBSTANCES)
 
 
 def label(owner: Noun, inner: Noun, drafts: Group) -> None:

@@ -122,13 +122,16 @@ class Interpreter:
             return
         other = found[-2]
         previous = nouns[-2]
-        if not isinstance(other, list) or previous.post or previous.joint.startswith("comma"):
+        if not isinstance(other, list) or previous.post:
             return
+        listed = len(nouns) > 2
         drafts = found[-1]
         assert isinstance(drafts, list)
         for kind, target in list(drafts[0].relations):
             if target is not TABLE and all(target is not d for d in other):
                 targets = [to for d in drafts for k, to in d.relations if k == kind]
+                if listed and kind in ("on", "in"):
+                    continue
                 if shares(kind, other, targets):
                     link(kind, other, targets[:1], self.reading.warnings)
 
@@ -259,7 +262,8 @@ class Interpreter:
             if target is not None:
                 self._attach(post, target, group)
         elif isinstance(post, Carry):
-            self._carry(post, group, noun)
+            if post.back != "between":
+                self._carry(post, group, noun)
         elif isinstance(post, Lack):
             self._lack(post, group)
         elif isinstance(post, Arranged):
@@ -294,6 +298,15 @@ class Interpreter:
                 self._contents(post, owner, noun)
                 return
             items = post.items
+            if isinstance(owner, list) and noun is not None and contents.fills(noun, items):
+                contents.label(noun, items[0], owner)
+                context.owner = outer
+                self._posts(items[0], owner)
+                return
+            moved = _owners_places(owner, post)
+            if moved and isinstance(owner, list):
+                items = (*items[:-1], replace(items[-1], post=[
+                    p for p in items[-1].post if p not in moved]))  # fmt: skip
             if isinstance(owner, list) and len(owner) > 1 and (post.each or post.how == "hold"):
                 items = tuple(_times(item, len(owner)) for item in items)
             groups = self._list(items, owner)
@@ -301,6 +314,9 @@ class Interpreter:
                 for group in groups:
                     if isinstance(group, list):
                         self._assume(group, owner, post)
+                context.owner = outer
+                for place in moved:
+                    self._post(place, owner, noun)
         finally:
             context.owner, context.subject = outer, subject
 
@@ -331,6 +347,8 @@ class Interpreter:
         """Return what a place refers to, reading its noun phrase; None if it cannot be told."""
         context = self._context
         if isinstance(place.target, Zone):
+            if place.table is not None and place.table.kind == "table":
+                self._table(place.table)
             return TABLE
         noun = place.target
         outer, context.subject = context.subject, subject
@@ -424,6 +442,29 @@ class Interpreter:
     def _people(self, clause: Clause) -> None:
         """Read "set the table for four: a plate, a fork on the left"."""
         self.reading.settings.append(Setting(clause.people, tuple(clause.subjects)))
+
+
+_DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at")
+
+
+def _owners_places(owner: Target, post: Carry) -> list[Post]:
+    """Return the places said of a thing in a vessel that are the vessel's.
+
+    "A bowl with two eggs behind the pot": the bowl is behind the pot.
+    """
+    item = post.items[-1]
+    if not isinstance(owner, list) or item.category is None or owner[0].category is None:
+        return []
+    inside = assumed_relation(Draft("", item.category, {}), owner[0], held=post.how != "with")
+    if inside not in ("on", "in"):
+        return []
+    return [
+        place
+        for place in item.post
+        if isinstance(place, Place)
+        and place.kind in _DIRECTIONS
+        and not (isinstance(place.target, Noun) and place.target.kind == "pronoun")
+    ]
 
 
 def _claims(draft: Draft, noun: Noun) -> bool:

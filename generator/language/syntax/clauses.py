@@ -122,7 +122,11 @@ class Parser:
             if word in fw.ARRANGING_VERBS and self._starts_noun(1, determined=True):
                 self.i += 1
                 return Arranged(fw.ARRANGING_VERBS[word])  # type: ignore[arg-type]
-            if (self._tag() == "word" and word in fw.STARTERS | fw.BE and self._is_opening()) or (self._tag() in ("carry", "relative") and word not in ("with",)):
+            asks = word in fw.BE and self._text(1) in ("you", "we", "i", "someone", "anyone")
+            opens = self._tag() == "word" and word in fw.STARTERS | fw.BE
+            if asks or (opens and self._is_opening()):
+                self.i += 1
+            elif self._tag() in ("carry", "relative") and word != "with":
                 self.i += 1
             else:
                 return None
@@ -475,7 +479,8 @@ class Parser:
         if found is not None:
             self.i = found.end
             if not found.of:
-                return Place("beside" if found.loose else "at", found.zone)
+                table = None if found.table is None else read_noun(self.tokens, found.table[0])[0]
+                return Place("beside" if found.loose else "at", found.zone, table=table)
             self.i += 1
             target = self._target(nested=False)
             if target is not None:

@@ -157,9 +157,9 @@ GROUPS = _table(
     grid: grid, matrix
     group: set, sets, group, groups, bunch, bunches, collection, cluster, clusters, assortment
     group: bundle, bundles, handful, arrangement, array, selection, variety, number, mix, mixture
-    group: batch, medley, range, display, ensemble, couple, pair, pairs, piece, pieces, slice
+    group: batch, medley, range, display, ensemble, piece, pieces, slice
     group: slices, type, types, kind, kinds, sort, sorts, lot, sheet, sheets, serving, portion
-    group: helping, unit, units, item, items, trio, dozen, dozens, plenty, spread, sprig, clump
+    group: helping, unit, units, item, items, plenty, spread, sprig, clump
     """
 )
 """Nouns before "of" that only say how many, or how they are arranged."""

@@ -72,7 +72,7 @@ def _introduction(tokens: Sequence[Token], i: int, run: _Run) -> int:
             i += step
         elif token.tag == "each":
             run.each = True
-            i += 1
+            i += 1 + _is_of(tokens, i + 1)
         elif token.tag != "word":
             break
         elif token.text in fw.DEFINITE:
@@ -310,10 +310,8 @@ def _noun(run: _Run) -> Noun:
     if run.arrangement is None and "stacked" in modifiers and plural:
         run.arrangement = "stack"
     if run.groups and count is None and amount is None and not run.portion:
-        whole = not plural and run.arrangement is not None
-        count, amount = (run.groups, None) if whole else (None, (3, 3) if plural else None)
-        if not plural and run.arrangement is None:
-            count = run.groups
+        count, amount = (None, (3, 3)) if plural else (run.groups, None)
+        run.arrangement = run.arrangement if plural else None
     return Noun(
         kind, words, (0, 0), noun, category, count, amount,
         definite=run.definite, other=run.other, each=run.each, plural=plural,

@@ -42,12 +42,14 @@ class Place:
     """Where a thing is: a relation to a noun phrase, or a zone of the table.
 
     ``each``: every single one of the subjects has its own ("each on a saucer") or every target
-    its own subject ("on every plate").
+    its own subject ("on every plate"). ``table``: what is said of the table in a zone ("in the
+    middle of a round table").
     """
 
     kind: str
     target: Noun | Zone
     each: bool = False
+    table: Noun | None = None
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,7 @@ class FoundZone:
         zone: which part.
         end: the token after it.
         of: whether "of" follows, so that it may be a part of something else than the table.
+        table: the tokens that name the table, first and end, where they do.
         loose: "on the left", without "side", "corner" or "of the table": perhaps of a thing.
     """
 
@@ -32,6 +33,7 @@ class FoundZone:
     end: int
     of: bool = False
     loose: bool = False
+    table: tuple[int, int] | None = None
 
 
 def read_zone(tokens: Sequence[Token], start: int, *, heading: bool = False) -> FoundZone | None:
@@ -84,7 +86,7 @@ def _sides(tokens: Sequence[Token], i: int, *, heading: bool, owned: bool) -> Fo
         end = _after_table(tokens, i + 1)
         if end is None:
             return FoundZone(_zone(sides, noun), i, of=True)
-        return FoundZone(_zone(sides, noun), end)
+        return FoundZone(_zone(sides, noun), end, table=(i + 1, end))
     if not i_noun and not heading and _is_noun(tokens, i):
         return None
     if heading and not i_noun and _tag(tokens, i) not in ("colon", "dash"):
