@@ -9,8 +9,9 @@ import numpy as np
 
 from ..catalogue import CATEGORIES
 from ..errors import InputError
-from .syntax.tree import Arrangement, Noun
+from ..scene import GroupKind
 from .relations import fits
+from .syntax.tree import Noun
 
 MAX_OBJECTS = 24
 """More objects than this no table of the catalogue holds."""
@@ -48,18 +49,18 @@ Group = list[Draft]
 class Grouping:
     """Things arranged as one: in a row, a circle (around something), a heap, ..."""
 
-    kind: Arrangement
+    kind: GroupKind
     members: tuple[Draft, ...]
     around: Draft | None = None
     order: str | None = None
+    seat: tuple[int, int] | None = None
 
 
 @dataclass(frozen=True, eq=False)
 class Setting:
-    """What is laid for each of so many people; nothing said lays what the theme has."""
+    """A table laid for so many people with what its theme has."""
 
     people: int
-    things: tuple[Noun, ...]
 
 
 @dataclass(eq=False)

@@ -10,25 +10,23 @@ import numpy as np
 
 from ..catalogue import CATEGORIES
 from ..errors import InputError
-from ..scene import PlannedObject, Relation, ScenePlan
+from ..scene import PlannedGroup, PlannedObject, Relation, ScenePlan
 from . import relations
 from .drafts import Draft, Reading
 from .filling import fill
 from .furniture import plan_table
 from .laying import place_settings, setting_of
 from .parsing import lexicon
-from .semantics.interpreter import Interpreter
-from .syntax.clauses import Parser
-from .syntax.tokens import tokens_of
-from .syntax.words import words_of
 from .parsing.vocabulary import (
     COLORS,
     DEFINITE,
     DRAWN,
     FILLERS,
     FOREIGN,
+    LEGS,
     MATERIALS,
     NUMBERS,
+    OUTLINES,
     PEOPLE,
     PLACES,
     STATES,
@@ -36,6 +34,12 @@ from .parsing.vocabulary import (
     VAGUE,
     VERBS,
 )
+from .semantics import contents
+from .semantics.interpreter import Interpreter
+from .spelling import corrected
+from .syntax.clauses import Parser
+from .syntax.tokens import tokens_of
+from .syntax.words import words_of
 from .themes import DEFAULT_TABLES, THEMES
 
 MAX_CHARACTERS = 2000
@@ -73,11 +77,13 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     text, drawn = _drawn(text)
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
-    tokens = tokens_of(words_of(_undrawn(prompt)), lexicon.is_phrase_start)
-    reading = Interpreter(rng).read(Parser(tokens).sentences())
+    spelt, fixes = corrected(words_of(_undrawn(prompt)), _ENGLISH | {*LEGS, *OUTLINES} | lexicon.vocabulary())
+    parser = Parser(tokens_of(spelt, lexicon.is_phrase_start))
+    reading = Interpreter(rng).read(parser.sentences())
+    reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
     theme = _theme(words)
     _check_content(prompt, reading, theme)
-    objects = _plan_objects(reading)
+    objects, groups = _plan_objects(reading)
     name = theme or _default_theme(reading, empty=not objects)
     _check_bare(reading, objects)
     setting = setting_of(THEMES[name], objects) if name and people > 1 else None
@@ -91,7 +97,7 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     objects, doubts = relations.checked(objects)
     style = drawn or next((word for word in words if word in STYLES), "plain")
     warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown(objects), *doubts]))
-    return ScenePlan(prompt, table, tuple(objects), style, warnings)
+    return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups))
 
 
 # ------------------------------------------------------------------------------------- checks
@@ -197,8 +203,8 @@ def _default_theme(reading: Reading, *, empty: bool) -> str | None:
 # ------------------------------------------------------------------------------------- objects
 
 
-def _plan_objects(reading: Reading) -> list[PlannedObject]:
-    """Name the drafted objects and turn references into names."""
+def _plan_objects(reading: Reading) -> tuple[list[PlannedObject], list[PlannedGroup]]:
+    """Name the drafted objects and turn references into names; return them and their groups."""
     drafts = [d for d in reading.objects if not d.category or d.category not in reading.banned]
     taken: Counter[str] = Counter()
     names: dict[int, str] = {}
@@ -207,9 +213,9 @@ def _plan_objects(reading: Reading) -> list[PlannedObject]:
         stem = "object" if stem == "table" else stem
         taken[stem] += 1
         names[id(draft)] = f"{stem}_{taken[stem]}"
-    return [
+    objects = [
         PlannedObject(
-            names[id(d)], d.noun, d.category or "generic", dict(d.attributes),
+            names[id(d)], contents.held(d), d.category or "generic", dict(d.attributes),
             tuple(
                 Relation(relations.kind(kind), names[id(to)] if isinstance(to, Draft) else to)
                 for kind, to in d.relations
@@ -219,6 +225,14 @@ def _plan_objects(reading: Reading) -> list[PlannedObject]:
         )
         for d in drafts
     ]  # fmt: skip
+    groups = [
+        PlannedGroup(
+            g.kind, tuple(names[id(d)] for d in g.members if id(d) in names),
+            names.get(id(g.around)) if g.around else None, g.seat,
+        )
+        for g in reading.groupings
+    ]  # fmt: skip
+    return objects, [group for group in groups if len(group.members) + bool(group.around) > 1]
 
 
 GENERIC_SIZE = (0.1, 0.08, 0.09)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
@@ -17,6 +17,8 @@ from .facing import natural_yaw
 from .footprint import Footprint, footprint, gaps, margins
 from .furnishing import outline_of
 from .scoring import Neighbour, Request, broken, proposals, score
+from .seats import seat_center
+from .units import Unit, units_of
 
 MARGIN = 0.02
 """Least distance from a footprint to the table's edge, metres."""
@@ -158,13 +160,24 @@ def _place_all(
     """Place everything not yet placed; return the name of the first that finds no place."""
     supports = {o.name: support_of(o) for o in plan.objects}
     missing = [o for o in plan.objects if o.name not in state.places]
-    standing = _ordered([o for o in missing if supports[o.name] is None], models, rng)
+    standing = [o for o in missing if supports[o.name] is None]
     above = [o for o in missing if supports[o.name] is not None]
     shapes = {name: there.shape for name, there in state.neighbours.items()}
     facing = {o.name: natural_yaw(o, models[o.name], plan, rng) for o in missing} | {**yaws}
     shapes |= {o.name: footprint(models[o.name], facing[o.name]) for o in missing}
-    for planned in standing:
-        if not _stand(planned, models, table, outline, rng, state, shapes, above):
+    on_table = {o.name: o for o in standing}
+    carrying = {name: _covered(name, shapes, above) for name in on_table}
+    sized = replace(plan.table, size=(*map(float, table.size),))
+    units = {u.planned.name: u for u in units_of(plan.groups, on_table, carrying, sized, rng)}
+    inside = {name for unit in units.values() for name in unit.offsets}
+    alone = [o for o in standing if o.name not in inside]
+    wholes = [unit.planned for unit in units.values()]
+    for planned in _ordered([*alone, *wholes], models, rng, units):
+        unit = units.get(planned.name)
+        if unit is not None:
+            if not _stand_unit(unit, models, table, outline, rng, state, shapes, carrying):
+                return planned.name
+        elif not _stand(planned, models, table, outline, rng, state, shapes, above):
             return planned.name
     while above:
         ready = [o for o in above if supports[o.name] in state.places]
@@ -219,15 +232,24 @@ def _beside(planned: PlannedObject, support: str) -> PlannedObject:
 
 
 def _ordered(
-    objects: list[PlannedObject], models: Mapping[str, Model], rng: np.random.Generator
+    objects: list[PlannedObject],
+    models: Mapping[str, Model],
+    rng: np.random.Generator,
+    units: Mapping[str, Unit],
 ) -> list[PlannedObject]:
-    """Order objects so that those others refer to come first, larger ones before smaller."""
+    """Order objects so that those others refer to come first, larger ones before smaller.
+
+    What is laid for a seat comes before all else: it has no other place.
+    """
     size = {o.name: float(models[o.name].size[:2].max()) * rng.uniform(0.7, 1.3) for o in objects}
+    for name, unit in units.items():
+        size[name] = 10.0 if unit.seat is not None else 2 * float(unit.shape.half.max())
     waiting = sorted(objects, key=lambda o: -size[o.name])
-    names = {o.name for o in objects}
+    names = {o.name for o in objects} | {name for u in units.values() for name in u.offsets}
     done: list[PlannedObject] = []
     while waiting:
         placed = {o.name for o in done}
+        placed |= {name for o in done if o.name in units for name in units[o.name].offsets}
         ready = [
             o
             for o in waiting
@@ -242,6 +264,49 @@ def _ordered(
 # ----------------------------------------------------------------------------- on the table
 
 
+def _covered(
+    name: str, shapes: Mapping[str, Footprint], above: Sequence[PlannedObject]
+) -> Footprint:
+    """Return the footprint of an object with what stands on it."""
+    own = shapes[name]
+    for other in above:
+        if support_of(other) == name:
+            own = own.covering(shapes[other.name])
+    return own
+
+
+def _stand_unit(
+    unit: Unit,
+    models: Mapping[str, Model],
+    table: Model,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: _State,
+    shapes: dict[str, Footprint],
+    carrying: Mapping[str, Footprint],
+) -> bool:
+    """Find a place for things arranged as one; tell whether there was one."""
+    if unit.seat is not None:
+        center = seat_center(unit.seat, unit.shape, outline)
+        for other in state.neighbours.values():
+            if float(gaps(unit.shape, center[None], other.shape, other.center)[0]) < GAP / 2:
+                return False
+    else:
+        found = _best_place(unit.planned, unit.shape, outline, rng, state)
+        if found is None:
+            return False
+        center = found
+    for name, offset in unit.offsets.items():
+        model, yaw = models[name], shapes[name].yaw + unit.turns[name]
+        shapes[name] = footprint(model, yaw)
+        place = center + offset
+        turned = shapes[name] if carrying[name] is shapes[name] else carrying[name]
+        state.neighbours[name] = Neighbour(turned, place)
+        height = float(table.size[2] + model.size[2] / 2)
+        state.places[name] = Placement(name, yaw, np.array([*place, height]), model.size)
+    return True
+
+
 def _stand(
     planned: PlannedObject,
     models: Mapping[str, Model],
@@ -254,10 +319,26 @@ def _stand(
 ) -> bool:
     """Find the best free place on the tabletop; tell whether there was one."""
     model, shape = models[planned.name], shapes[planned.name]
-    own = shape
-    for other in above:
-        if support_of(other) == planned.name:
-            own = own.covering(shapes[other.name])
+    own = _covered(planned.name, shapes, above)
+    center = _best_place(planned, own, outline, rng, state)
+    if center is None:
+        return False
+    state.neighbours[planned.name] = Neighbour(own, center)
+    height = float(table.size[2] + model.size[2] / 2)
+    state.places[planned.name] = Placement(
+        planned.name, shape.yaw, np.array([*center, height]), model.size
+    )
+    return True
+
+
+def _best_place(
+    planned: PlannedObject,
+    own: Footprint,
+    outline: Float[np.ndarray, "k 2"],
+    rng: np.random.Generator,
+    state: _State,
+) -> Float[np.ndarray, "2"] | None:
+    """Return the best free place on the tabletop, None where there is none; its cost is added."""
     near = {r.target: state.neighbours[r.target] for r in planned.relations
             if r.target in state.neighbours}  # fmt: skip
     request = Request(planned.relations, own, near, outline)
@@ -268,17 +349,12 @@ def _stand(
         room = np.minimum(room, gaps(own, centers, other.shape, other.center))
     free &= room >= GAP
     if not free.any():
-        return False
+        return None
     costs = score(request, centers[free], room[free], list(state.neighbours.values()))
     pick = int(np.argmin(costs + rng.uniform(0, 0.03, len(costs))))
     center = centers[free][pick]
     state.cost += float(costs[pick])
-    state.neighbours[planned.name] = Neighbour(own, center)
-    height = float(table.size[2] + model.size[2] / 2)
-    state.places[planned.name] = Placement(
-        planned.name, shape.yaw, np.array([*center, height]), model.size
-    )
-    return True
+    return center
 
 
 # ----------------------------------------------------------------------- on and in other things

@@ -1,4 +1,4 @@
-""""A bowl of apples", "a glass of orange juice", "a box of gloves", "a photo of a vase"."""
+""" "A bowl of apples", "a glass of orange juice", "a box of gloves", "a photo of a vase"."""
 
 from __future__ import annotations
 
@@ -11,8 +11,25 @@ from ..relations import fits
 from ..syntax.tree import Noun
 
 DEPICTIONS = frozenset(
-    "photo photograph picture painting drawing poster portrait sketch print postcard image map "
-    "statue bust figurine sculpture model".split()
+    [
+        "photo",
+        "photograph",
+        "picture",
+        "painting",
+        "drawing",
+        "poster",
+        "portrait",
+        "sketch",
+        "print",
+        "postcard",
+        "image",
+        "map",
+        "statue",
+        "bust",
+        "figurine",
+        "sculpture",
+        "model",
+    ]
 )
 """Things "of" which only show what follows."""
 
@@ -52,9 +69,7 @@ def label(owner: Noun, inner: Noun, drafts: Group) -> None:
     """Name things after what they hold; a package of something known becomes that."""
     said = " ".join(inner.words)
     known = inner.category is not None and owner.head.split()[-1:][0] in PACKAGES
-    itself = known and (
-        not inner.plural or bool(PACKAGES & set(str(inner.category).split("_")))
-    )
+    itself = known and (not inner.plural or bool(PACKAGES & set(str(inner.category).split("_"))))
     for draft in drafts:
         if itself and inner.head not in SUBSTANCES:
             draft.category, draft.noun = inner.category, inner.head

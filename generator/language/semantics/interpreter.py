@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -41,6 +41,7 @@ class Interpreter:
     reading: Reading = field(default_factory=Reading)
     _context: Context = field(default_factory=Context)
     _side: tuple[str, Target] | None = None  # the last "left of X" of this sentence
+    _seated: int | None = None  # the first object of the place setting that is being read
 
     def read(self, sentences: Sequence[Sentence]) -> Reading:
         """Read all sentences.
@@ -212,7 +213,8 @@ class Interpreter:
         if noun.kind == "collective":
             return self._collective(noun)
         if noun.definite or noun.other or noun.each:
-            found = referred(noun, self.reading.objects, self._context.subject)
+            known = self.reading.objects[self._seated or 0 :]
+            found = referred(noun, known, self._context.subject)
             if noun.each and not found:
                 found = [d for d in self.reading.objects if d.noun == noun.head]
             if found and not (noun.other and not noun.definite):
@@ -222,7 +224,7 @@ class Interpreter:
     def _collective(self, noun: Noun) -> Group:
         members = [m for m in noun.members if m not in self.reading.excluded]
         if noun.head.endswith(("setting", "settings")) and (noun.count or 1) > 1:
-            self.reading.settings.append(Setting(int(noun.count or 1), ()))
+            self.reading.settings.append(Setting(int(noun.count or 1)))
             return []
         self.reading.vague = self.reading.vague or not noun.head.startswith("salt")
         return [
@@ -336,7 +338,11 @@ class Interpreter:
                 continue
             owner = owners[min(k // share, len(owners) - 1)]
             kind = post.back or assumed_relation(draft, owner, held=post.how != "with")
-            if post.back in ("on", "in") and owner.category and CATEGORIES[owner.category].container:
+            if (
+                post.back in ("on", "in")
+                and owner.category
+                and CATEGORIES[owner.category].container
+            ):
                 kind = "in" if post.back == "in" else kind
             draft.relations.append((kind, owner))
             draft.provisional = True
@@ -376,6 +382,9 @@ class Interpreter:
     def _attach(self, place: Place, target: Target, group: Group) -> None:
         """Relate a group to what a place refers to."""
         context, kind = self._context, place.kind
+        if self._seated is not None and kind == "on" and isinstance(target, list):
+            flat = [d.category in CUTLERY for d in target]
+            kind = "behind" if all(flat) else kind  # "the glass above the knife"
         if isinstance(place.target, Zone):
             self._zone(place.target, group, loose=kind == "beside")
             return
@@ -425,6 +434,12 @@ class Interpreter:
 
     def _zone(self, zone: Zone, group: Group, *, loose: bool) -> None:
         """Put a group into a part of the table, or beside what was just spoken of."""
+        if self._seated is not None and zone.x and not zone.edge:
+            plate = self.reading.objects[self._seated]
+            for draft in group:
+                if draft is not plate:
+                    draft.relate("left_of" if zone.x < 0 else "right_of", plate)
+            return
         if loose and self._side is not None and zone.y is None and zone.x:
             kind, target = self._side
             if kind in ("left_of", "right_of") and isinstance(target, list):
@@ -441,8 +456,33 @@ class Interpreter:
 
     def _people(self, clause: Clause) -> None:
         """Read "set the table for four: a plate, a fork on the left"."""
-        self.reading.settings.append(Setting(clause.people, tuple(clause.subjects)))
+        if not clause.subjects:
+            self.reading.settings.append(Setting(clause.people))
+            return
+        self._lay(clause.people, lambda: self._list(clause.subjects, None))
 
+    def _lay(self, people: int, read: Callable[[], Sequence[Target]]) -> None:
+        """Lay for each person what ``read`` reads; "on the left" is left of the first thing."""
+        for seat in range(people):
+            start = len(self.reading.objects)
+            context, self._context = self._context, Context()
+            self._seated, self._side = start, None
+            read()
+            self._seated, self._context = None, context
+            members = self.reading.objects[start:]
+            for draft in members[1:]:
+                if not draft.relations:
+                    draft.relations.append(("right_of", members[0]))
+            standing = tuple(d for d in members if not _is_supported(d))
+            self.reading.groupings.append(Grouping("setting", standing, seat=(seat, people)))
+
+
+def _is_supported(draft: Draft) -> bool:
+    return any(kind in ("on", "in") and to != TABLE for kind, to in draft.relations)
+
+
+CUTLERY = frozenset({"fork", "knife", "spoon", "chopsticks"})
+"""What lies beside a plate; a glass "above" it stands behind it."""
 
 _DIRECTIONS = ("left_of", "right_of", "in_front_of", "behind", "next_to", "at")
 

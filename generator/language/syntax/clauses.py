@@ -124,9 +124,11 @@ class Parser:
                 return Arranged(fw.ARRANGING_VERBS[word])  # type: ignore[arg-type]
             asks = word in fw.BE and self._text(1) in ("you", "we", "i", "someone", "anyone")
             opens = self._tag() == "word" and word in fw.STARTERS | fw.BE
-            if asks or (opens and self._is_opening()):
-                self.i += 1
-            elif self._tag() in ("carry", "relative") and word != "with":
+            if (
+                asks
+                or (opens and self._is_opening())
+                or (self._tag() in ("carry", "relative") and word != "with")
+            ):
                 self.i += 1
             else:
                 return None

@@ -10,9 +10,41 @@ from . import function_words as fw
 from .tokens import Token
 from .tree import Zone
 
-_BEFORE = frozenset(["in", "on", "at", "to", "near", "along", "towards", "toward", "by", "from", "into", "onto", "close", "against"])
+_BEFORE = frozenset(
+    [
+        "in",
+        "on",
+        "at",
+        "to",
+        "near",
+        "along",
+        "towards",
+        "toward",
+        "by",
+        "from",
+        "into",
+        "onto",
+        "close",
+        "against",
+    ]
+)
 _ARTICLES = frozenset(["the", "a", "an", "one", "its", "each", "this", "that"])
-_DEGREES = frozenset(["very", "far", "extreme", "just", "right", "slightly", "dead", "exact", "more", "upper", "lower", "hand"])
+_DEGREES = frozenset(
+    [
+        "very",
+        "far",
+        "extreme",
+        "just",
+        "right",
+        "slightly",
+        "dead",
+        "exact",
+        "more",
+        "upper",
+        "lower",
+        "hand",
+    ]
+)
 _ALONE = frozenset(["centrally", "centered", "central"])
 _TOPS = frozenset(["surface", "tabletop", "top", "area", "workspace", "scene", "image", "picture"])
 
