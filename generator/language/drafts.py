@@ -13,7 +13,7 @@ from ..scene import GroupKind
 from .relations import fits
 from .syntax.tree import Noun
 
-MAX_OBJECTS = 24
+MAX_OBJECTS = 40
 """More objects than this no table of the catalogue holds."""
 
 

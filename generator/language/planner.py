@@ -38,7 +38,7 @@ from .semantics import contents
 from .semantics.interpreter import Interpreter
 from .spelling import corrected
 from .syntax.clauses import Parser
-from .syntax.tokens import tokens_of
+from .syntax.tokens import small_words, tokens_of
 from .syntax.words import words_of
 from .themes import DEFAULT_TABLES, THEMES
 
@@ -77,7 +77,7 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     text, drawn = _drawn(text)
     people = next((PEOPLE[m.group(1) or m.group(2)] for m in _PEOPLE.finditer(text)), 0)
     words = _PEOPLE.sub(" ", text).split()
-    spelt, fixes = corrected(words_of(_undrawn(prompt)), _ENGLISH | {*LEGS, *OUTLINES} | lexicon.vocabulary())
+    spelt, fixes = corrected(words_of(_undrawn(prompt)), _ENGLISH | small_words() | {*LEGS, *OUTLINES} | lexicon.vocabulary())
     parser = Parser(tokens_of(spelt, lexicon.is_phrase_start))
     reading = Interpreter(rng).read(parser.sentences())
     reading.warnings += [f"Read {word!r} as {best!r}." for word, best in fixes.items()]
@@ -86,9 +86,14 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
     objects, groups = _plan_objects(reading)
     name = theme or _default_theme(reading, empty=not objects)
     _check_bare(reading, objects)
-    setting = setting_of(THEMES[name], objects) if name and people > 1 else None
+    people = reading.settings[0].people if reading.settings else people
+    laid = (name or "dining") if reading.settings else name
+    setting = setting_of(THEMES[laid], objects) if laid and people > 1 else None
+    if setting is None and reading.settings:
+        setting = setting_of(THEMES["dining"], objects)
     if setting:
-        objects = [*objects, *place_settings(people, setting, objects, reading.excluded)]
+        more, seated = place_settings(people, setting, objects, reading.excluded)
+        objects, groups = [*objects, *more], [*groups, *seated]
     elif name and (not objects or (theme and reading.vague and len(objects) < 6)):
         most = min(7, len(objects) + 3) if objects else 7
         fewest = most if objects else max(THEMES[name].core, most - 2)
@@ -130,7 +135,7 @@ def _check_text(prompt: str) -> None:
 
 def _check_content(prompt: str, reading: Reading, theme: str | None) -> None:
     known = any(draft.category for draft in reading.objects)
-    if known or reading.table or theme:
+    if known or reading.table or theme or reading.settings:
         return
     words = ", ".join(repr(draft.noun) for draft in reading.objects[:4])
     found = f" (of {words} none is known)" if words else ""

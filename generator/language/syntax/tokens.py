@@ -108,3 +108,13 @@ def _phrase(words: Sequence[Word], i: int) -> tuple[int, str, Any]:
             if found is not None:
                 return length, *found
     return 1, "word", words[i].text
+
+
+@cache
+def small_words() -> frozenset[str]:
+    """Return every word that the grammar goes by."""
+    sets = (fw.NUMBERS, fw.AMOUNTS, fw.DEFINITE, fw.INDEFINITE, fw.PRONOUNS, fw.BE, fw.PARTICIPLES,
+            fw.STARTERS, fw.FILLERS, fw.RELATIVE, fw.PEOPLE_WORDS, fw.MEASURES, fw.SIDES,
+            fw.ZONE_NOUNS, fw.GROUPS, fw.ORDINALS)  # fmt: skip
+    words = {word for known in sets for word in known}
+    return frozenset(words | {word for phrase in _phrases() for word in phrase})
