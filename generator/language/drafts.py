@@ -151,6 +151,10 @@ def shares(kind: str, group: Group, targets: Sequence[Draft | str]) -> bool:
     )
 
 
+_CARRIERS = frozenset({"basket", "bowl", "box", "pot", "tray", "toolbox", "pencil_holder"})
+"""What is there to hold things: "a basket with pears" holds them."""
+
+
 def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     """Return where a thing named with its owner goes: in a vessel, on a plate, else beside it."""
     if owner.category is None:
@@ -159,7 +163,8 @@ def assumed_relation(draft: Draft, owner: Draft, held: bool) -> str:
     if draft.category is None:
         return "next_to" if not held else "in" if outer.container else "on"
     inner = CATEGORIES[draft.category].size
-    if fits("in", inner, outer.size, outer.container) and (held or min(inner) < 0.06):
+    open_to = held or min(inner) < 0.06 or owner.category in _CARRIERS
+    if fits("in", inner, outer.size, outer.container) and open_to:
         return "in"
     if "support" in outer.roles and (held or max(inner[:2]) < 0.8 * min(outer.size[:2])):
         return "on"

@@ -36,6 +36,7 @@ from .parsing.vocabulary import (
 )
 from .semantics import contents
 from .semantics.interpreter import Interpreter
+from .sizing import grown
 from .spelling import corrected
 from .syntax.clauses import Parser
 from .syntax.tokens import small_words, tokens_of
@@ -99,7 +100,7 @@ def plan_scene(prompt: str, seed: int) -> ScenePlan:
         fewest = most if objects else max(THEMES[name].core, most - 2)
         objects = fill(objects, THEMES[name], (fewest, most), reading.excluded, rng)
     table = plan_table(reading, THEMES[name] if name else None, len(objects), rng)
-    objects, doubts = relations.checked(objects)
+    objects, doubts = relations.checked(grown(objects))
     style = drawn or next((word for word in words if word in STYLES), "plain")
     warnings = tuple(dict.fromkeys([*reading.warnings, *_unknown(objects), *doubts]))
     return ScenePlan(prompt, table, tuple(objects), style, warnings, tuple(groups))

@@ -9,11 +9,12 @@ from types import MappingProxyType
 import numpy as np
 from jaxtyping import Float
 
+from ..catalogue import CATEGORIES
 from ..errors import SceneError
-from ..geometry import rotation_z
 from ..scene import TABLE, Model, Placement, PlannedObject, Relation, ScenePlan
 from . import stacking
 from .facing import natural_yaw
+from .fields import HeightField, field_of
 from .footprint import Footprint, footprint, gaps, margins
 from .furnishing import outline_of
 from .scoring import Neighbour, Request, broken, proposals, score
@@ -41,6 +42,7 @@ class _State:
 
     places: dict[str, Placement] = field(default_factory=dict)
     neighbours: dict[str, Neighbour] = field(default_factory=dict)
+    fields: dict[str, HeightField] = field(default_factory=dict)
     warnings: list[str] = field(default_factory=list)
     cost: float = 0.0
 
@@ -374,7 +376,6 @@ def _put(
     inside = any(r.kind == "in" and r.target == support for r in planned.relations)
     sharing = [o.name for o in plan.objects if support_of(o) == support]
     alone = len(sharing) == 1
-    share = (sharing.index(planned.name), len(sharing))
     siblings = [p for p in state.places.values() if p.on == support]
     below = [stacking.triangles(models[p.name], p) for p in (base, *siblings)]
     top = float(below[0][..., 2].max())
@@ -382,50 +383,78 @@ def _put(
     if not inside:  # what lies on another thing lies nearly in line with it
         shapes[planned.name] = footprint(model, base.yaw + float(rng.normal(0, 0.07)))
     shape = shapes[planned.name]
-    best: tuple[float, Placement] | None = None
-    for offset in _offsets(models[support], model, base.yaw, share, rng):
-        center = base.translation[:2] + offset
-        start = np.array([*center, top + model.size[2]])
-        placement = stacking.lowered(
-            model, Placement(planned.name, shape.yaw, start, model.size, support, inside), below
-        )
-        bottom = placement.translation[2] - model.size[2] / 2
-        crowd = min(
-            (float(gaps(shape, center[None], shapes[p.name], p.translation[:2])[0])
-             for p in siblings),
-            default=0.0,
-        )  # fmt: skip
-        cost = (
-            bottom + max(0.0, 0.003 - crowd) * 4 + (0.2 * float(np.hypot(*offset)) if alone else 0)
-        )
-        if best is None or cost < best[0]:
-            best = cost, placement
-    if best is None or (inside and not sunk(best[1], top, heaped=bool(siblings))):
-        return False
-    state.places[planned.name] = best[1]
-    state.neighbours[planned.name] = Neighbour(shape, best[1].translation[:2])
-    return True
+    ground = state.fields.get(support) or field_of(models[support], base)
+    for turn in _TURNS if inside and _is_long(model) else (0.0,):
+        yaw = shape.yaw + turn
+        height, empty = ground.resting(model, yaw)
+        cost = _resting_cost(planned, support, ground, height, empty, alone, base, shapes, state)
+        for cell in _best_cells(cost):
+            start = np.array([*ground.place(cell), height[cell] + 0.5 * model.size[2]])
+            placement = stacking.lowered(
+                model, Placement(planned.name, yaw, start, model.size, support, inside), below
+            )
+            if not inside or sunk(placement, top, heaped=bool(siblings)):
+                shapes[planned.name] = footprint(model, yaw)
+                state.places[planned.name] = placement
+                state.neighbours[planned.name] = Neighbour(
+                    shapes[planned.name], placement.translation[:2]
+                )
+                state.fields[support] = ground.with_thing(model, placement)
+                return True
+    return False
+
+
+_TURNS = (0.0, np.pi / 3, -np.pi / 3, np.pi / 2)
+"""How else a thing may lie in a vessel, radians."""
+
+
+def _is_long(model: Model) -> bool:
+    return float(model.size[:2].max()) > 1.8 * float(model.size[:2].min())
+
+
+_OVERHANG = 0.35
+"""Share of a thing's underside that may be beyond what it stands on."""
+
+
+def _resting_cost(
+    planned: PlannedObject,
+    support: str,
+    ground: HeightField,
+    height: Float[np.ndarray, "nx ny"],
+    empty: Float[np.ndarray, "nx ny"],
+    alone: bool,
+    base: Placement,
+    shapes: Mapping[str, Footprint],
+    state: _State,
+) -> Float[np.ndarray, "nx ny"]:
+    """Return how bad each place on or in a support is; inf where nothing can stand.
+
+    Low is good, and so are room to the others and, alone, the middle.
+    """
+    nx, ny = height.shape
+    grid = np.stack(np.meshgrid(np.arange(nx), np.arange(ny), indexing="ij"), -1)
+    centers = (ground.origin + ground.step * grid).reshape(-1, 2)
+    cost = np.where(np.isneginf(height) | np.isneginf(ground.top), np.inf, height).ravel()
+    rolls = planned.category in CATEGORIES and "round" in CATEGORIES[planned.category].roles
+    cost = cost + 0.2 * np.clip(empty.ravel() - (0.08 if rolls else _OVERHANG), 0, None)
+    away = np.hypot(*(centers - base.translation[:2]).T)
+    cost += (0.2 if alone else 0.01) * away
+    shape = shapes[planned.name]
+    for place in state.places.values():
+        if place.on == support:
+            room = gaps(shape, centers, shapes[place.name], place.translation[:2])
+            cost += np.clip(0.003 - room, 0, None) * 4 + np.clip(0.03 - room, 0, None) * 0.15
+    return cost.reshape(nx, ny)
+
+
+def _best_cells(cost: Float[np.ndarray, "nx ny"]) -> list[tuple[int, int]]:
+    """Return a few of the cheapest cells, the best first."""
+    order = np.argsort(cost, axis=None, kind="stable")[:400:100]
+    cells = [divmod(int(k), cost.shape[1]) for k in order]
+    return [cell for cell in cells if np.isfinite(cost[cell])]
 
 
 def sunk(placement: Placement, rim: float, *, heaped: bool) -> bool:
     """Tell whether something is in a vessel, or ``heaped`` on what is in it, not on its rim."""
     bottom = placement.translation[2] - placement.scale[2] / 2
     return bool(bottom < rim + (0.3 * placement.scale[2] if heaped else -0.004))
-
-
-def _offsets(
-    support: Model, model: Model, yaw: float, share: tuple[int, int], rng: np.random.Generator
-) -> list[Float[np.ndarray, "2"]]:
-    """Return where on its support a thing may stand, relative to the support's centre, metres.
-
-    ``share`` is its number and how many things the support carries: they go round its middle.
-    """
-    spare = np.maximum((support.size[:2] - model.size[:2]) / 2, 0.0)
-    number, count = share
-    if count == 1:
-        return [np.zeros(2), rotation_z(yaw)[:2, :2] @ (0.25 * spare * rng.uniform(-1, 1, 2))]
-    start = 0.4 if count == 2 else np.pi / 2
-    angles = start + 2 * np.pi * (number / count + np.linspace(0, 1, 8, endpoint=False))
-    circle = np.column_stack([np.cos(angles), np.sin(angles)])
-    centers = [reach * spare * way for reach in (0.9, 0.6) for way in circle]
-    return [rotation_z(yaw)[:2, :2] @ c for c in [*centers, np.zeros(2)]]

@@ -411,7 +411,9 @@ class Interpreter:
             flank(group, target, self.reading)
         elif kind in ("around", "surrounded"):
             inner, ring = (target, group) if kind == "around" else (group, target)
-            self.reading.groupings.append(Grouping("circle", tuple(ring), around=inner[0]))
+            laid = self.reading.groupings
+            laid[:] = [g for g in laid if g.kind != "circle" or set(g.members) != set(ring)]
+            laid.append(Grouping("circle", tuple(ring), around=inner[0]))
             link("next_to", ring, inner[:1], self.reading.warnings)
         else:
             link(kind, group, target, self.reading.warnings)
